@@ -10,18 +10,19 @@ template class Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>;
 
 // What simulations and audits call of the parts.
 namespace detail {
-template class Topology<Disc_kinetic_traits_2>;
-template class Topology<Polynomial_disc_kinetic_traits_2>;
-template class Event_loop<Disc_kinetic_traits_2>;
-template class Event_loop<Polynomial_disc_kinetic_traits_2>;
-template class Point_changes<Disc_kinetic_traits_2>;
-template class Point_changes<Polynomial_disc_kinetic_traits_2>;
-template struct Kinetic_core<Disc_kinetic_traits_2>;
-template class Schedule<Disc_kinetic_traits_2>::Policy;
-template bool Schedule<Disc_kinetic_traits_2>::settle(const Algebraic_number*);
-template struct Kinetic_core<Polynomial_disc_kinetic_traits_2>;
-template class Schedule<Polynomial_disc_kinetic_traits_2>::Policy;
-template bool Schedule<Polynomial_disc_kinetic_traits_2>::settle(const Algebraic_number*);
+template class Kinetic_types<Disc_kinetic_traits_2>::Topology;
+template class Kinetic_types<Polynomial_disc_kinetic_traits_2>::Topology;
+template class Kinetic_types<Disc_kinetic_traits_2>::Event_loop;
+template class Kinetic_types<Polynomial_disc_kinetic_traits_2>::Event_loop;
+template class Kinetic_types<Disc_kinetic_traits_2>::Point_changes;
+template class Kinetic_types<Polynomial_disc_kinetic_traits_2>::Point_changes;
+template struct Kinetic_types<Disc_kinetic_traits_2>::Kinetic_core;
+template class Kinetic_types<Disc_kinetic_traits_2>::Schedule::Policy;
+template bool Kinetic_types<Disc_kinetic_traits_2>::Schedule::settle(const Algebraic_number*);
+template struct Kinetic_types<Polynomial_disc_kinetic_traits_2>::Kinetic_core;
+template class Kinetic_types<Polynomial_disc_kinetic_traits_2>::Schedule::Policy;
+template bool Kinetic_types<Polynomial_disc_kinetic_traits_2>::Schedule::settle(
+    const Algebraic_number*);
 }  // namespace detail
 
 }  // namespace kinetri

@@ -21,18 +21,18 @@ template class Kinetic_triangulation_2<Polynomial_kinetic_traits_2>;
 
 // What simulations and audits call of the parts.
 namespace detail {
-template class Topology<Linear_kinetic_traits_2>;
-template class Topology<Polynomial_kinetic_traits_2>;
-template class Event_loop<Linear_kinetic_traits_2>;
-template class Event_loop<Polynomial_kinetic_traits_2>;
-template class Point_changes<Linear_kinetic_traits_2>;
-template class Point_changes<Polynomial_kinetic_traits_2>;
-template struct Kinetic_core<Linear_kinetic_traits_2>;
-template class Schedule<Linear_kinetic_traits_2>::Policy;
-template bool Schedule<Linear_kinetic_traits_2>::settle(const Algebraic_number*);
-template struct Kinetic_core<Polynomial_kinetic_traits_2>;
-template class Schedule<Polynomial_kinetic_traits_2>::Policy;
-template bool Schedule<Polynomial_kinetic_traits_2>::settle(const Algebraic_number*);
+template class Kinetic_types<Linear_kinetic_traits_2>::Topology;
+template class Kinetic_types<Polynomial_kinetic_traits_2>::Topology;
+template class Kinetic_types<Linear_kinetic_traits_2>::Event_loop;
+template class Kinetic_types<Polynomial_kinetic_traits_2>::Event_loop;
+template class Kinetic_types<Linear_kinetic_traits_2>::Point_changes;
+template class Kinetic_types<Polynomial_kinetic_traits_2>::Point_changes;
+template struct Kinetic_types<Linear_kinetic_traits_2>::Kinetic_core;
+template class Kinetic_types<Linear_kinetic_traits_2>::Schedule::Policy;
+template bool Kinetic_types<Linear_kinetic_traits_2>::Schedule::settle(const Algebraic_number*);
+template struct Kinetic_types<Polynomial_kinetic_traits_2>::Kinetic_core;
+template class Kinetic_types<Polynomial_kinetic_traits_2>::Schedule::Policy;
+template bool Kinetic_types<Polynomial_kinetic_traits_2>::Schedule::settle(const Algebraic_number*);
 }  // namespace detail
 
 }  // namespace kinetri

@@ -60,7 +60,7 @@ class Auditor {
   using Face_handle = typename Types::Face_handle;
   using Edge = typename Types::Edge;
   using Time = typename Types::Time;
-  using Entry = Kinetic_entry<Traits>;
+  using Entry = typename Types::Entry;
 
   struct Failure {
     Entry_kind kind;

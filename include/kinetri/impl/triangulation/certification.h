@@ -38,33 +38,24 @@ inline constexpr std::uint8_t no_condition = 4;
 
 /// What a certificate is about: points for the kinetic traits, four for in-circle, three for
 /// orientation; and the kind of its failure.
-template <class Point_2>
-struct Certificate_points {
+template <class Traits>
+struct Kinetic_types<Traits>::Certificate_points {
   Entry_kind kind = Entry_kind::recheck;
   std::array<const Point_2*, 4> points = {};
 };
 
 /// From faces to certificates.
 template <class Traits>
-class Certification {
+class Kinetic_types<Traits>::Certification {
  public:
-  using Types = Topology<Traits>;
-  using Triangulation = typename Types::Triangulation;
-  using Vertex_handle = typename Types::Vertex_handle;
-  using Face_handle = typename Types::Face_handle;
-  using Edge = typename Types::Edge;
-  using Two_sided_edge = typename Types::Two_sided_edge;
-  using Outer_edges = typename Types::Outer_edges;
-  using Point_2 = typename Types::Point_2;
-  using Time = typename Types::Time;
-  using Certificate_points = detail::Certificate_points<Point_2>;
+  using Certificate_points = typename Kinetic_types::Certificate_points;
 
   /// The topology must outlive this object.
-  Certification(const Traits& traits, const Topology<Traits>& topology)
+  Certification(const Traits& traits, const Topology& topology)
       : traits_(traits), topology_(topology), triangulation_(topology.triangulation()) {}
 
   const Traits& traits() const { return traits_; }
-  const Topology<Traits>& topology() const { return topology_; }
+  const Topology& topology() const { return topology_; }
 
   // ---- edges ----
 
@@ -118,8 +109,6 @@ class Certification {
   Rounded_places places(const Time& time) const;
 
  private:
-  static constexpr bool is_weighted = Types::is_weighted;
-
   struct Condition {
     std::uint8_t index;
     const Certificate* certificate;
@@ -146,7 +135,7 @@ class Certification {
   }
 
   Traits traits_;
-  const Topology<Traits>& topology_;
+  const Topology& topology_;
   const Triangulation& triangulation_;
 };
 

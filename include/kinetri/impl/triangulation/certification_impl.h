@@ -18,7 +18,8 @@ namespace kinetri::detail {
 // ---- edges ----
 
 template <class Traits>
-auto Certification<Traits>::points(const Two_sided_edge& edge) const -> Certificate_points {
+auto Kinetic_types<Traits>::Certification::points(const Two_sided_edge& edge) const
+    -> Certificate_points {
   const auto& [face, i] = edge.here;
   const Vertex_handle left = face->vertex(Triangulation::cw(i));
   const Vertex_handle right = face->vertex(Triangulation::ccw(i));
@@ -38,9 +39,8 @@ auto Certification<Traits>::points(const Two_sided_edge& edge) const -> Certific
 }
 
 template <class Traits>
-inline Certificate Certification<Traits>::certificate(const Certificate_points& about,
-                                                      const Time& after,
-                                                      Certificate_state state) const {
+inline Certificate Kinetic_types<Traits>::Certification::certificate(
+    const Certificate_points& about, const Time& after, Certificate_state state) const {
   const auto& [p, q, r, s] = about.points;
   if (about.kind == Entry_kind::flip) {
     return traits_.in_circle_certificate(*p, *q, *r, *s, after, state);
@@ -53,9 +53,10 @@ inline Certificate Certification<Traits>::certificate(const Certificate_points& 
 
 template <class Traits>
 template <class Put>
-void Certification<Traits>::certify(std::span<const Two_sided_edge> edges, const Time& after,
-                                    Certificate_state state, Certificate_counters& counters,
-                                    const Put& put) const {
+void Kinetic_types<Traits>::Certification::certify(std::span<const Two_sided_edge> edges,
+                                                   const Time& after, Certificate_state state,
+                                                   Certificate_counters& counters,
+                                                   const Put& put) const {
   if (triangulation_.dimension() < 2) return certify_chain(edges, after, counters, put);
   const auto time = [&after]() -> const Time& { return after; };
   const auto finish = [&](const Two_sided_edge& edge, Entry_kind failure, Certificate&& known) {
@@ -98,8 +99,10 @@ void Certification<Traits>::certify(std::span<const Two_sided_edge> edges, const
 // Points on a line, or fewer than two.
 template <class Traits>
 template <class Put>
-void Certification<Traits>::certify_chain(std::span<const Two_sided_edge> edges, const Time& after,
-                                          Certificate_counters& counters, const Put& put) const {
+void Kinetic_types<Traits>::Certification::certify_chain(std::span<const Two_sided_edge> edges,
+                                                         const Time& after,
+                                                         Certificate_counters& counters,
+                                                         const Put& put) const {
   for (const Two_sided_edge& edge : edges) {
     if (triangulation_.is_infinite(edge.here)) {
       put(edge, Entry_kind::coincidence, Certificate());
@@ -121,7 +124,8 @@ void Certification<Traits>::certify_chain(std::span<const Two_sided_edge> edges,
 // first vertex is not above the edge between its neighbors. Precondition: dimension 1, the edge is
 // finite.
 template <class Traits>
-Certificate Certification<Traits>::chain_certificate(const Edge& edge, const Time& after) const {
+Certificate Kinetic_types<Traits>::Certification::chain_certificate(const Edge& edge,
+                                                                    const Time& after) const {
   const Face_handle face = edge.first;
   const Point_2& here = face->vertex(0)->point();
   const Point_2& next = face->vertex(1)->point();
@@ -137,11 +141,9 @@ Certificate Certification<Traits>::chain_certificate(const Edge& edge, const Tim
 
 template <class Traits>
 template <class Now, class Put>
-inline void Certification<Traits>::certify_after_flip(const Two_sided_edge& edge,
-                                                      const Outer_edges& outer,
-                                                      const Double_interval& bounds, const Now& now,
-                                                      Certificate_counters& counters,
-                                                      const Put& put) const {
+inline void Kinetic_types<Traits>::Certification::certify_after_flip(
+    const Two_sided_edge& edge, const Outer_edges& outer, const Double_interval& bounds,
+    const Now& now, Certificate_counters& counters, const Put& put) const {
   if (certify_together(edge, outer, bounds, now, counters, put)) return;
   certify({&edge, 1}, now(), Certificate_state::vanishes, counters, put);
   certify(outer, now(), Certificate_state::any, counters, put);
@@ -150,11 +152,9 @@ inline void Certification<Traits>::certify_after_flip(const Two_sided_edge& edge
 // Does nothing and returns false if a point is infinite, or if the traits make no batches.
 template <class Traits>
 template <class Now, class Put>
-inline bool Certification<Traits>::certify_together(const Two_sided_edge& edge,
-                                                    const Outer_edges& outer,
-                                                    const Double_interval& bounds, const Now& now,
-                                                    Certificate_counters& counters,
-                                                    const Put& put) const {
+inline bool Kinetic_types<Traits>::Certification::certify_together(
+    const Two_sided_edge& edge, const Outer_edges& outer, const Double_interval& bounds,
+    const Now& now, Certificate_counters& counters, const Put& put) const {
   if constexpr (BatchKineticTraits_2<Traits>) {
     const auto& [face, i] = edge.here;
     const auto& [neighbor, j] = edge.there;
@@ -191,7 +191,8 @@ inline bool Certification<Traits>::certify_together(const Two_sided_edge& edge,
 }
 
 template <class Traits>
-auto Certification<Traits>::certificate_of(const Two_sided_edge& edge, const Time& after) const
+auto Kinetic_types<Traits>::Certification::certificate_of(const Two_sided_edge& edge,
+                                                          const Time& after) const
     -> std::pair<Entry_kind, Certificate> {
   std::pair<Entry_kind, Certificate> result;
   Certificate_counters unused;
@@ -208,9 +209,9 @@ auto Certification<Traits>::certificate_of(const Two_sided_edge& edge, const Tim
 // in-circle or orientation polynomial is positive, no two of its points coincide.
 template <class Traits>
 template <class After>
-inline Entry_kind Certification<Traits>::first_failure(const Two_sided_edge& edge, Entry_kind kind,
-                                                       Certificate& certificate, const After& after,
-                                                       Certificate_counters& counters) const {
+inline Entry_kind Kinetic_types<Traits>::Certification::first_failure(
+    const Two_sided_edge& edge, Entry_kind kind, Certificate& certificate, const After& after,
+    Certificate_counters& counters) const {
   using Kind = Certificate::Kind;
   if (certificate.kind == Kind::holds || kind == Entry_kind::hull_remove) return kind;
   const bool fails = certificate.kind == Kind::fails;
@@ -237,9 +238,9 @@ inline Entry_kind Certification<Traits>::first_failure(const Two_sided_edge& edg
 
 // The certificate that the ends of the edge are apart.
 template <class Traits>
-inline Certificate Certification<Traits>::coincidence(const Two_sided_edge& edge, const Time& after,
-                                                      const Double_interval& among,
-                                                      Certificate_counters& counters) const {
+inline Certificate Kinetic_types<Traits>::Certification::coincidence(
+    const Two_sided_edge& edge, const Time& after, const Double_interval& among,
+    Certificate_counters& counters) const {
   const auto& [face, i] = edge.here;
   Certificate result =
       traits_.coincidence_certificate(face->vertex(Triangulation::cw(i))->point(),
@@ -251,8 +252,9 @@ inline Certificate Certification<Traits>::coincidence(const Two_sided_edge& edge
 }
 
 template <class Traits>
-auto Certification<Traits>::failure_time(const Certificate_points& failed,
-                                         const Double_interval& bounds) const -> Time {
+auto Kinetic_types<Traits>::Certification::failure_time(const Certificate_points& failed,
+                                                        const Double_interval& bounds) const
+    -> Time {
   const auto& [p, q, r, s] = failed.points;
   return failed.kind == Entry_kind::flip ? traits_.in_circle_failure(*p, *q, *r, *s, bounds)
                                          : traits_.orientation_failure(*p, *q, *r, bounds);
@@ -261,7 +263,7 @@ auto Certification<Traits>::failure_time(const Certificate_points& failed,
 // ---- hidden points ----
 
 template <class Traits>
-std::pair<std::uint8_t, Certificate> Certification<Traits>::hidden_certificate(
+std::pair<std::uint8_t, Certificate> Kinetic_types<Traits>::Certification::hidden_certificate(
     Vertex_handle v, const Time& after, Certificate_counters& counters,
     std::uint8_t vanishing) const {
   std::pair<std::uint8_t, Certificate> first = {plane_condition, Certificate()};
@@ -281,7 +283,7 @@ std::pair<std::uint8_t, Certificate> Certification<Traits>::hidden_certificate(
 }
 
 template <class Traits>
-auto Certification<Traits>::hidden_points(Vertex_handle v, std::uint8_t condition)
+auto Kinetic_types<Traits>::Certification::hidden_points(Vertex_handle v, std::uint8_t condition)
     -> Certificate_points {
   const Face_handle face = v->face();
   if (condition == plane_condition) {
@@ -297,9 +299,8 @@ auto Certification<Traits>::hidden_points(Vertex_handle v, std::uint8_t conditio
 // In dimension 2 the condition of a side or of the plane. Below, of the segment or vertex that
 // hides the point (`plane_condition`), or of an end of the segment.
 template <class Traits>
-Certificate Certification<Traits>::hidden_certificate(Vertex_handle v, std::uint8_t condition,
-                                                      const Time& after,
-                                                      Certificate_state state) const {
+Certificate Kinetic_types<Traits>::Certification::hidden_certificate(
+    Vertex_handle v, std::uint8_t condition, const Time& after, Certificate_state state) const {
   const Face_handle face = v->face();
   const Point_2& point = v->point();
   if (triangulation_.dimension() == 2) {
@@ -319,8 +320,8 @@ Certificate Certification<Traits>::hidden_certificate(Vertex_handle v, std::uint
 
 // Whether the first fails, or is to be checked again, before the second.
 template <class Traits>
-bool Certification<Traits>::is_earlier(Vertex_handle v, const Condition& a,
-                                       const Condition& b) const {
+bool Kinetic_types<Traits>::Certification::is_earlier(Vertex_handle v, const Condition& a,
+                                                      const Condition& b) const {
   if (b.certificate->kind == Certificate::Kind::never_fails) return true;
   if (a.certificate->bounds.upper < b.certificate->bounds.lower) return true;
   if (a.certificate->bounds.lower > b.certificate->bounds.upper) return false;
@@ -337,8 +338,8 @@ bool Certification<Traits>::is_earlier(Vertex_handle v, const Condition& a,
 
 template <class Traits>
 template <class Is_left_turn>
-bool Certification<Traits>::is_embedded_around(Vertex_handle v, const Double_interval& bounds,
-                                               const Is_left_turn& is_left_turn) const {
+bool Kinetic_types<Traits>::Certification::is_embedded_around(
+    Vertex_handle v, const Double_interval& bounds, const Is_left_turn& is_left_turn) const {
   if constexpr (BatchKineticTraits_2<Traits>) {
     // Mostly it is an inner vertex of few neighbors.
     std::array<const Point_2*, 16> around;
@@ -387,8 +388,9 @@ bool Certification<Traits>::is_embedded_around(Vertex_handle v, const Double_int
 }
 
 template <class Traits>
-Rounded_places Certification<Traits>::places([[maybe_unused]] const Time& time) const {
-  if constexpr (HasRoundedPlace<typename Types::Motion>) {
+Rounded_places Kinetic_types<Traits>::Certification::places(
+    [[maybe_unused]] const Time& time) const {
+  if constexpr (HasRoundedPlace<Motion>) {
     const auto point_of = [](Vertex_handle v) -> const Point_2& { return v->point(); };
     return Rounded_places(triangulation_.finite_vertex_handles(), time, point_of);
   } else {

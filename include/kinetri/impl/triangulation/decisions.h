@@ -25,18 +25,8 @@ enum class Action : std::uint8_t {
 /// Decides failures of edges. docs/MATH.md, sections 5 and 11, proves that these actions lead to
 /// the triangulation just after the time.
 template <class Traits>
-class Decisions {
+class Kinetic_types<Traits>::Decisions {
  public:
-  using Types = Topology<Traits>;
-  using Triangulation = typename Types::Triangulation;
-  using Vertex_handle = typename Types::Vertex_handle;
-  using Face_handle = typename Types::Face_handle;
-  using Edge = typename Types::Edge;
-  using Two_sided_edge = typename Types::Two_sided_edge;
-  using Point_2 = typename Types::Point_2;
-  using Time = typename Types::Time;
-  using Entry = Kinetic_entry<Traits>;
-
   struct Decision {
     Action action = Action::flip;
     Vertex_handle hidden = {};  ///< which vertex to hide
@@ -44,7 +34,7 @@ class Decisions {
   };
 
   /// The certification must outlive this object.
-  explicit Decisions(const Certification<Traits>& certification)
+  explicit Decisions(const Certification& certification)
       : certification_(certification),
         topology_(certification.topology()),
         triangulation_(topology_.triangulation()) {}
@@ -57,7 +47,7 @@ class Decisions {
     if (failure.kind == Entry_kind::hull_insert) {
       return decide_at_hull(edge, failure.changes_sign, now());
     }
-    if constexpr (Types::is_weighted) {
+    if constexpr (is_weighted) {
       if (failure.kind == Entry_kind::flip && !topology_.are_weights_equal()) {
         return decide_inside(edge, failure.changes_sign, bounds, now);
       }
@@ -93,22 +83,22 @@ class Decisions {
   bool can_insert_into_hull(const Edge& hull_triangle, const Time& now) const;
   Vertex_handle hidden_hull_vertex(Face_handle face, const Time& now) const;
 
-  const Certification<Traits>& certification_;
-  const Topology<Traits>& topology_;
+  const Certification& certification_;
+  const Topology& topology_;
   const Triangulation& triangulation_;
 };
 
 // The triangle at a hull edge is flat.
 template <class Traits>
-auto Decisions<Traits>::decide_at_hull(const Two_sided_edge& edge, bool changes_sign,
-                                       const Time& now) const -> Decision {
+auto Kinetic_types<Traits>::Decisions::decide_at_hull(const Two_sided_edge& edge, bool changes_sign,
+                                                      const Time& now) const -> Decision {
   const Edge& triangle = topology_.hull_triangle(edge);
   const Face_handle face = triangle.first;
   if (may_hide_a_turn(triangle, now)) return {Action::rebuild};
   if (!changes_sign && is_touch(face, now)) {
     return {do_corners_meet(face, now) ? Action::rebuild : Action::reschedule};
   }
-  if constexpr (Types::is_weighted) {
+  if constexpr (is_weighted) {
     if (!topology_.are_weights_equal()) {
       const Vertex_handle hidden = hidden_hull_vertex(face, now);
       if (hidden != Vertex_handle()) return {Action::hide, hidden, true};
@@ -133,9 +123,9 @@ auto Decisions<Traits>::decide_at_hull(const Two_sided_edge& edge, bool changes_
 // not yet what it is just after that time.
 template <class Traits>
 template <class Now>
-auto Decisions<Traits>::decide_inside(const Two_sided_edge& edge, bool changes_sign,
-                                      const Double_interval& bounds, const Now& now) const
-    -> Decision {
+auto Kinetic_types<Traits>::Decisions::decide_inside(const Two_sided_edge& edge, bool changes_sign,
+                                                     const Double_interval& bounds,
+                                                     const Now& now) const -> Decision {
   const auto& [face, i] = edge.here;
   const auto& [neighbor, j] = edge.there;
   if (!changes_sign) {
@@ -168,7 +158,7 @@ auto Decisions<Traits>::decide_inside(const Two_sided_edge& edge, bool changes_s
 
 // Whether a triangle, flat at this time, makes a left turn just after it.
 template <class Traits>
-bool Decisions<Traits>::is_touch(Face_handle face, const Time& now) const {
+bool Kinetic_types<Traits>::Decisions::is_touch(Face_handle face, const Time& now) const {
   return after(now).orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
                                            face->vertex(2)->point()) == CGAL::LEFT_TURN;
 }
@@ -177,7 +167,7 @@ bool Decisions<Traits>::is_touch(Face_handle face, const Time& now) const {
 // may exchange their order along a side of the hull on which all their neighbors are, so that no
 // orientation changes its sign. Points without weights have been taken out.
 template <class Traits>
-bool Decisions<Traits>::do_corners_meet(Face_handle face, const Time& time) const {
+bool Kinetic_types<Traits>::Decisions::do_corners_meet(Face_handle face, const Time& time) const {
   if (topology_.are_weights_equal()) return false;
   const auto now = at(time);
   const auto meet = [&](int i, int j) {
@@ -192,7 +182,8 @@ bool Decisions<Traits>::do_corners_meet(Face_handle face, const Time& time) cons
 // Whether the triangle at a hull edge and one beside it are flat at this time and one of the two
 // does not turn over: then others may turn over behind it that no hull edge tells of.
 template <class Traits>
-bool Decisions<Traits>::may_hide_a_turn(const Edge& hull_triangle, const Time& time) const {
+bool Kinetic_types<Traits>::Decisions::may_hide_a_turn(const Edge& hull_triangle,
+                                                       const Time& time) const {
   const auto now = at(time);
   const auto& [face, i] = hull_triangle;
   for (const int j : {Triangulation::cw(i), Triangulation::ccw(i)}) {
@@ -210,7 +201,7 @@ bool Decisions<Traits>::may_hide_a_turn(const Edge& hull_triangle, const Time& t
 // Whether all points lie on the line of a triangle that is flat at this time. Usually the first one
 // that is looked at does not.
 template <class Traits>
-bool Decisions<Traits>::are_all_collinear(Face_handle face, const Time& time) const {
+bool Kinetic_types<Traits>::Decisions::are_all_collinear(Face_handle face, const Time& time) const {
   const auto now = at(time);
   return std::ranges::all_of(triangulation_.finite_vertex_handles(), [&](Vertex_handle v) {
     return face->has_vertex(v) ||
@@ -223,7 +214,8 @@ bool Decisions<Traits>::are_all_collinear(Face_handle face, const Time& time) co
 // the ends of the edge, and is no hull vertex yet. Otherwise several hull triangles went flat
 // together, possibly all of the triangulation.
 template <class Traits>
-bool Decisions<Traits>::can_insert_into_hull(const Edge& hull_triangle, const Time& time) const {
+bool Kinetic_types<Traits>::Decisions::can_insert_into_hull(const Edge& hull_triangle,
+                                                            const Time& time) const {
   const auto& [face, i] = hull_triangle;
   const Vertex_handle apex = face->vertex(i);
   if (triangulation_.is_edge(apex, triangulation_.infinite_vertex())) return false;
@@ -242,7 +234,7 @@ bool Decisions<Traits>::can_insert_into_hull(const Edge& hull_triangle, const Ti
 //         c                    c
 //
 template <class Traits>
-auto Decisions<Traits>::hidden_hull_vertex(Face_handle face, const Time& time) const
+auto Kinetic_types<Traits>::Decisions::hidden_hull_vertex(Face_handle face, const Time& time) const
     -> Vertex_handle {
   const auto now = at(time);
   for (int i = 0; i < 3; ++i) {

@@ -21,20 +21,11 @@ namespace kinetri::detail {
 /// One event's way: `run_to` has the schedule settled until a failure comes first; `run_instant`
 /// takes it out; `execute` asks `Decisions` what it leads to, and has `Updates` do it.
 template <class Traits>
-class Event_loop {
+class Kinetic_types<Traits>::Event_loop {
  public:
-  using Types = Topology<Traits>;
-  using Triangulation = typename Types::Triangulation;
-  using Vertex_handle = typename Types::Vertex_handle;
-  using Face_handle = typename Types::Face_handle;
-  using Edge = typename Types::Edge;
-  using Two_sided_edge = typename Types::Two_sided_edge;
-  using Time = typename Types::Time;
-  using Entry = Kinetic_entry<Traits>;
-
   /// The others must outlive this object.
-  Event_loop(Topology<Traits>& topology, const Certification<Traits>& certification,
-             Schedule<Traits>& schedule, Event_reporter<Traits>& reporter, Updates<Traits>& updates)
+  Event_loop(Topology& topology, const Certification& certification, Schedule& schedule,
+             Event_reporter& reporter, Updates& updates)
       : topology_(topology),
         certification_(certification),
         schedule_(schedule),
@@ -76,8 +67,6 @@ class Event_loop {
   bool has_points_set_aside() const { return !points_set_aside_.empty(); }
 
  private:
-  static constexpr bool is_weighted = Types::is_weighted;
-
   struct Point_set_aside {
     Vertex_handle vertex;
     Vertex_handle companion;  // where to look for its place: was in the same one
@@ -89,11 +78,11 @@ class Event_loop {
   void put_points_back();
   bool has_flat_triangle() const;
 
-  Topology<Traits>& topology_;
-  const Certification<Traits>& certification_;
-  Schedule<Traits>& schedule_;
-  Event_reporter<Traits>& reporter_;
-  Updates<Traits>& updates_;
+  Topology& topology_;
+  const Certification& certification_;
+  Schedule& schedule_;
+  Event_reporter& reporter_;
+  Updates& updates_;
   std::vector<Point_set_aside> points_set_aside_;
   std::vector<Edge_ids> postponed_;  // edges whose certificates fail now, but cannot be flipped yet
   std::uint64_t changes_before_retry_ = 0;

@@ -16,7 +16,8 @@
 namespace kinetri::detail {
 
 template <class Traits>
-std::size_t Event_loop<Traits>::run_to(const Time& time, const std::function<bool()>& may_go_on) {
+std::size_t Kinetic_types<Traits>::Event_loop::run_to(const Time& time,
+                                                      const std::function<bool()>& may_go_on) {
   std::size_t events = 0;
   bool goes_on = true;
   while (goes_on && schedule_.settle(&time)) {
@@ -29,7 +30,7 @@ std::size_t Event_loop<Traits>::run_to(const Time& time, const std::function<boo
 }
 
 template <class Traits>
-std::size_t Event_loop<Traits>::run_instant() {
+std::size_t Kinetic_types<Traits>::Event_loop::run_instant() {
   auto& queue = schedule_.queue();
   reporter_.begin_instant();
   is_hull_flat_ = false;
@@ -56,19 +57,19 @@ std::size_t Event_loop<Traits>::run_instant() {
 }
 
 template <class Traits>
-void Event_loop<Traits>::execute_due_events() {
+void Kinetic_types<Traits>::Event_loop::execute_due_events() {
   do {
     while (schedule_.settle_now()) execute(schedule_.queue().pop());
   } while (retry_postponed());
 }
 
 template <class Traits>
-void Event_loop<Traits>::execute(const Entry& failure) {
+void Kinetic_types<Traits>::Event_loop::execute(const Entry& failure) {
   KINETRI_ASSERT(failure.kind >= Entry_kind::hull_insert,
                  "an event is a failure, and coincident points have been set aside");
   if constexpr (is_weighted) {
     if (failure.is_hidden()) {
-      Hidden_events<Traits> hidden(topology_, schedule_, reporter_, updates_);
+      Hidden_events hidden(topology_, schedule_, reporter_, updates_);
       if (!hidden.execute(failure)) rebuild();
       return;
     }
@@ -76,20 +77,20 @@ void Event_loop<Traits>::execute(const Entry& failure) {
   const Two_sided_edge edge = topology_.two_sided(failure.edge());
   const auto now = [this]() -> const Time& { return schedule_.current_time(); };
   const auto decision =
-      Decisions<Traits>(certification_).decide(failure, edge, schedule_.current_bounds(), now);
+      Decisions(certification_).decide(failure, edge, schedule_.current_bounds(), now);
   is_hull_flat_ = is_hull_flat_ || decision.is_hull_flat;
   switch (decision.action) {
     case Action::flip:
       return updates_.flip(edge, event_kind_of(failure.kind));
     case Action::hide:
-      Types::set_event(edge, no_event);
+      Topology::set_event(edge, no_event);
       if constexpr (is_weighted) updates_.hide(decision.hidden);
       return;
     case Action::reschedule:
       return schedule_.schedule({&edge, 1}, now());
     case Action::postpone:
-      Types::set_event(edge, no_event);
-      postponed_.push_back(Types::ids_of(edge.here));
+      Topology::set_event(edge, no_event);
+      postponed_.push_back(Topology::ids_of(edge.here));
       return;
     case Action::rebuild:
       return rebuild();
@@ -97,7 +98,7 @@ void Event_loop<Traits>::execute(const Entry& failure) {
 }
 
 template <class Traits>
-void Event_loop<Traits>::rebuild() {
+void Kinetic_types<Traits>::Event_loop::rebuild() {
   points_set_aside_.clear();
   postponed_.clear();
   updates_.rebuild();
@@ -106,7 +107,7 @@ void Event_loop<Traits>::rebuild() {
 // When no event is due: schedules the postponed edges again if something has happened since, and
 // reconstructs the triangulation otherwise. Returns whether there were any.
 template <class Traits>
-bool Event_loop<Traits>::retry_postponed() {
+bool Kinetic_types<Traits>::Event_loop::retry_postponed() {
   if (postponed_.empty()) return false;
   const bool is_stuck = updates_.number_of_changes() == changes_before_retry_;
   changes_before_retry_ = updates_.number_of_changes();
@@ -136,7 +137,7 @@ bool Event_loop<Traits>::retry_postponed() {
 // share edges just before, so that each place's points are connected by edges whose ends coincide;
 // these are first in the queue.
 template <class Traits>
-void Event_loop<Traits>::set_coincident_points_aside() {
+void Kinetic_types<Traits>::Event_loop::set_coincident_points_aside() {
   auto& queue = schedule_.queue();
   reporter_.start_noting();
   // By point, one that is nearer to the least id in its place, or that one itself.
@@ -147,8 +148,8 @@ void Event_loop<Traits>::set_coincident_points_aside() {
   };
   while (schedule_.settle_now() && queue.top().kind == Entry_kind::coincidence) {
     const Edge edge = queue.pop().edge();
-    Types::set_event(topology_.two_sided(edge), no_event);
-    const auto [a, b] = Types::ids_of(edge);
+    Topology::set_event(topology_.two_sided(edge), no_event);
+    const auto [a, b] = Topology::ids_of(edge);
     parents.emplace(a, a);
     parents.emplace(b, b);
     const std::array<Point_id, 2> merged = edge_ids(least(a), least(b));
@@ -173,7 +174,7 @@ void Event_loop<Traits>::set_coincident_points_aside() {
 
 // Puts the points that were set aside back where they are just after now, one after the other.
 template <class Traits>
-void Event_loop<Traits>::put_points_back() {
+void Kinetic_types<Traits>::Event_loop::put_points_back() {
   while (!points_set_aside_.empty()) {
     const auto [v, companion] = points_set_aside_.back();
     points_set_aside_.pop_back();
@@ -187,7 +188,7 @@ void Event_loop<Traits>::put_points_back() {
 // Just before the mirrored time the triangulation is Delaunay; the events of that time are executed
 // as in `run_instant`. A flat triangle, as there is also if points meet, is rebuilt instead.
 template <class Traits>
-void Event_loop<Traits>::reverse() {
+void Kinetic_types<Traits>::Event_loop::reverse() {
   schedule_.queue().clear();
   schedule_.set_current_time(-schedule_.current_time());
   for (const Vertex_handle v : topology_.vertices()) {
@@ -206,7 +207,7 @@ void Event_loop<Traits>::reverse() {
 
 // Whether a triangle is flat at the present time, or the points are on a line.
 template <class Traits>
-bool Event_loop<Traits>::has_flat_triangle() const {
+bool Kinetic_types<Traits>::Event_loop::has_flat_triangle() const {
   const Triangulation& triangulation = topology_.triangulation();
   if (triangulation.dimension() < 2) return true;
   const auto now =

@@ -55,10 +55,10 @@ struct Edge_trail {
 /// While edges are noted, no event is reported: what changes then, in whatever steps, is reported
 /// at the end as the edges that have come and gone, in `rebuild` events.
 template <class Traits>
-class Event_reporter {
+class Kinetic_types<Traits>::Event_reporter {
  public:
   /// The others must outlive this object.
-  Event_reporter(const Topology<Traits>& topology, const Schedule<Traits>& schedule,
+  Event_reporter(const Topology& topology, const Schedule& schedule,
                  Triangulation_counters& counters)
       : topology_(topology), schedule_(schedule), counters_(counters) {}
   Event_reporter(const Event_reporter&) = delete;
@@ -176,8 +176,8 @@ class Event_reporter {
  private:
   void report_points();
 
-  const Topology<Traits>& topology_;
-  const Schedule<Traits>& schedule_;
+  const Topology& topology_;
+  const Schedule& schedule_;
   Triangulation_counters& counters_;
   Observer_list<Event_observer> observers_;
   std::optional<Edge_changes> edges_;              // while edges are noted
@@ -191,7 +191,7 @@ class Event_reporter {
 };
 
 template <class Traits>
-void Event_reporter<Traits>::report_points() {
+void Kinetic_types<Traits>::Event_reporter::report_points() {
   auto points = std::exchange(points_, {});
   std::ranges::stable_sort(points, {}, &std::pair<Point_id, bool>::first);
   for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
@@ -207,7 +207,7 @@ void Event_reporter<Traits>::report_points() {
 }
 
 template <class Traits>
-Changed_edges Event_reporter<Traits>::report_edges() {
+Changed_edges Kinetic_types<Traits>::Event_reporter::report_edges() {
   Changed_edges result;
   if (!edges_) return result;
   std::vector<Edge_ids> touched;
@@ -237,7 +237,7 @@ Changed_edges Event_reporter<Traits>::report_edges() {
 }
 
 template <class Traits>
-void Event_reporter<Traits>::report_hiding() {
+void Kinetic_types<Traits>::Event_reporter::report_hiding() {
   if (moved_hidden_.empty()) return;
   std::vector<Point_id> points = std::exchange(moved_hidden_, {});
   if (observers_.empty() && !keeps_trail_) return;

@@ -23,20 +23,10 @@ namespace kinetri::detail {
 /// Puts hidden points into the right triangles, or makes them vertices. Precondition: points have
 /// weights.
 template <class Traits>
-class Hidden_events {
+class Kinetic_types<Traits>::Hidden_events {
  public:
-  using Types = Topology<Traits>;
-  using Triangulation = typename Types::Triangulation;
-  using Vertex_handle = typename Types::Vertex_handle;
-  using Face_handle = typename Types::Face_handle;
-  using Edge = typename Types::Edge;
-  using Location = typename Types::Location;
-  using Point_2 = typename Types::Point_2;
-  using Entry = Kinetic_entry<Traits>;
-
   /// The others must outlive this object.
-  Hidden_events(Topology<Traits>& topology, Schedule<Traits>& schedule,
-                Event_reporter<Traits>& reporter, Updates<Traits>& updates)
+  Hidden_events(Topology& topology, Schedule& schedule, Event_reporter& reporter, Updates& updates)
       : topology_(topology),
         triangulation_(topology.triangulation()),
         schedule_(schedule),
@@ -135,11 +125,11 @@ class Hidden_events {
                 point) != CGAL::ON_POSITIVE_SIDE;
   }
 
-  Topology<Traits>& topology_;
+  Topology& topology_;
   Triangulation& triangulation_;
-  Schedule<Traits>& schedule_;
-  Event_reporter<Traits>& reporter_;
-  Updates<Traits>& updates_;
+  Schedule& schedule_;
+  Event_reporter& reporter_;
+  Updates& updates_;
 };
 
 }  // namespace kinetri::detail

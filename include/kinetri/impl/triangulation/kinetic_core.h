@@ -30,10 +30,7 @@ namespace kinetri::detail {
 /// | loop | what is put off within an instant | how a change is made |
 /// | changes | | how events follow each other |
 template <class Traits>
-struct Kinetic_core {
-  using Time = Algebraic_number;
-  using Point_2 = typename Traits::Point_2;
-
+struct Kinetic_types<Traits>::Kinetic_core {
   /// No points at `start`.
   Kinetic_core(const Traits& traits, const Time& start)
       : topology({start, Time_side::after}),
@@ -56,13 +53,13 @@ struct Kinetic_core {
   void join_parts();
 
   Triangulation_counters counters;
-  Topology<Traits> topology;
-  Certification<Traits> certification;
-  Schedule<Traits> schedule;
-  Event_reporter<Traits> reporter;
-  Updates<Traits> updates;
-  Event_loop<Traits> loop;
-  Point_changes<Traits> changes;
+  Topology topology;
+  Certification certification;
+  Schedule schedule;
+  Event_reporter reporter;
+  Updates updates;
+  Event_loop loop;
+  Point_changes changes;
   Construction_seconds construction_seconds;
   std::size_t threads = 1;  ///< that advance_to may use; 0: those of oneTBB's arena
 };

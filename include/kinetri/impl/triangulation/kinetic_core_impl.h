@@ -13,10 +13,11 @@
 namespace kinetri::detail {
 
 template <class Traits>
-void Kinetic_core<Traits>::start_with(std::span<const Point_2> points, std::size_t ids) {
+void Kinetic_types<Traits>::Kinetic_core::start_with(std::span<const Point_2> points,
+                                                     std::size_t ids) {
   const auto started = std::chrono::steady_clock::now();
-  topology.set_weights_equal(Topology<Traits>::have_equal_weights(points));
-  topology.start(Static_construction<Traits>::build(
+  topology.set_weights_equal(Kinetic_types<Traits>::Topology::have_equal_weights(points));
+  topology.start(Kinetic_types<Traits>::Static_construction::build(
                      points, schedule.current_time(),
                      certification.traits().instantaneous_traits(topology.clock())),
                  ids);
@@ -28,8 +29,8 @@ void Kinetic_core<Traits>::start_with(std::span<const Point_2> points, std::size
 }
 
 template <class Traits>
-std::size_t Kinetic_core<Traits>::advance_to(const Time& time,
-                                             const std::function<bool()>& may_go_on) {
+std::size_t Kinetic_types<Traits>::Kinetic_core::advance_to(
+    const Time& time, const std::function<bool()>& may_go_on) {
   if constexpr (has_region_runs<Traits>) {
     if (may_pay_by_regions(topology.number_of_points(), threads)) {
       return Region_runs<Traits>::advance_to(*this, time, may_go_on);
@@ -40,7 +41,7 @@ std::size_t Kinetic_core<Traits>::advance_to(const Time& time,
 }
 
 template <class Traits>
-void Kinetic_core<Traits>::join_parts() {
+void Kinetic_types<Traits>::Kinetic_core::join_parts() {
   if constexpr (has_region_runs<Traits>) {
     if (schedule.queue().is_divided()) Region_runs<Traits>::join(*this);
   }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Delaunay_triangulation_2.h>
 
+#include <array>
 #include <optional>
 
 #include "kinetri/base/ids.h"
@@ -42,7 +43,8 @@ struct Two_sided_edge {
   Edge there;
 };
 
-/// Types of the traits and of the triangulation.
+/// The types of the traits and of the triangulation, and the parts that a triangulation is made of.
+/// The parts are members so that they have these types without naming them anew.
 template <class Traits>
 struct Kinetic_types {
   using Triangulation = typename Triangulation_of<Traits>::type;
@@ -50,6 +52,8 @@ struct Kinetic_types {
   using Face_handle = typename Triangulation::Face_handle;
   using Edge = typename Triangulation::Edge;
   using Two_sided_edge = detail::Two_sided_edge<Edge>;
+  /// The outer edges of the quadrilateral of an edge, counterclockwise.
+  using Outer_edges = std::array<Two_sided_edge, 4>;
   using Motion = typename Traits::Motion;
   using Point_2 = typename Traits::Point_2;
   using Change = Point_change<Motion>;
@@ -57,7 +61,44 @@ struct Kinetic_types {
   using Instantaneous_traits = typename Traits::Instantaneous_traits;
 
   static constexpr bool is_weighted = WeightedKineticTraits_2<Traits>;
+
+  // What the parts hand to each other, each in the header of the first part that has it.
+  struct Location;
+  struct Certificate_points;
+  struct Subject;
+  struct Entry;
+
+  // The parts, each in the header of its name, in the order in which they know each other.
+  class Topology;
+  class Static_construction;
+  class Certification;
+  class Schedule;
+  class Event_reporter;
+  class Decisions;
+  class Updates;
+  class Hidden_events;
+  class Event_loop;
+  class Point_changes;
+  struct Kinetic_core;
 };
+
+// The parts that others use.
+template <class Traits>
+using Topology = typename Kinetic_types<Traits>::Topology;
+template <class Traits>
+using Certification = typename Kinetic_types<Traits>::Certification;
+template <class Traits>
+using Schedule = typename Kinetic_types<Traits>::Schedule;
+template <class Traits>
+using Event_reporter = typename Kinetic_types<Traits>::Event_reporter;
+template <class Traits>
+using Decisions = typename Kinetic_types<Traits>::Decisions;
+template <class Traits>
+using Updates = typename Kinetic_types<Traits>::Updates;
+template <class Traits>
+using Event_loop = typename Kinetic_types<Traits>::Event_loop;
+template <class Traits>
+using Kinetic_core = typename Kinetic_types<Traits>::Kinetic_core;
 
 }  // namespace kinetri::detail
 

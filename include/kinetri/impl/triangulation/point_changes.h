@@ -14,27 +14,15 @@
 
 namespace kinetri::detail {
 
-template <class Traits>
-struct Kinetic_core;
-
 /// Plans changes of points, and makes them. A point *turns* if its triangles stay embedded, so that
 /// only certificates change; else it *jumps*: it leaves its triangles, and comes elsewhere. The
 /// edges that a change leaves violated have their events at the present time, and are flipped by
 /// these (docs/MATH.md, section 5).
 template <class Traits>
-class Point_changes {
+class Kinetic_types<Traits>::Point_changes {
  public:
-  using Types = Topology<Traits>;
-  using Triangulation = typename Types::Triangulation;
-  using Vertex_handle = typename Types::Vertex_handle;
-  using Face_handle = typename Types::Face_handle;
-  using Two_sided_edge = typename Types::Two_sided_edge;
-  using Location = typename Types::Location;
-  using Point_2 = typename Types::Point_2;
-  using Change = typename Types::Change;
-
   /// Of the triangulation with these other parts, which must outlive this object.
-  explicit Point_changes(Kinetic_core<Traits>& core)
+  explicit Point_changes(Kinetic_core& core)
       : core_(core),
         topology_(core.topology),
         certification_(core.certification),
@@ -55,8 +43,6 @@ class Point_changes {
   Changed_edges perform(std::span<const Event> events, std::span<const Change> changes);
 
  private:
-  static constexpr bool is_weighted = Types::is_weighted;
-
   /// A point that leaves its triangles, comes or goes.
   struct Jump {
     Change change;
@@ -85,13 +71,13 @@ class Point_changes {
   bool make_jumps(std::span<const Jump> jumps, bool are_located);
   bool place(Vertex_handle v, const Location& location);
 
-  Kinetic_core<Traits>& core_;
-  Topology<Traits>& topology_;
-  const Certification<Traits>& certification_;
-  Schedule<Traits>& schedule_;
-  Event_reporter<Traits>& reporter_;
-  Updates<Traits>& updates_;
-  Event_loop<Traits>& loop_;
+  Kinetic_core& core_;
+  Topology& topology_;
+  const Certification& certification_;
+  Schedule& schedule_;
+  Event_reporter& reporter_;
+  Updates& updates_;
+  Event_loop& loop_;
   Triangulation& triangulation_;
 };
 

@@ -20,7 +20,8 @@
 namespace kinetri::detail {
 
 template <class Traits>
-void Point_changes<Traits>::change_all(Event_kind kind, std::vector<Change> changes) {
+void Kinetic_types<Traits>::Point_changes::change_all(Event_kind kind,
+                                                      std::vector<Change> changes) {
   if (changes.empty()) return;
   std::ranges::sort(changes, {}, &Change::point);
   const auto twice = std::ranges::adjacent_find(changes, {}, &Change::point);
@@ -34,8 +35,8 @@ void Point_changes<Traits>::change_all(Event_kind kind, std::vector<Change> chan
 }
 
 template <class Traits>
-Changed_edges Point_changes<Traits>::perform(std::span<const Event> events,
-                                             std::span<const Change> changes) {
+Changed_edges Kinetic_types<Traits>::Point_changes::perform(std::span<const Event> events,
+                                                            std::span<const Change> changes) {
   Plan planned = plan(changes);
   if constexpr (is_weighted) note_weights(changes);
   reporter_.report(events.front(), [&] {
@@ -52,7 +53,7 @@ Changed_edges Point_changes<Traits>::perform(std::span<const Event> events,
 // ---- the plan ----
 
 template <class Traits>
-auto Point_changes<Traits>::plan(std::span<const Change> changes) -> Plan {
+auto Kinetic_types<Traits>::Point_changes::plan(std::span<const Change> changes) -> Plan {
   Plan result;
   find_turns(changes, result);
   if constexpr (is_weighted) check_turns_are_new(changes, result.turns);
@@ -71,14 +72,14 @@ auto Point_changes<Traits>::plan(std::span<const Change> changes) -> Plan {
 // Throws if a point that turns would have the trajectory and the weight of a hidden point, or is
 // hidden itself and would have those of any point. Two points that have edges are in two places.
 template <class Traits>
-void Point_changes<Traits>::check_turns_are_new(std::span<const Change> changes,
-                                                std::span<const Change> turns) const {
+void Kinetic_types<Traits>::Point_changes::check_turns_are_new(
+    std::span<const Change> changes, std::span<const Change> turns) const {
   if constexpr (is_weighted) {
     if (topology_.number_of_hidden_points() == 0 || turns.empty()) return;
     std::vector<Point_id> changed;
     for (const Change& change : changes) changed.push_back(change.point);
     std::ranges::sort(changed);
-    const Hidden_events<Traits> hidden(topology_, schedule_, reporter_, updates_);
+    const Hidden_events hidden(topology_, schedule_, reporter_, updates_);
     for (const Change& change : turns) {
       const Point_2 point(*change.motion, change.point);
       const Location location = topology_.locate(point, topology_.vertex(change.point)->face());
@@ -91,7 +92,7 @@ void Point_changes<Traits>::check_turns_are_new(std::span<const Change> changes,
 
 // Whether so many points turn that everything is looked at anew.
 template <class Traits>
-bool Point_changes<Traits>::are_most(std::size_t points) const {
+bool Kinetic_types<Traits>::Point_changes::are_most(std::size_t points) const {
   constexpr std::size_t few = 16;
   return points > few && points > topology_.number_of_points() / 4;
 }
@@ -99,7 +100,7 @@ bool Point_changes<Traits>::are_most(std::size_t points) const {
 // Tells points that turn from those that jump, come or go. The points turn one after the other, for
 // as long as this looks at them.
 template <class Traits>
-void Point_changes<Traits>::find_turns(std::span<const Change> changes, Plan& plan) {
+void Kinetic_types<Traits>::Point_changes::find_turns(std::span<const Change> changes, Plan& plan) {
   std::vector<Point_2> before;
   const auto turn = [&](const Change& change) {
     const Vertex_handle v = topology_.vertex(change.point);
@@ -119,7 +120,7 @@ void Point_changes<Traits>::find_turns(std::span<const Change> changes, Plan& pl
   plan.turns.reserve(changes.size());
   if (are_most(changes.size()) && std::ranges::all_of(changes, may_turn)) {
     for (const Change& change : changes) turn(change);
-    if (!Static_construction<Traits>::is_embedded(
+    if (!Kinetic_types<Traits>::Static_construction::is_embedded(
             triangulation_, certification_.places(schedule_.current_time()))) {
       while (!before.empty()) undo_last();
     }
@@ -143,7 +144,7 @@ void Point_changes<Traits>::find_turns(std::span<const Change> changes, Plan& pl
 }
 
 template <class Traits>
-bool Point_changes<Traits>::is_embedded_around(Vertex_handle v) const {
+bool Kinetic_types<Traits>::Point_changes::is_embedded_around(Vertex_handle v) const {
   const auto orientation = triangulation_.geom_traits().orientation_2_object();
   return certification_.is_embedded_around(
       v, schedule_.current_bounds(), [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
@@ -154,8 +155,8 @@ bool Point_changes<Traits>::is_embedded_around(Vertex_handle v) const {
 // Throws if two of the points that change would have one trajectory. Puts the jumps into an order
 // in which near ones follow one another: that of the vertices of a triangulation of the points.
 template <class Traits>
-void Point_changes<Traits>::check_are_distinct(std::span<const Change> changes,
-                                               std::vector<Jump>& jumps) const {
+void Kinetic_types<Traits>::Point_changes::check_are_distinct(std::span<const Change> changes,
+                                                              std::vector<Jump>& jumps) const {
   std::vector<Point_2> changed;
   for (const Change& change : changes) {
     if (change.motion) changed.emplace_back(*change.motion, change.point);
@@ -186,8 +187,8 @@ void Point_changes<Traits>::check_are_distinct(std::span<const Change> changes,
 // Finds where the points come that jump or come. Throws if one would have the trajectory of another
 // point, which does not change. Precondition: dimension 2.
 template <class Traits>
-void Point_changes<Traits>::locate_jumps(std::span<const Change> changes,
-                                         std::span<Jump> jumps) const {
+void Kinetic_types<Traits>::Point_changes::locate_jumps(std::span<const Change> changes,
+                                                        std::span<Jump> jumps) const {
   std::vector<Point_id> changed;
   for (const Change& change : changes) changed.push_back(change.point);
   std::ranges::sort(changed);
@@ -206,7 +207,7 @@ void Point_changes<Traits>::locate_jumps(std::span<const Change> changes,
     near = jump.location.face;
     const auto& [face, locus, i] = jump.location;
     if constexpr (is_weighted) {
-      Hidden_events<Traits>(topology_, schedule_, reporter_, updates_)
+      Hidden_events(topology_, schedule_, reporter_, updates_)
           .check_is_new(point, jump.location, changed);
     } else if (locus == Triangulation::VERTEX && !changes_itself(face->vertex(i))) {
       const Point_id other = face->vertex(i)->point().id();
@@ -221,7 +222,7 @@ void Point_changes<Traits>::locate_jumps(std::span<const Change> changes,
 
 // The points that there are after the changes, in the order of their ids.
 template <class Traits>
-auto Point_changes<Traits>::points_after(std::span<const Change> changes) const
+auto Kinetic_types<Traits>::Point_changes::points_after(std::span<const Change> changes) const
     -> std::vector<Point_2> {
   std::vector<const Change*> change_of(topology_.vertices().size(), nullptr);
   for (const Change& change : changes) change_of[change.point] = &change;
@@ -241,7 +242,7 @@ auto Point_changes<Traits>::points_after(std::span<const Change> changes) const
 
 // Notes whether all weights are still equal after the changes.
 template <class Traits>
-void Point_changes<Traits>::note_weights(std::span<const Change> changes) {
+void Kinetic_types<Traits>::Point_changes::note_weights(std::span<const Change> changes) {
   if (!topology_.are_weights_equal()) return;
   std::vector<Point_2> points;
   for (const Change& change : changes) {
@@ -254,11 +255,11 @@ void Point_changes<Traits>::note_weights(std::span<const Change> changes) {
   };
   const auto stayer = std::ranges::find_if(topology_.vertices(), stays);
   if (stayer != topology_.vertices().end()) points.push_back((*stayer)->point());
-  topology_.set_weights_equal(Types::have_equal_weights(points));
+  topology_.set_weights_equal(Topology::have_equal_weights(points));
 }
 
 template <class Traits>
-void Point_changes<Traits>::make(std::span<const Change> changes, Plan& plan) {
+void Kinetic_types<Traits>::Point_changes::make(std::span<const Change> changes, Plan& plan) {
   if (plan.rebuilt) {
     const auto set_points = [&] {
       for (const Change& change : changes) topology_.set_point(change);
@@ -275,7 +276,7 @@ void Point_changes<Traits>::make(std::span<const Change> changes, Plan& plan) {
 }
 
 template <class Traits>
-void Point_changes<Traits>::make_turns(std::span<const Change> turns) {
+void Kinetic_types<Traits>::Point_changes::make_turns(std::span<const Change> turns) {
   if (are_most(turns.size())) {
     schedule_.queue().clear();
     for (const Change& change : turns) topology_.set_point(change);
@@ -322,7 +323,8 @@ void Point_changes<Traits>::make_turns(std::span<const Change> turns) {
 // would leave points on a line: then the points are to be set, and all is to be rebuilt.
 // `are_located` says that nothing has changed since the points were located.
 template <class Traits>
-bool Point_changes<Traits>::make_jumps(std::span<const Jump> jumps, bool are_located) {
+bool Kinetic_types<Traits>::Point_changes::make_jumps(std::span<const Jump> jumps,
+                                                      bool are_located) {
   for (const auto& [change, location, near] : jumps) {
     const Vertex_handle v = topology_.vertex(change.point);
     if (v == Vertex_handle()) continue;
@@ -352,9 +354,9 @@ bool Point_changes<Traits>::make_jumps(std::span<const Jump> jumps, bool are_loc
 
 // Puts a vertex without faces in. Returns false if the triangulation is to be rebuilt.
 template <class Traits>
-bool Point_changes<Traits>::place(Vertex_handle v, const Location& location) {
+bool Kinetic_types<Traits>::Point_changes::place(Vertex_handle v, const Location& location) {
   if constexpr (is_weighted) {
-    return Hidden_events<Traits>(topology_, schedule_, reporter_, updates_).place(v, location);
+    return Hidden_events(topology_, schedule_, reporter_, updates_).place(v, location);
   } else {
     updates_.put_in(v, location);
     return true;

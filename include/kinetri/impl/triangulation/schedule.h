@@ -41,17 +41,15 @@ inline Event_kind event_kind_of(Entry_kind failure) {
 
 /// What an entry is about: an edge or, if `hidden` is not null, a hidden point.
 template <class Traits>
-struct Kinetic_subject {
+struct Kinetic_types<Traits>::Subject {
   struct Nothing {};
-  using Types = Kinetic_types<Traits>;
-  using Vertex_handle = typename Types::Vertex_handle;
-  using Hidden_vertex = std::conditional_t<Types::is_weighted, Vertex_handle, Nothing>;
+  using Hidden_vertex = std::conditional_t<is_weighted, Vertex_handle, Nothing>;
 
-  typename Types::Edge edge;
+  Edge edge;
   [[no_unique_address]] Hidden_vertex hidden = {};
 
   bool is_hidden() const {
-    if constexpr (Types::is_weighted) return hidden != Vertex_handle();
+    if constexpr (is_weighted) return hidden != Vertex_handle();
     return false;
   }
 };
@@ -60,14 +58,11 @@ struct Kinetic_subject {
 /// corners of the edge's two faces, or of the face that hides the point: these must stay what they
 /// were when the entry was made.
 template <class Traits>
-struct Kinetic_entry : Scheduled {
-  using Subject = Kinetic_subject<Traits>;
-  using Edge = typename Kinetic_types<Traits>::Edge;
-
+struct Kinetic_types<Traits>::Entry : Scheduled {
   std::uint8_t index = 0;  ///< the edge is the one opposite this vertex of the face; or a condition
   Entry_kind kind = Entry_kind::recheck;
   bool changes_sign = false;  ///< the polynomial does, certainly, when the certificate fails
-  typename Kinetic_types<Traits>::Face_handle face;
+  Face_handle face;
   [[no_unique_address]] typename Subject::Hidden_vertex hidden = {};
 
   /// An entry without its subject and its times.
@@ -77,10 +72,10 @@ struct Kinetic_entry : Scheduled {
     bool changes_sign : 1 = false;  ///< as in the entry
   };
 
-  Kinetic_entry() = default;
+  Entry() = default;
   /// The failure of an edge's certificate, which is of the given kind, or the time to check it
   /// again; without the exact time. Precondition: the certificate may fail.
-  Kinetic_entry(const Edge& edge, Entry_kind failure, const Certificate& certificate)
+  Entry(const Edge& edge, Entry_kind failure, const Certificate& certificate)
       : Scheduled{certificate.bounds},
         index(static_cast<std::uint8_t>(edge.second)),
         kind(certificate.kind == Certificate::Kind::holds ? Entry_kind::recheck : failure),
@@ -88,7 +83,7 @@ struct Kinetic_entry : Scheduled {
         face(edge.first) {}
 
   /// The entry of a subject, without the exact time.
-  Kinetic_entry(const Subject& subject, const Double_interval& times, const Kept& kept)
+  Entry(const Subject& subject, const Double_interval& times, const Kept& kept)
       : Scheduled{times},
         index(subject.is_hidden() ? kept.index : static_cast<std::uint8_t>(subject.edge.second)),
         kind(static_cast<Entry_kind>(kept.kind)),
@@ -111,18 +106,11 @@ struct Kinetic_entry : Scheduled {
 /// ever fail again has one entry, either its failure, or a time up to which the certificate
 /// certainly holds. The two faces at the edge, or the hidden vertex, hold the entry's handle.
 template <class Traits>
-class Schedule {
+class Kinetic_types<Traits>::Schedule {
  public:
-  using Types = Topology<Traits>;
-  using Face_handle = typename Types::Face_handle;
-  using Vertex_handle = typename Types::Vertex_handle;
-  using Edge = typename Types::Edge;
-  using Two_sided_edge = typename Types::Two_sided_edge;
-  using Outer_edges = typename Types::Outer_edges;
-  using Time = typename Types::Time;
-  using Certificate_points = typename Certification<Traits>::Certificate_points;
-  using Entry = Kinetic_entry<Traits>;
-  using Subject = Kinetic_subject<Traits>;
+  using Certificate_points = typename Kinetic_types::Certificate_points;
+  using Entry = typename Kinetic_types::Entry;
+  using Subject = typename Kinetic_types::Subject;
 
   /// What the scheduler asks; see Event_scheduler and Divided_scheduler.
   class Policy {
@@ -147,8 +135,7 @@ class Schedule {
   using Queue = Divided_scheduler<Entry, Policy>;
 
   /// The certification and the counters must outlive this object.
-  Schedule(const Certification<Traits>& certification, const Time& start,
-           Triangulation_counters& counters)
+  Schedule(const Certification& certification, const Time& start, Triangulation_counters& counters)
       : certification_(certification),
         topology_(certification.topology()),
         counters_(counters),
@@ -233,8 +220,6 @@ class Schedule {
   void unschedule_hidden_in(Face_handle face);
 
  private:
-  static constexpr bool is_weighted = Types::is_weighted;
-
   /// Puts the certificates of edges into the queue.
   struct Put_certificate {
     Schedule& schedule;
@@ -267,8 +252,8 @@ class Schedule {
   template <class Put>
   void schedule_block(Block& block, const Put& put) const;
 
-  const Certification<Traits>& certification_;
-  const Topology<Traits>& topology_;
+  const Certification& certification_;
+  const Topology& topology_;
   Triangulation_counters& counters_;
   mutable Time current_time_;
   /// If the present time has not been made yet: the certificate that failed then, and bounds of the

@@ -21,43 +21,42 @@ namespace kinetri::detail {
 // ---- what the queue asks ----
 
 template <class Traits>
-auto Schedule<Traits>::Policy::entry_time(const Entry& entry) const -> Time {
+auto Kinetic_types<Traits>::Schedule::Policy::entry_time(const Entry& entry) const -> Time {
   if (entry.kind == Entry_kind::recheck) return Time(entry.bounds.lower);
   KINETRI_ASSERT(entry.kind != Entry_kind::coincidence, "the time of a coincidence is kept");
   return schedule_.certification_.failure_time(schedule_.points(entry), entry.bounds);
 }
 
 template <class Traits>
-bool Schedule<Traits>::Policy::precedes(const Entry& a, const Entry& b) const {
+bool Kinetic_types<Traits>::Schedule::Policy::precedes(const Entry& a, const Entry& b) const {
   if (a.kind != b.kind) return a.kind < b.kind;
   if constexpr (is_weighted) {
     // Entries of one kind are about the same, but for those to check again.
     if (a.is_hidden() != b.is_hidden()) return b.is_hidden();
     if (a.is_hidden()) return a.hidden->point().id() < b.hidden->point().id();
   }
-  return Types::ids_of(a.edge()) < Types::ids_of(b.edge());
+  return Topology::ids_of(a.edge()) < Topology::ids_of(b.edge());
 }
 
 // What is around the first entry's own face has been asked for when it came near.
 template <class Traits>
-inline void Schedule<Traits>::Policy::prefetch_first(const Entry& entry) const {
+inline void Kinetic_types<Traits>::Schedule::Policy::prefetch_first(const Entry& entry) const {
   if (schedule_.topology_.triangulation().dimension() < 2 || entry.is_hidden()) return;
   prefetch_around(entry.face->neighbor(entry.index));
 }
 
 // That of the lowest node that both ends of the edge are in; of the root for a hidden point.
 template <class Traits>
-std::size_t Schedule<Traits>::Policy::part_of(const Subject& subject) const {
+std::size_t Kinetic_types<Traits>::Schedule::Policy::part_of(const Subject& subject) const {
   const Region_division& division = schedule_.division_;
   if (subject.is_hidden()) return division.nodes() - 1;
-  using Triangulation = typename Types::Triangulation;
   const auto& [face, i] = subject.edge;
   return division.node_of(face->vertex(Triangulation::cw(i))->point().id(),
                           face->vertex(Triangulation::ccw(i))->point().id());
 }
 
 template <class Traits>
-Queue_handle Schedule<Traits>::Policy::handle(const Subject& subject) const {
+Queue_handle Kinetic_types<Traits>::Schedule::Policy::handle(const Subject& subject) const {
   if constexpr (is_weighted) {
     if (subject.is_hidden()) return subject.hidden->event();
   }
@@ -65,15 +64,16 @@ Queue_handle Schedule<Traits>::Policy::handle(const Subject& subject) const {
 }
 
 template <class Traits>
-void Schedule<Traits>::Policy::set_handle(const Subject& subject, Queue_handle handle) const {
+void Kinetic_types<Traits>::Schedule::Policy::set_handle(const Subject& subject,
+                                                         Queue_handle handle) const {
   if constexpr (is_weighted) {
     if (subject.is_hidden()) return subject.hidden->set_event(handle);
   }
-  Types::set_event(schedule_.topology_.two_sided(subject.edge), handle);
+  Topology::set_event(schedule_.topology_.two_sided(subject.edge), handle);
 }
 
 template <class Traits>
-auto Schedule<Traits>::points(const Entry& entry) const -> Certificate_points {
+auto Kinetic_types<Traits>::Schedule::points(const Entry& entry) const -> Certificate_points {
   if constexpr (is_weighted) {
     if (entry.is_hidden()) return certification_.hidden_points(entry.hidden, entry.index);
   }
@@ -83,7 +83,7 @@ auto Schedule<Traits>::points(const Entry& entry) const -> Certificate_points {
 // ---- the present time ----
 
 template <class Traits>
-auto Schedule<Traits>::current_time() const -> const Time& {
+auto Kinetic_types<Traits>::Schedule::current_time() const -> const Time& {
   if (pending_time_) {
     current_time_ = certification_.failure_time(pending_time_->first, pending_time_->second);
     pending_time_.reset();
@@ -92,7 +92,7 @@ auto Schedule<Traits>::current_time() const -> const Time& {
 }
 
 template <class Traits>
-bool Schedule<Traits>::settle(const Time* until) {
+bool Kinetic_types<Traits>::Schedule::settle(const Time* until) {
   if (until == nullptr) return settle_while([](const Entry& /*entry*/) { return true; });
   const auto exact = [until]() -> const Time& { return *until; };
   return settle_while(
@@ -100,7 +100,7 @@ bool Schedule<Traits>::settle(const Time* until) {
 }
 
 template <class Traits>
-bool Schedule<Traits>::settle_now() {
+bool Kinetic_types<Traits>::Schedule::settle_now() {
   const auto exact = [this]() -> const Time& { return current_time(); };
   return settle_while(
       [&](const Entry& entry) { return queue_.is_due(entry, current_bounds(), exact); });
@@ -109,7 +109,7 @@ bool Schedule<Traits>::settle_now() {
 // Certifies the edges of entries anew, from the time of the first entry on, at which the
 // certificates of the others hold as well: two together cost less than one by one.
 template <class Traits>
-void Schedule<Traits>::recheck(std::span<const Entry> entries) {
+void Kinetic_types<Traits>::Schedule::recheck(std::span<const Entry> entries) {
   counters_.rechecks += entries.size();
   std::array<Two_sided_edge, 2> edges;
   std::size_t number = 0;
@@ -127,7 +127,7 @@ void Schedule<Traits>::recheck(std::span<const Entry> entries) {
 }
 
 template <class Traits>
-bool Schedule<Traits>::has_failure_before(const Time& time) const {
+bool Kinetic_types<Traits>::Schedule::has_failure_before(const Time& time) const {
   if (queue_.empty() || queue_.time_of(queue_.top()) >= time) return false;
   if (queue_.top().kind != Entry_kind::recheck) return true;
   bool result = false;
@@ -136,7 +136,7 @@ bool Schedule<Traits>::has_failure_before(const Time& time) const {
 }
 
 template <class Traits>
-bool Schedule<Traits>::fails_before(const Entry& entry, const Time& time) const {
+bool Kinetic_types<Traits>::Schedule::fails_before(const Entry& entry, const Time& time) const {
   if (entry.bounds.lower > time.interval().upper) return false;
   if (entry.kind != Entry_kind::recheck) return queue_.time_of(entry) < time;
   Time checked(entry.bounds.lower);
@@ -154,7 +154,7 @@ bool Schedule<Traits>::fails_before(const Entry& entry, const Time& time) const 
 
 // The certificate of what an entry is about, with the points of the condition that fails.
 template <class Traits>
-auto Schedule<Traits>::certificate_of(const Entry& entry, const Time& after) const
+auto Kinetic_types<Traits>::Schedule::certificate_of(const Entry& entry, const Time& after) const
     -> std::pair<Certificate_points, Certificate> {
   const bool have_points = topology_.triangulation().dimension() == 2;
   if constexpr (is_weighted) {
@@ -176,31 +176,34 @@ auto Schedule<Traits>::certificate_of(const Entry& entry, const Time& after) con
 // Puts the failure of an edge's certificate, which is of the given kind, into the queue, or the
 // time to check it again. Mostly the entry is made in its place.
 template <class Traits>
-KINETRI_ALWAYS_INLINE void Schedule<Traits>::put(const Two_sided_edge& edge, Entry_kind kind,
-                                                 Certificate&& certificate) {
-  if (certificate.kind == Certificate::Kind::never_fails) return Types::set_event(edge, no_event);
-  Types::set_event(edge, certificate.failure == nullptr
-                             ? queue_.emplace(edge.here, kind, certificate)
-                             : queue_.push(Entry(edge.here, kind, certificate),
-                                           std::move(*certificate.failure)));
+KINETRI_ALWAYS_INLINE void Kinetic_types<Traits>::Schedule::put(const Two_sided_edge& edge,
+                                                                Entry_kind kind,
+                                                                Certificate&& certificate) {
+  if (certificate.kind == Certificate::Kind::never_fails)
+    return Topology::set_event(edge, no_event);
+  Topology::set_event(edge, certificate.failure == nullptr
+                                ? queue_.emplace(edge.here, kind, certificate)
+                                : queue_.push(Entry(edge.here, kind, certificate),
+                                              std::move(*certificate.failure)));
 }
 
 template <class Traits>
-void Schedule<Traits>::schedule(std::span<const Two_sided_edge> edges, const Time& after,
-                                Certificate_state state) {
+void Kinetic_types<Traits>::Schedule::schedule(std::span<const Two_sided_edge> edges,
+                                               const Time& after, Certificate_state state) {
   certification_.certify(edges, after, state, certificate_counters_, Put_certificate{*this});
 }
 
 template <class Traits>
-void Schedule<Traits>::schedule_after_flip(const Two_sided_edge& edge, const Outer_edges& outer) {
+void Kinetic_types<Traits>::Schedule::schedule_after_flip(const Two_sided_edge& edge,
+                                                          const Outer_edges& outer) {
   const auto now = [this]() -> const Time& { return current_time(); };
   certification_.certify_after_flip(edge, outer, current_bounds(), now, certificate_counters_,
                                     Put_certificate{*this});
 }
 
 template <class Traits>
-KINETRI_ALWAYS_INLINE void Schedule<Traits>::unschedule(const Two_sided_edge& edge,
-                                                        Triangulation_counters& counters) {
+KINETRI_ALWAYS_INLINE void Kinetic_types<Traits>::Schedule::unschedule(
+    const Two_sided_edge& edge, Triangulation_counters& counters) {
   const Queue_handle handle = edge.here.first->event(edge.here.second);
   if (handle == no_event) return;
   const Entry_kind kind = queue_.erase(handle).kind;
@@ -210,26 +213,26 @@ KINETRI_ALWAYS_INLINE void Schedule<Traits>::unschedule(const Two_sided_edge& ed
 }
 
 template <class Traits>
-void Schedule<Traits>::unschedule_face(Face_handle face) {
+void Kinetic_types<Traits>::Schedule::unschedule_face(Face_handle face) {
   for (int i = 0; i < 3; ++i) {
     const Two_sided_edge edge = topology_.two_sided(Edge(face, i));
     unschedule(edge);
-    Types::set_event(edge, no_event);
+    Topology::set_event(edge, no_event);
   }
 }
 
 template <class Traits>
-void Schedule<Traits>::unschedule_around(Vertex_handle v) {
+void Kinetic_types<Traits>::Schedule::unschedule_around(Vertex_handle v) {
   for_each_face_at(topology_.triangulation(), v, [&](Face_handle face) { unschedule_face(face); });
 }
 
 template <class Traits>
-void Schedule<Traits>::unschedule_around(Vertex_handle v, std::vector<Two_sided_edge>& edges,
-                                         Triangulation_counters& counters) {
-  using Triangulation = typename Types::Triangulation;
+void Kinetic_types<Traits>::Schedule::unschedule_around(Vertex_handle v,
+                                                        std::vector<Two_sided_edge>& edges,
+                                                        Triangulation_counters& counters) {
   for_each_face_at(topology_.triangulation(), v, [&](Face_handle face, int at) {
     for (const int i : {at, Triangulation::cw(at)}) {
-      if (face->event(i) == Types::listed) continue;
+      if (face->event(i) == Topology::listed) continue;
       // Written in its place: the processor waits when it copies what has just been written.
       const Face_handle neighbor = face->neighbor(i);
       const int right = index_in(neighbor, face->vertex(Triangulation::ccw(i)));
@@ -239,15 +242,14 @@ void Schedule<Traits>::unschedule_around(Vertex_handle v, std::vector<Two_sided_
       edge.there.first = neighbor;
       edge.there.second = Triangulation::ccw(right);
       unschedule(edge, counters);
-      Types::set_event(edge, Types::listed);
+      Topology::set_event(edge, Topology::listed);
     }
   });
 }
 
 // Two neighboring faces share an edge at `v`, which is that of the first of them.
 template <class Traits>
-void Schedule<Traits>::schedule_around(Vertex_handle v, Certificate_state state) {
-  using Triangulation = typename Types::Triangulation;
+void Kinetic_types<Traits>::Schedule::schedule_around(Vertex_handle v, Certificate_state state) {
   std::vector<Two_sided_edge> at_vertex;
   std::vector<Two_sided_edge> opposite;
   for_each_face_at(topology_.triangulation(), v, [&](Face_handle face, int at) {
@@ -266,7 +268,7 @@ void Schedule<Traits>::schedule_around(Vertex_handle v, Certificate_state state)
 // Several threads do so, each for a block of faces, whose edges have the handles that follow those
 // of the block before.
 template <class Traits>
-void Schedule<Traits>::schedule_all() {
+void Kinetic_types<Traits>::Schedule::schedule_all() {
   constexpr std::size_t faces_per_block = 512;
   const std::vector<Face_handle> all = topology_.faces();
   std::vector<Block> blocks;
@@ -295,13 +297,13 @@ void Schedule<Traits>::schedule_all() {
 // Puts the entries of the block's edges into the queue.
 template <class Traits>
 template <class Put>
-void Schedule<Traits>::schedule_block(Block& block, const Put& put_entry) const {
+void Kinetic_types<Traits>::Schedule::schedule_block(Block& block, const Put& put_entry) const {
   const auto put_edge = [&](const Two_sided_edge& edge, Entry_kind kind,
                             Certificate&& certificate) {
     const bool may_fail = certificate.kind != Certificate::Kind::never_fails;
     const Queue_handle handle = may_fail ? block.next_handle : no_event;
     ++block.next_handle;
-    Types::set_event(edge, handle);
+    Topology::set_event(edge, handle);
     if (!may_fail) return;
     const Entry entry(edge.here, kind, certificate);  // before its time is moved out
     put_entry(handle, entry, std::move(certificate.failure));
@@ -318,7 +320,7 @@ void Schedule<Traits>::schedule_block(Block& block, const Put& put_entry) const 
     if (k + 6 < block.faces.size()) prefetch(block.faces[k + 6]);
     if (k + 3 < block.faces.size()) prefetch_around(block.faces[k + 3]);
     topology_.for_each_own_edge(block.faces[k], [&](const Edge& own) {
-      edges.push_back(Types::chosen_side(topology_.two_sided(own)));
+      edges.push_back(Topology::chosen_side(topology_.two_sided(own)));
     });
     if (edges.size() >= edges_at_once) certify_edges();
   }
@@ -328,7 +330,8 @@ void Schedule<Traits>::schedule_block(Block& block, const Put& put_entry) const 
 // ---- hidden points ----
 
 template <class Traits>
-void Schedule<Traits>::schedule_hidden(Vertex_handle v, const Time& after, std::uint8_t vanishing) {
+void Kinetic_types<Traits>::Schedule::schedule_hidden(Vertex_handle v, const Time& after,
+                                                      std::uint8_t vanishing) {
   auto [index, known] =
       certification_.hidden_certificate(v, after, certificate_counters_, vanishing);
   if (known.kind == Certificate::Kind::never_fails) return v->set_event(no_event);
@@ -339,14 +342,14 @@ void Schedule<Traits>::schedule_hidden(Vertex_handle v, const Time& after, std::
 }
 
 template <class Traits>
-void Schedule<Traits>::schedule_hidden_in(Face_handle face) {
+void Kinetic_types<Traits>::Schedule::schedule_hidden_in(Face_handle face) {
   for (const Vertex_handle v : face->vertex_list()) {
     if (v->event() == no_event) schedule_hidden(v, current_time());
   }
 }
 
 template <class Traits>
-void Schedule<Traits>::unschedule_hidden(Vertex_handle v) {
+void Kinetic_types<Traits>::Schedule::unschedule_hidden(Vertex_handle v) {
   if (v->event() == no_event) return;
   const Entry entry = queue_.erase(v->event());
   v->set_event(no_event);
@@ -356,7 +359,7 @@ void Schedule<Traits>::unschedule_hidden(Vertex_handle v) {
 }
 
 template <class Traits>
-void Schedule<Traits>::unschedule_hidden_in(Face_handle face) {
+void Kinetic_types<Traits>::Schedule::unschedule_hidden_in(Face_handle face) {
   for (const Vertex_handle v : face->vertex_list()) unschedule_hidden(v);
 }
 

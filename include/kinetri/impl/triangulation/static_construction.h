@@ -23,20 +23,8 @@ namespace kinetri::detail {
 
 /// Builds triangulations of points at one instant.
 template <class Traits>
-class Static_construction : public Kinetic_types<Traits> {
-  using Types = Kinetic_types<Traits>;
-  using typename Types::Edge;
-  using typename Types::Face_handle;
-  using typename Types::Motion;
-  using typename Types::Point_2;
-  using typename Types::Vertex_handle;
-  using Types::is_weighted;
-
+class Kinetic_types<Traits>::Static_construction {
  public:
-  using typename Types::Instantaneous_traits;
-  using typename Types::Time;
-  using typename Types::Triangulation;
-
   /// The triangulation at the instant of `now`, which is just after `time`. Throws
   /// Coincident_trajectories_error if two points have the same trajectory (and weight). Expected
   /// O(n log n).
@@ -62,8 +50,10 @@ class Static_construction : public Kinetic_types<Traits> {
 // places is nearly the same, and made fast: mostly some flips are enough. Else CGAL inserts the
 // points.
 template <class Traits>
-auto Static_construction<Traits>::build(std::span<const Point_2> points, const Time& time,
-                                        const Instantaneous_traits& traits) -> Triangulation {
+auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> points,
+                                                       const Time& time,
+                                                       const Instantaneous_traits& traits)
+    -> Triangulation {
   Triangulation result(traits);
   if constexpr (HasRoundedPlace<Motion>) {
     constexpr std::size_t few = 16;  // are inserted as fast
@@ -74,7 +64,8 @@ auto Static_construction<Traits>::build(std::span<const Point_2> points, const T
     }
   }
   if constexpr (is_weighted) {
-    if (!Topology<Traits>::have_equal_weights(points)) return build_regular(points, traits);
+    if (!Kinetic_types<Traits>::Topology::have_equal_weights(points))
+      return build_regular(points, traits);
   }
   const auto insert_all = [&](auto& triangulation) {
     std::vector<Point_2> in_order(points.begin(), points.end());
@@ -102,8 +93,8 @@ auto Static_construction<Traits>::build(std::span<const Point_2> points, const T
 // The regular triangulation at the instant of the traits. Throws if two points have the same
 // trajectory and the same weight: CGAL keeps one vertex for these if one of them is not hidden.
 template <class Traits>
-auto Static_construction<Traits>::build_regular(std::span<const Point_2> points,
-                                                const Instantaneous_traits& traits)
+auto Kinetic_types<Traits>::Static_construction::build_regular(std::span<const Point_2> points,
+                                                               const Instantaneous_traits& traits)
     -> Triangulation {
   Triangulation result(traits);
   if constexpr (is_weighted) {
@@ -140,9 +131,9 @@ auto Static_construction<Traits>::build_regular(std::span<const Point_2> points,
 // from that of their rounded places. Returns false, and leaves anything, where the rounded places
 // have another hull or a triangle that turns over, or most of them are cocircular.
 template <class Traits>
-bool Static_construction<Traits>::build_from_places(std::span<const Point_2> points,
-                                                    const Rounded_places& places,
-                                                    Triangulation& result) {
+bool Kinetic_types<Traits>::Static_construction::build_from_places(std::span<const Point_2> points,
+                                                                   const Rounded_places& places,
+                                                                   Triangulation& result) {
   std::vector<Vector_2> in_order;
   std::vector<double> weights_in_order;
   in_order.reserve(points.size());
@@ -191,8 +182,8 @@ bool Static_construction<Traits>::build_from_places(std::span<const Point_2> poi
 // sphere is embedded: the hull goes around once, so the angles at each inner vertex add up to no
 // more than one turn (Gauss and Bonnet), and no place is covered twice.
 template <class Traits>
-bool Static_construction<Traits>::is_embedded(const Triangulation& triangulation,
-                                              const Rounded_places& places) {
+bool Kinetic_types<Traits>::Static_construction::is_embedded(const Triangulation& triangulation,
+                                                             const Rounded_places& places) {
   return std::ranges::all_of(triangulation.finite_face_handles(),
                              [&](Face_handle face) {
                                return is_left_turn(triangulation, places, face->vertex(0),
@@ -204,9 +195,10 @@ bool Static_construction<Traits>::is_embedded(const Triangulation& triangulation
 // Whether the points make a left turn at the instant of the triangulation's traits, near which the
 // places are.
 template <class Traits>
-bool Static_construction<Traits>::is_left_turn(const Triangulation& triangulation,
-                                               const Rounded_places& places, Vertex_handle a,
-                                               Vertex_handle b, Vertex_handle c) {
+bool Kinetic_types<Traits>::Static_construction::is_left_turn(const Triangulation& triangulation,
+                                                              const Rounded_places& places,
+                                                              Vertex_handle a, Vertex_handle b,
+                                                              Vertex_handle c) {
   const Sign known = places.orientation(a->point().id(), b->point().id(), c->point().id());
   if (known != CGAL::ZERO) return known == CGAL::POSITIVE;
   const auto orientation = triangulation.geom_traits().orientation_2_object();
@@ -215,8 +207,8 @@ bool Static_construction<Traits>::is_left_turn(const Triangulation& triangulatio
 
 // Whether the hull turns left at each of its vertices and goes around once.
 template <class Traits>
-bool Static_construction<Traits>::is_hull_convex(const Triangulation& triangulation,
-                                                 const Rounded_places& places) {
+bool Kinetic_types<Traits>::Static_construction::is_hull_convex(const Triangulation& triangulation,
+                                                                const Rounded_places& places) {
   const Instantaneous_traits& now = triangulation.geom_traits();
   const auto is_less = [&](Vertex_handle v, Vertex_handle w) {
     const auto by_x = now.compare_x_2_object()(v->point(), w->point());
@@ -243,8 +235,8 @@ bool Static_construction<Traits>::is_hull_convex(const Triangulation& triangulat
 // if there are more flips than faces: of cocircular points there may be n^2, and insertion in
 // random order is expected to make fewer.
 template <class Traits>
-bool Static_construction<Traits>::flip_until_delaunay(Triangulation& triangulation,
-                                                      const Rounded_places& places) {
+bool Kinetic_types<Traits>::Static_construction::flip_until_delaunay(Triangulation& triangulation,
+                                                                     const Rounded_places& places) {
   const auto exact_side = triangulation.geom_traits().side_of_oriented_circle_2_object();
   const auto side = [&](Face_handle face, const Point_2& s) {
     const Point_2& p = face->vertex(0)->point();
@@ -258,7 +250,7 @@ bool Static_construction<Traits>::flip_until_delaunay(Triangulation& triangulati
     is_changed = false;
     for (const Face_handle face : triangulation.finite_face_handles()) {
       for (int i = 0; i < 3; ++i) {
-        if (!Topology<Traits>::is_chosen_side(Edge(face, i))) continue;
+        if (!Kinetic_types<Traits>::Topology::is_chosen_side(Edge(face, i))) continue;
         const Face_handle beyond = face->neighbor(i);
         if (triangulation.is_infinite(beyond)) continue;
         const Vertex_handle opposite = beyond->vertex(triangulation.tds().mirror_index(face, i));

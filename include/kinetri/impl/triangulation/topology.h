@@ -21,35 +21,24 @@
 
 namespace kinetri::detail {
 
+/// Where a place is.
+template <class Traits>
+struct Kinetic_types<Traits>::Location {
+  Face_handle face;  ///< infinite beyond the hull
+  typename Triangulation::Locate_type locus = Triangulation::FACE;
+  int index = 0;  ///< of the edge or vertex, if the place is on one
+};
+
 /// Vertices, faces, and the points at the vertices.
 ///
 /// Invariant: each point that is there has one vertex, which is in faces, or hidden in the list of
 /// one face, or has been taken out to be put back within the same event. Vertices keep their
 /// handles as long as their points are there.
+///
+/// Who knows the topology alone finds the types of the triangulation here.
 template <class Traits>
-class Topology : public Kinetic_types<Traits> {
-  using Types = Kinetic_types<Traits>;
-
+class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
  public:
-  using typename Types::Edge;
-  using typename Types::Face_handle;
-  using typename Types::Motion;
-  using typename Types::Point_2;
-  using typename Types::Triangulation;
-  using typename Types::Two_sided_edge;
-  using typename Types::Vertex_handle;
-  using Types::is_weighted;
-
-  /// The outer edges of the quadrilateral of an edge, counterclockwise.
-  using Outer_edges = std::array<Two_sided_edge, 4>;
-
-  /// Where a place is.
-  struct Location {
-    Face_handle face;  ///< infinite beyond the hull
-    typename Triangulation::Locate_type locus = Triangulation::FACE;
-    int index = 0;  ///< of the edge or vertex, if the place is on one
-  };
-
   /// No points; predicates are those of the given instant.
   explicit Topology(const Instant& instant) : clock_(instant) {}
 
@@ -84,7 +73,7 @@ class Topology : public Kinetic_types<Traits> {
   void take_back_ids(Point_id first) { vertices_.resize(first); }
   /// Gives a vertex the motion of the change; makes the vertex if the point comes, and deletes it
   /// if the point goes. The vertex that comes or goes is in no face.
-  void set_point(const typename Types::Change& change);
+  void set_point(const Change& change);
 
   /// Whether all weights are equal at all times, as without weights: then the triangulation is the
   /// Delaunay triangulation, and no point is hidden.

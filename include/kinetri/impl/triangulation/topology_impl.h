@@ -17,7 +17,7 @@ namespace kinetri::detail {
 // ---- points ----
 
 template <class Traits>
-void Topology<Traits>::start(Triangulation made, std::size_t ids) {
+void Kinetic_types<Traits>::Topology::start(Triangulation made, std::size_t ids) {
   triangulation_ = std::move(made);
   vertices_.resize(ids);
   auto& vertices = triangulation_.tds().vertices();
@@ -29,7 +29,7 @@ void Topology<Traits>::start(Triangulation made, std::size_t ids) {
 }
 
 template <class Traits>
-Point_id Topology<Traits>::give_ids(std::size_t count) {
+Point_id Kinetic_types<Traits>::Topology::give_ids(std::size_t count) {
   KINETRI_PRECONDITION(count < no_point - vertices_.size(), too_many_points);
   const auto first = static_cast<Point_id>(vertices_.size());
   vertices_.resize(vertices_.size() + count);
@@ -37,7 +37,7 @@ Point_id Topology<Traits>::give_ids(std::size_t count) {
 }
 
 template <class Traits>
-void Topology<Traits>::set_point(const typename Types::Change& change) {
+void Kinetic_types<Traits>::Topology::set_point(const Change& change) {
   Vertex_handle& v = vertices_[change.point];
   if (!change.motion) {
     if (v == Vertex_handle()) return;
@@ -55,7 +55,7 @@ void Topology<Traits>::set_point(const typename Types::Change& change) {
 
 // Whether the weights of all points are equal at all times.
 template <class Traits>
-bool Topology<Traits>::have_equal_weights(std::span<const Point_2> points) {
+bool Kinetic_types<Traits>::Topology::have_equal_weights(std::span<const Point_2> points) {
   if constexpr (is_weighted) {
     return std::ranges::all_of(points, [&](const Point_2& point) {
       return kinetri::have_equal_weights(points.front().motion(), point.motion());
@@ -65,7 +65,7 @@ bool Topology<Traits>::have_equal_weights(std::span<const Point_2> points) {
 }
 
 template <class Traits>
-auto Topology<Traits>::points() const -> std::vector<Point_2> {
+auto Kinetic_types<Traits>::Topology::points() const -> std::vector<Point_2> {
   std::vector<Point_2> result;
   result.reserve(number_of_points_);
   for (const Vertex_handle v : vertices_) {
@@ -77,7 +77,7 @@ auto Topology<Traits>::points() const -> std::vector<Point_2> {
 // ---- edges ----
 
 template <class Traits>
-std::vector<Edge_ids> Topology<Traits>::finite_edge_ids() const {
+std::vector<Edge_ids> Kinetic_types<Traits>::Topology::finite_edge_ids() const {
   std::vector<Edge_ids> result;
   for (const Edge& edge : triangulation_.finite_edges()) result.push_back(ids_of(edge));
   std::ranges::sort(result);
@@ -85,7 +85,7 @@ std::vector<Edge_ids> Topology<Traits>::finite_edge_ids() const {
 }
 
 template <class Traits>
-inline auto Topology<Traits>::two_sided(const Edge& edge) const -> Two_sided_edge {
+inline auto Kinetic_types<Traits>::Topology::two_sided(const Edge& edge) const -> Two_sided_edge {
   if (triangulation_.dimension() < 2) return {edge, edge};
   // Without branches, which nothing could predict.
   const auto& [face, i] = edge;
@@ -95,7 +95,7 @@ inline auto Topology<Traits>::two_sided(const Edge& edge) const -> Two_sided_edg
 }
 
 template <class Traits>
-auto Topology<Traits>::faces() const -> std::vector<Face_handle> {
+auto Kinetic_types<Traits>::Topology::faces() const -> std::vector<Face_handle> {
   std::vector<Face_handle> result;
   if (triangulation_.dimension() < 1) return result;
   if (triangulation_.dimension() == 1) {
@@ -108,7 +108,8 @@ auto Topology<Traits>::faces() const -> std::vector<Face_handle> {
 }
 
 template <class Traits>
-inline auto Topology<Traits>::outer_edges(const Two_sided_edge& edge) const -> Outer_edges {
+inline auto Kinetic_types<Traits>::Topology::outer_edges(const Two_sided_edge& edge) const
+    -> Outer_edges {
   const auto& [face, i] = edge.here;
   const auto& [neighbor, j] = edge.there;
   return {two_sided(Edge(face, Triangulation::cw(i))),
@@ -119,7 +120,7 @@ inline auto Topology<Traits>::outer_edges(const Two_sided_edge& edge) const -> O
 
 // In a face that lists (infinite, b, a) counterclockwise the hull runs from a to b.
 template <class Traits>
-auto Topology<Traits>::hull_turn(const Two_sided_edge& infinite_edge) const
+auto Kinetic_types<Traits>::Topology::hull_turn(const Two_sided_edge& infinite_edge) const
     -> std::array<Vertex_handle, 3> {
   const auto& [face, i] = infinite_edge.here;
   const Vertex_handle here = face->vertex(i);
@@ -135,7 +136,8 @@ auto Topology<Traits>::hull_turn(const Two_sided_edge& infinite_edge) const
 // The nearest of some points, about as many as the third root of all, in doubles, if there is a way
 // to round places. The walk from there passes about as many triangles. [Muecke, Saias and Zhu 1996]
 template <class Traits>
-auto Topology<Traits>::vertex_near(const Point_2& point, double time) const -> Vertex_handle {
+auto Kinetic_types<Traits>::Topology::vertex_near(const Point_2& point, double time) const
+    -> Vertex_handle {
   Vertex_handle nearest;
   if constexpr (HasRoundedPlace<Motion>) {
     const Vector_2 place = rounded_place(point.motion(), time);
@@ -165,7 +167,7 @@ auto Topology<Traits>::vertex_near(const Point_2& point, double time) const -> V
 //       \ | /              \   /
 //         d                  d
 template <class Traits>
-inline auto Topology<Traits>::flip(const Two_sided_edge& edge, Outer_edges& before)
+inline auto Kinetic_types<Traits>::Topology::flip(const Two_sided_edge& edge, Outer_edges& before)
     -> Two_sided_edge {
   const auto [face, i] = edge.here;
   const auto [neighbor, j] = edge.there;
@@ -180,8 +182,10 @@ inline auto Topology<Traits>::flip(const Two_sided_edge& edge, Outer_edges& befo
 // CGAL removes another vertex in the place of this one.
 template <class Traits>
 template <class Note>
-auto Topology<Traits>::remove_from_faces(Vertex_handle v, std::vector<Face_handle>& faces,
-                                         const Note& note) -> std::vector<Two_sided_edge> {
+auto Kinetic_types<Traits>::Topology::remove_from_faces(Vertex_handle v,
+                                                        std::vector<Face_handle>& faces,
+                                                        const Note& note)
+    -> std::vector<Two_sided_edge> {
   std::vector<Edge> link;  // as the faces beyond it see it, which stay
   for_each_face_at(triangulation_, v, [&](Face_handle face) {
     link.push_back(two_sided(Edge(face, face->index(v))).there);
@@ -210,8 +214,10 @@ auto Topology<Traits>::remove_from_faces(Vertex_handle v, std::vector<Face_handl
 // The edges of a polygon and those inside it, which are new; `faces` gets the faces inside it.
 template <class Traits>
 template <class Note>
-auto Topology<Traits>::list_inside(std::span<const Edge> polygon, std::vector<Face_handle>& faces,
-                                   const Note& note) const -> std::vector<Two_sided_edge> {
+auto Kinetic_types<Traits>::Topology::list_inside(std::span<const Edge> polygon,
+                                                  std::vector<Face_handle>& faces,
+                                                  const Note& note) const
+    -> std::vector<Two_sided_edge> {
   std::vector<Face_handle> beyond;
   for (const Edge& edge : polygon) beyond.push_back(edge.first);
   std::ranges::sort(beyond);
@@ -232,7 +238,7 @@ auto Topology<Traits>::list_inside(std::span<const Edge> polygon, std::vector<Fa
 }
 
 template <class Traits>
-void Topology<Traits>::insert_in_faces(Vertex_handle v, const Location& location) {
+void Kinetic_types<Traits>::Topology::insert_in_faces(Vertex_handle v, const Location& location) {
   const auto& [face, locus, i] = location;
   KINETRI_ASSERT(locus != Triangulation::VERTEX, "the point is in the place of no other");
   auto& tds = triangulation_.tds();
@@ -243,7 +249,7 @@ void Topology<Traits>::insert_in_faces(Vertex_handle v, const Location& location
 }
 
 template <class Traits>
-auto Topology<Traits>::remove_degree_3(Vertex_handle v) -> Face_handle {
+auto Kinetic_types<Traits>::Topology::remove_degree_3(Vertex_handle v) -> Face_handle {
   const Face_handle face = v->face();
   const Vertex_handle stand_in = triangulation_.tds().create_vertex();
   replace_in_faces(v, stand_in);
@@ -253,7 +259,8 @@ auto Topology<Traits>::remove_degree_3(Vertex_handle v) -> Face_handle {
 
 // Gives the faces at `old` the vertex `replacement`, which has none.
 template <class Traits>
-void Topology<Traits>::replace_in_faces(Vertex_handle old, Vertex_handle replacement) {
+void Kinetic_types<Traits>::Topology::replace_in_faces(Vertex_handle old,
+                                                       Vertex_handle replacement) {
   std::vector<Face_handle> faces;
   for_each_face_at(triangulation_, old, [&](Face_handle f) { faces.push_back(f); });
   for (const Face_handle f : faces) f->set_vertex(f->index(old), replacement);
@@ -262,8 +269,8 @@ void Topology<Traits>::replace_in_faces(Vertex_handle old, Vertex_handle replace
 
 template <class Traits>
 template <class Note_hidden>
-void Topology<Traits>::adopt(Triangulation rebuilt,
-                             [[maybe_unused]] const Note_hidden& note_hidden) {
+void Kinetic_types<Traits>::Topology::adopt(Triangulation rebuilt,
+                                            [[maybe_unused]] const Note_hidden& note_hidden) {
   auto& tds = triangulation_.tds();
   const auto vertex_here = [&](Vertex_handle there) {
     return rebuilt.is_infinite(there) ? triangulation_.infinite_vertex()
@@ -302,7 +309,7 @@ void Topology<Traits>::adopt(Triangulation rebuilt,
 }
 
 template <class Traits>
-void Topology<Traits>::hide_in(Vertex_handle v, Face_handle face) {
+void Kinetic_types<Traits>::Topology::hide_in(Vertex_handle v, Face_handle face) {
   if constexpr (is_weighted) {
     if (triangulation_.dimension() > 0 && triangulation_.is_infinite(face)) {
       face = face->neighbor(face->index(triangulation_.infinite_vertex()));
@@ -312,7 +319,7 @@ void Topology<Traits>::hide_in(Vertex_handle v, Face_handle face) {
 }
 
 template <class Traits>
-auto Topology<Traits>::take_hidden(std::span<const Face_handle> faces)
+auto Kinetic_types<Traits>::Topology::take_hidden(std::span<const Face_handle> faces)
     -> std::vector<Vertex_handle> {
   std::vector<Vertex_handle> result;
   if constexpr (is_weighted) {

@@ -22,20 +22,11 @@ namespace kinetri::detail {
 /// right is for others to decide; edges that a change leaves violated just after the present time
 /// have their entries at that time.
 template <class Traits>
-class Updates {
+class Kinetic_types<Traits>::Updates {
  public:
-  using Types = Topology<Traits>;
-  using Triangulation = typename Types::Triangulation;
-  using Vertex_handle = typename Types::Vertex_handle;
-  using Face_handle = typename Types::Face_handle;
-  using Edge = typename Types::Edge;
-  using Two_sided_edge = typename Types::Two_sided_edge;
-  using Location = typename Types::Location;
-  using Point_2 = typename Types::Point_2;
-
   /// The others must outlive this object.
-  Updates(Topology<Traits>& topology, const Certification<Traits>& certification,
-          Schedule<Traits>& schedule, Event_reporter<Traits>& reporter)
+  Updates(Topology& topology, const Certification& certification, Schedule& schedule,
+          Event_reporter& reporter)
       : topology_(topology),
         certification_(certification),
         schedule_(schedule),
@@ -90,20 +81,18 @@ class Updates {
   std::uint64_t number_of_changes() const { return changes_; }
 
  private:
-  static constexpr bool is_weighted = Types::is_weighted;
-
   void flip_link(Vertex_handle v);
   std::vector<Vertex_handle> take_hidden(std::span<const Face_handle> faces);
   void put_hidden(std::span<const Vertex_handle> hidden, std::span<const Face_handle> faces);
-  void note_edge(const Edge& edge, int change) { reporter_.note(Types::ids_of(edge), change); }
+  void note_edge(const Edge& edge, int change) { reporter_.note(Topology::ids_of(edge), change); }
   auto note() {
     return [this](const Edge_ids& edge, int change) { reporter_.note(edge, change); };
   }
 
-  Topology<Traits>& topology_;
-  const Certification<Traits>& certification_;
-  Schedule<Traits>& schedule_;
-  Event_reporter<Traits>& reporter_;
+  Topology& topology_;
+  const Certification& certification_;
+  Schedule& schedule_;
+  Event_reporter& reporter_;
   Triangulation& triangulation_;
   std::uint64_t changes_ = 0;
 };

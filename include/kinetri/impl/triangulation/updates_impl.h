@@ -19,7 +19,7 @@ namespace kinetri::detail {
 // The entries of the outer edges leave the queue first, while the corners that they speak of are
 // there.
 template <class Traits>
-void Updates<Traits>::flip(const Two_sided_edge& edge, Event_kind kind) {
+void Kinetic_types<Traits>::Updates::flip(const Two_sided_edge& edge, Event_kind kind) {
   auto outer = topology_.outer_edges(edge);
   for (const auto& [here, there] : outer) {
     prefetch(there.first->vertex(there.second));
@@ -30,7 +30,7 @@ void Updates<Traits>::flip(const Two_sided_edge& edge, Event_kind kind) {
   if constexpr (is_weighted) {
     // A hidden point on the new edge is in both faces: which one comes first must not depend on the
     // side of the edge that its entry names.
-    if (!Types::is_chosen_side(edge.here)) std::swap(faces[0], faces[1]);
+    if (!Topology::is_chosen_side(edge.here)) std::swap(faces[0], faces[1]);
   }
   const auto make = [&] {
     for (const Two_sided_edge& side : outer) schedule_.unschedule(side);
@@ -46,7 +46,7 @@ void Updates<Traits>::flip(const Two_sided_edge& edge, Event_kind kind) {
     if constexpr (is_weighted) put_hidden(hidden, faces);
   };
   if (reporter_.has_listeners()) {
-    reporter_.report(flip_event(kind, Types::flipped_edges(edge)), make);
+    reporter_.report(flip_event(kind, Topology::flipped_edges(edge)), make);
   } else {
     make();
     reporter_.count_event(kind);
@@ -54,7 +54,7 @@ void Updates<Traits>::flip(const Two_sided_edge& edge, Event_kind kind) {
 }
 
 template <class Traits>
-void Updates<Traits>::take_out(Vertex_handle v) {
+void Kinetic_types<Traits>::Updates::take_out(Vertex_handle v) {
   ++changes_;
   std::vector<Vertex_handle> hidden;
   if constexpr (is_weighted) {
@@ -93,7 +93,8 @@ void Updates<Traits>::take_out(Vertex_handle v) {
 
 // What violates its certificate at the hull has its event at the present time.
 template <class Traits>
-void Updates<Traits>::put_in(Vertex_handle v, const Location& location, Certificate_state state) {
+void Kinetic_types<Traits>::Updates::put_in(Vertex_handle v, const Location& location,
+                                            Certificate_state state) {
   const auto& [face, locus, i] = location;
   const bool is_on_edge = locus == Triangulation::EDGE;
   const bool is_inside_hull = !triangulation_.is_infinite(face) &&
@@ -127,7 +128,7 @@ void Updates<Traits>::put_in(Vertex_handle v, const Location& location, Certific
 // Flips the edges opposite `v`, which is new and whose edges have no events, until the
 // triangulation is Delaunay at the instant of its traits; it was so without `v`. [Lawson 1977]
 template <class Traits>
-void Updates<Traits>::flip_link(Vertex_handle v) {
+void Kinetic_types<Traits>::Updates::flip_link(Vertex_handle v) {
   const auto side = triangulation_.geom_traits().side_of_oriented_circle_2_object();
   std::vector<Edge> link;
   for_each_face_at(triangulation_, v, [&](Face_handle face, int i) { link.emplace_back(face, i); });
@@ -152,7 +153,8 @@ void Updates<Traits>::flip_link(Vertex_handle v) {
 // ---- hidden points ----
 
 template <class Traits>
-void Updates<Traits>::reveal(Vertex_handle v, const Location& location, Certificate_state state) {
+void Kinetic_types<Traits>::Updates::reveal(Vertex_handle v, const Location& location,
+                                            Certificate_state state) {
   ++changes_;
   reporter_.report_point(Event_kind::reveal, v->point().id(), [&] {
     triangulation_.show(v);
@@ -162,7 +164,7 @@ void Updates<Traits>::reveal(Vertex_handle v, const Location& location, Certific
 }
 
 template <class Traits>
-void Updates<Traits>::hide(Vertex_handle v) {
+void Kinetic_types<Traits>::Updates::hide(Vertex_handle v) {
   ++changes_;
   const bool was_noting = reporter_.is_noting();
   reporter_.report_point(Event_kind::hide, v->point().id(), [&] {
@@ -187,7 +189,7 @@ void Updates<Traits>::hide(Vertex_handle v) {
 
 // Takes the hidden points out of faces that are about to change, and unschedules them.
 template <class Traits>
-auto Updates<Traits>::take_hidden(std::span<const Face_handle> faces)
+auto Kinetic_types<Traits>::Updates::take_hidden(std::span<const Face_handle> faces)
     -> std::vector<Vertex_handle> {
   for (const Face_handle face : faces) {
     if (!face->vertex_list().empty()) schedule_.unschedule_hidden_in(face);
@@ -198,8 +200,8 @@ auto Updates<Traits>::take_hidden(std::span<const Face_handle> faces)
 // Puts them into one of the faces each, and schedules them: into the one in which they are, if the
 // faces are where they should be.
 template <class Traits>
-void Updates<Traits>::put_hidden(std::span<const Vertex_handle> hidden,
-                                 std::span<const Face_handle> faces) {
+void Kinetic_types<Traits>::Updates::put_hidden(std::span<const Vertex_handle> hidden,
+                                                std::span<const Face_handle> faces) {
   for (const Vertex_handle v : hidden) {
     const auto around =
         std::ranges::find_if(faces, [&](Face_handle face) { return is_inside(v->point(), face); });
@@ -209,9 +211,10 @@ void Updates<Traits>::put_hidden(std::span<const Vertex_handle> hidden,
 }
 
 template <class Traits>
-bool Updates<Traits>::is_inside(const Point_2& point, Face_handle face, bool strictly) const {
+bool Kinetic_types<Traits>::Updates::is_inside(const Point_2& point, Face_handle face,
+                                               bool strictly) const {
   if (triangulation_.is_infinite(face)) return false;
-  const Decisions<Traits> decisions(certification_);
+  const Decisions decisions(certification_);
   const auto now = [this]() -> const auto& {
     return schedule_.current_time();
   };
@@ -227,16 +230,17 @@ bool Updates<Traits>::is_inside(const Point_2& point, Face_handle face, bool str
 // ---- all anew ----
 
 template <class Traits>
-auto Updates<Traits>::build_now(std::span<const Point_2> points) const -> Triangulation {
+auto Kinetic_types<Traits>::Updates::build_now(std::span<const Point_2> points) const
+    -> Triangulation {
   const auto& now = schedule_.current_time();
-  return Static_construction<Traits>::build(
+  return Kinetic_types<Traits>::Static_construction::build(
       points, now, certification_.traits().instantaneous_traits({now, Time_side::after}));
 }
 
 template <class Traits>
 template <class Change_vertices>
-void Updates<Traits>::rebuild(const Change_vertices& change_vertices,
-                              std::optional<Triangulation> rebuilt) {
+void Kinetic_types<Traits>::Updates::rebuild(const Change_vertices& change_vertices,
+                                             std::optional<Triangulation> rebuilt) {
   reporter_.start_noting();
   for (const Edge_ids& edge : topology_.finite_edge_ids()) reporter_.note(edge, -1);
   show_current_time();
@@ -248,7 +252,7 @@ void Updates<Traits>::rebuild(const Change_vertices& change_vertices,
                     if (was_hidden != is_hidden) reporter_.note_hidden(hidden, is_hidden);
                     reporter_.note_moved_hidden(hidden);
                   });
-  topology_.set_weights_equal(Types::have_equal_weights(points));
+  topology_.set_weights_equal(Topology::have_equal_weights(points));
   schedule_.schedule_all();
   for (const Edge_ids& edge : topology_.finite_edge_ids()) reporter_.note(edge, 1);
 }
