@@ -8,8 +8,8 @@
 namespace kinetri {
 
 template class Simulation_2<Disc_kinetic_traits_2>;
-template struct detail::Simulation_core<Disc_kinetic_traits_2>;
+template struct detail::Simulation_types<Disc_kinetic_traits_2>::Simulation_core;
 template class Simulation_2<Polynomial_disc_kinetic_traits_2>;
-template struct detail::Simulation_core<Polynomial_disc_kinetic_traits_2>;
+template struct detail::Simulation_types<Polynomial_disc_kinetic_traits_2>::Simulation_core;
 
 }  // namespace kinetri

@@ -6,8 +6,8 @@
 namespace kinetri {
 
 template class Simulation_2<Linear_kinetic_traits_2>;
-template struct detail::Simulation_core<Linear_kinetic_traits_2>;
+template struct detail::Simulation_types<Linear_kinetic_traits_2>::Simulation_core;
 template class Simulation_2<Polynomial_kinetic_traits_2>;
-template struct detail::Simulation_core<Polynomial_kinetic_traits_2>;
+template struct detail::Simulation_types<Polynomial_kinetic_traits_2>::Simulation_core;
 
 }  // namespace kinetri

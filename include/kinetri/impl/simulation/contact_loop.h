@@ -27,20 +27,12 @@ namespace kinetri::detail {
 /// the points, follows the edges that have changed (Event_reporter::take_trail), and schedules the
 /// points anew.
 template <class Traits>
-class Contact_loop {
+class Simulation_types<Traits>::Contact_loop {
  public:
-  using Motion = typename Traits::Motion;
-  using Point_2 = typename Traits::Point_2;
-  using Time = Algebraic_number;
-  using Entry = Contact_entry;
-  using Change = Point_change<Motion>;
-  using Core = Kinetic_core<Traits>;
-
   /// The others must outlive this object.
-  Contact_loop(Core& core, Simulation_setup<Traits>& setup, const Disc_geometry<Traits>& geometry,
-               Contact_records& records, Contact_schedule<Traits>& schedule,
-               Overlap_tracker<Traits>& tracker, const Contact_outcomes<Traits>& outcomes,
-               Contact_counters& counters)
+  Contact_loop(Kinetic_core& core, Simulation_setup& setup, const Disc_geometry& geometry,
+               Contact_records& records, Contact_schedule& schedule, Overlap_tracker& tracker,
+               const Contact_outcomes& outcomes, Contact_counters& counters)
       : core_(core),
         setup_(setup),
         geometry_(geometry),
@@ -82,9 +74,6 @@ class Contact_loop {
   void refuse_overlaps() const;
 
  private:
-  static constexpr bool has_radii = HasWeight<Motion>;
-  using Due_change = typename Contact_schedule<Traits>::Due_change;
-
   const Time& current_time() const { return geometry_.current_time(); }
   std::size_t execute_due_entries();
   void execute_due_entries(std::vector<Due_change>& postponed);
@@ -102,13 +91,13 @@ class Contact_loop {
   void refuse_overlaps_of(const Point_2& p) const;
   void refuse(std::vector<Edge_ids> pairs) const;
 
-  Core& core_;
-  Simulation_setup<Traits>& setup_;
-  const Disc_geometry<Traits>& geometry_;
+  Kinetic_core& core_;
+  Simulation_setup& setup_;
+  const Disc_geometry& geometry_;
   Contact_records& records_;
-  Contact_schedule<Traits>& schedule_;
-  Overlap_tracker<Traits>& tracker_;
-  const Contact_outcomes<Traits>& outcomes_;
+  Contact_schedule& schedule_;
+  Overlap_tracker& tracker_;
+  const Contact_outcomes& outcomes_;
   Contact_counters& counters_;
   Observer_list<Overlap_observer> overlap_observers_;
   std::uint64_t passes_ = 0;

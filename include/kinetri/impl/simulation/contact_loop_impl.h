@@ -21,7 +21,7 @@ namespace kinetri::detail {
 // ---- time ----
 
 template <class Traits>
-std::size_t Contact_loop<Traits>::step(const Time* until) {
+std::size_t Simulation_types<Traits>::Contact_loop::step(const Time* until) {
   schedule_.settle();
   auto& queue = schedule_.queue();
   const auto step_triangulation = [this](const Time* end) {
@@ -47,7 +47,8 @@ std::size_t Contact_loop<Traits>::step(const Time* until) {
 }
 
 template <class Traits>
-void Contact_loop<Traits>::run_to(const Time& until, const std::function<bool()>& may_go_on) {
+void Simulation_types<Traits>::Contact_loop::run_to(const Time& until,
+                                                    const std::function<bool()>& may_go_on) {
   while (may_go_on == nullptr || may_go_on()) {
     if (step(&until) > 0) continue;
     core_.loop.run_to(until, nullptr);
@@ -56,7 +57,7 @@ void Contact_loop<Traits>::run_to(const Time& until, const std::function<bool()>
 }
 
 template <class Traits>
-bool Contact_loop<Traits>::may_be_due(const Time& time) {
+bool Simulation_types<Traits>::Contact_loop::may_be_due(const Time& time) {
   schedule_.settle();
   auto& queue = schedule_.queue();
   if (queue.empty()) return false;
@@ -67,9 +68,8 @@ bool Contact_loop<Traits>::may_be_due(const Time& time) {
 // Not up to the time of the first entry, since it is to be known whether the triangulation has
 // events then; not to the end of a radius, since that is refused at the time of the last event.
 template <class Traits>
-bool Contact_loop<Traits>::run_triangulation(const Time& until,
-                                             const std::function<bool()>& may_go_on,
-                                             std::size_t& events) {
+bool Simulation_types<Traits>::Contact_loop::run_triangulation(
+    const Time& until, const std::function<bool()>& may_go_on, std::size_t& events) {
   schedule_.settle();
   const auto& queue = schedule_.queue();
   Time end = until;
@@ -92,7 +92,7 @@ bool Contact_loop<Traits>::run_triangulation(const Time& until,
 }
 
 template <class Traits>
-void Contact_loop<Traits>::refuse_vanishing(Point_id id, const Time& time) {
+void Simulation_types<Traits>::Contact_loop::refuse_vanishing(Point_id id, const Time& time) {
   throw Negative_radius_error(
       id, time.detached(),
       "the radius of disc " + std::to_string(id) + " shrinks to 0 at t = " + text(time) +
@@ -103,7 +103,7 @@ void Contact_loop<Traits>::refuse_vanishing(Point_id id, const Time& time) {
 // ---- the events of one time ----
 
 template <class Traits>
-std::size_t Contact_loop<Traits>::execute_due_entries() {
+std::size_t Simulation_types<Traits>::Contact_loop::execute_due_entries() {
   is_within_instant_ = true;  // and stays so if something throws
   const std::uint64_t events_before = core_.counters.number_of_events();
   std::vector<Due_change> postponed;
@@ -126,7 +126,8 @@ std::size_t Contact_loop<Traits>::execute_due_entries() {
 
 // What is in `postponed` when this throws has not been made, and is to be kept.
 template <class Traits>
-void Contact_loop<Traits>::execute_due_entries(std::vector<Due_change>& postponed) {
+void Simulation_types<Traits>::Contact_loop::execute_due_entries(
+    std::vector<Due_change>& postponed) {
   auto& queue = schedule_.queue();
   std::uint64_t contacts = 0;
   std::uint64_t turning = 0;
@@ -181,7 +182,8 @@ void Contact_loop<Traits>::execute_due_entries(std::vector<Due_change>& postpone
 
 // Executes a contact that has left the queue, after so many at its time that have changed points.
 template <class Traits>
-void Contact_loop<Traits>::execute_contact(const Entry& contact, std::uint64_t& turning) {
+void Simulation_types<Traits>::Contact_loop::execute_contact(const Entry& contact,
+                                                             std::uint64_t& turning) {
   const std::vector<Change> changes = changes_of(contact, turning);
   const std::array<Point_id, 2> points = {contact.point_a, contact.point_b};
   if (contact.kind == Contact_kind::wall) {
@@ -201,7 +203,8 @@ void Contact_loop<Traits>::execute_contact(const Entry& contact, std::uint64_t& 
 // What a contact does to its points. A contact without end goes back to the queue, so that all is
 // as it was before it.
 template <class Traits>
-auto Contact_loop<Traits>::changes_of(const Entry& contact, std::uint64_t& turning)
+auto Simulation_types<Traits>::Contact_loop::changes_of(const Entry& contact,
+                                                        std::uint64_t& turning)
     -> std::vector<Change> {
   try {
     std::vector<Change> result = outcomes_.changes(contact, current_time());
@@ -215,7 +218,8 @@ auto Contact_loop<Traits>::changes_of(const Entry& contact, std::uint64_t& turni
 }
 
 template <class Traits>
-void Contact_loop<Traits>::check_limit(const Entry& entry, std::uint64_t turning) const {
+void Simulation_types<Traits>::Contact_loop::check_limit(const Entry& entry,
+                                                         std::uint64_t turning) const {
   const std::uint64_t most = setup_.options().max_contacts_per_instant;
   if (turning <= most) return;
   throw Endless_contacts_error(
@@ -230,7 +234,8 @@ void Contact_loop<Traits>::check_limit(const Entry& entry, std::uint64_t turning
 
 // Has the triangulation make the changes of a contact, and report the contact.
 template <class Traits>
-void Contact_loop<Traits>::apply(const Entry& contact, std::span<const Change> changes) {
+void Simulation_types<Traits>::Contact_loop::apply(const Entry& contact,
+                                                   std::span<const Change> changes) {
   Event event;
   event.kind = contact.kind == Contact_kind::wall ? Event_kind::wall : Event_kind::collision;
   event.point_a = contact.point_a;
@@ -243,8 +248,8 @@ void Contact_loop<Traits>::apply(const Entry& contact, std::span<const Change> c
 // scheduled after.
 template <class Traits>
 template <class Make_changes>
-void Contact_loop<Traits>::change(std::span<const Point_id> points,
-                                  const Make_changes& make_changes) {
+void Simulation_types<Traits>::Contact_loop::change(std::span<const Point_id> points,
+                                                    const Make_changes& make_changes) {
   for (const Point_id id : points) {
     tracker_.end_passes(id);
     schedule_.unschedule_single(id);
@@ -275,7 +280,8 @@ void Contact_loop<Traits>::change(std::span<const Point_id> points,
 // ---- changes ----
 
 template <class Traits>
-void Contact_loop<Traits>::insert(const Motion& motion, std::optional<Point_id> reserved) {
+void Simulation_types<Traits>::Contact_loop::insert(const Motion& motion,
+                                                    std::optional<Point_id> reserved) {
   const Point_id id = reserved.value_or(geometry_.number_of_ids());
   KINETRI_PRECONDITION(is_finite(motion), not_finite_problem(id));
   const Point_2 p(motion, id);
@@ -294,8 +300,8 @@ void Contact_loop<Traits>::insert(const Motion& motion, std::optional<Point_id> 
 }
 
 template <class Traits>
-void Contact_loop<Traits>::set_motions(std::span<const Point_id> ids,
-                                       std::span<const Motion> motions) {
+void Simulation_types<Traits>::Contact_loop::set_motions(std::span<const Point_id> ids,
+                                                         std::span<const Motion> motions) {
   KINETRI_PRECONDITION(ids.size() == motions.size(), std::to_string(ids.size()) + " ids and " +
                                                          std::to_string(motions.size()) +
                                                          " motions; expected a motion for each id");
@@ -317,7 +323,7 @@ void Contact_loop<Traits>::set_motions(std::span<const Point_id> ids,
 }
 
 template <class Traits>
-void Contact_loop<Traits>::erase(Point_id id) {
+void Simulation_types<Traits>::Contact_loop::erase(Point_id id) {
   KINETRI_PRECONDITION(geometry_.contains(id), unknown_id_problem(id));
   change({&id, 1}, [&] {
     const Flag_while changing = core_.reporter.start_change();
@@ -326,7 +332,7 @@ void Contact_loop<Traits>::erase(Point_id id) {
 }
 
 template <class Traits>
-void Contact_loop<Traits>::execute_change(const Due_change& change) {
+void Simulation_types<Traits>::Contact_loop::execute_change(const Due_change& change) {
   const Point_id id = change.entry.point_a;
   if (change.entry.kind == Contact_kind::erase) {
     erase(id);
@@ -339,7 +345,7 @@ void Contact_loop<Traits>::execute_change(const Due_change& change) {
 
 // Makes a change. Returns false if another point has the trajectory that the change leads to.
 template <class Traits>
-bool Contact_loop<Traits>::try_change(const Due_change& change) {
+bool Simulation_types<Traits>::Contact_loop::try_change(const Due_change& change) {
   try {
     execute_change(change);
     return true;
@@ -351,7 +357,8 @@ bool Contact_loop<Traits>::try_change(const Due_change& change) {
 // Takes the changes of motions out of the queue that can be made together with the first one, which
 // has been taken out.
 template <class Traits>
-auto Contact_loop<Traits>::pop_turns(const Entry& first) -> std::vector<Due_change> {
+auto Simulation_types<Traits>::Contact_loop::pop_turns(const Entry& first)
+    -> std::vector<Due_change> {
   auto& queue = schedule_.queue();
   std::vector<Due_change> result = {schedule_.take_change(first)};
   const auto is_next = [&] {
@@ -366,7 +373,7 @@ auto Contact_loop<Traits>::pop_turns(const Entry& first) -> std::vector<Due_chan
 
 // Makes the changes of motions together. Returns false, and does nothing, if that is not possible.
 template <class Traits>
-bool Contact_loop<Traits>::try_turns(std::span<const Due_change> turns) {
+bool Simulation_types<Traits>::Contact_loop::try_turns(std::span<const Due_change> turns) {
   std::vector<Point_id> ids;
   std::vector<Motion> motions;
   for (const auto& [entry, motion] : turns) {
@@ -388,7 +395,7 @@ bool Contact_loop<Traits>::try_turns(std::span<const Due_change> turns) {
 // ---- overlaps that are refused ----
 
 template <class Traits>
-void Contact_loop<Traits>::refuse_overlaps() const {
+void Simulation_types<Traits>::Contact_loop::refuse_overlaps() const {
   std::vector<Edge_ids> pairs;
   for (const Point_id id : geometry_.present_points()) {
     for (const Disc_overlap& overlap : records_.overlaps(id)) {
@@ -403,7 +410,7 @@ void Contact_loop<Traits>::refuse_overlaps() const {
 
 // For a point that is to be inserted. O(n).
 template <class Traits>
-void Contact_loop<Traits>::refuse_overlaps_of(const Point_2& p) const {
+void Simulation_types<Traits>::Contact_loop::refuse_overlaps_of(const Point_2& p) const {
   std::vector<Edge_ids> pairs;
   for (const Point_id id : geometry_.present_points()) {
     if (geometry_.do_overlap(geometry_.point(id), p)) pairs.push_back(edge_ids(id, p.id()));
@@ -413,7 +420,7 @@ void Contact_loop<Traits>::refuse_overlaps_of(const Point_2& p) const {
 
 // Throws if there are such pairs.
 template <class Traits>
-void Contact_loop<Traits>::refuse(std::vector<Edge_ids> pairs) const {
+void Simulation_types<Traits>::Contact_loop::refuse(std::vector<Edge_ids> pairs) const {
   if (pairs.empty()) return;
   std::ranges::sort(pairs);
   const auto [a, b] = pairs.front();

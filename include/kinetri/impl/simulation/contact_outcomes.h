@@ -12,21 +12,15 @@
 #include <vector>
 
 #include "kinetri/impl/simulation/disc_geometry.h"
-#include "kinetri/impl/simulation/simulation_entry.h"
 
 namespace kinetri::detail {
 
 /// Motions after contacts. Several threads may ask at once if the response allows it.
 template <class Traits>
-class Contact_outcomes {
+class Simulation_types<Traits>::Contact_outcomes {
  public:
-  using Motion = typename Traits::Motion;
-  using Point_2 = typename Traits::Point_2;
-  using Time = Algebraic_number;
-  using Change = Point_change<Motion>;
-
   /// The geometry must outlive this object.
-  explicit Contact_outcomes(const Disc_geometry<Traits>& geometry)
+  explicit Contact_outcomes(const Disc_geometry& geometry)
       : geometry_(geometry), setup_(geometry.setup()) {}
 
   /// What a contact at the time `now` does to its points; nothing if discs pass through each other.
@@ -51,13 +45,13 @@ class Contact_outcomes {
   [[noreturn]] static void refuse_press(Point_id id, const std::string& who,
                                         const std::string& remedy, const Time& now);
 
-  const Disc_geometry<Traits>& geometry_;
-  const Simulation_setup<Traits>& setup_;
+  const Disc_geometry& geometry_;
+  const Simulation_setup& setup_;
 };
 
 template <class Traits>
-auto Contact_outcomes<Traits>::reflection(Point_id id, std::size_t wall, const Time& now) const
-    -> Change {
+auto Simulation_types<Traits>::Contact_outcomes::reflection(Point_id id, std::size_t wall,
+                                                            const Time& now) const -> Change {
   const Wall_2& side = setup_.walls()[wall];
   if (!setup_.traits().has_approach_speed(geometry_.point(id), side, now)) {
     refuse_press(id,
@@ -78,7 +72,8 @@ auto Contact_outcomes<Traits>::reflection(Point_id id, std::size_t wall, const T
 
 // What the response does to two discs.
 template <class Traits>
-auto Contact_outcomes<Traits>::collision(Point_id a, Point_id b, const Time& now) const
+auto Simulation_types<Traits>::Contact_outcomes::collision(Point_id a, Point_id b,
+                                                           const Time& now) const
     -> std::vector<Change> {
   const Traits& traits = setup_.traits();
   const double time = now.to_double();
@@ -150,7 +145,8 @@ auto Contact_outcomes<Traits>::collision(Point_id a, Point_id b, const Time& now
 
 // The motion of a point after a contact, moved so that it is not outside of the box.
 template <class Traits>
-auto Contact_outcomes<Traits>::usable(Point_id id, Motion motion, const Time& now) const -> Motion {
+auto Simulation_types<Traits>::Contact_outcomes::usable(Point_id id, Motion motion,
+                                                        const Time& now) const -> Motion {
   if (!is_finite(motion)) {
     throw Contact_overflow_error(
         id, "after its contact at t = " + text(now) + " point " + std::to_string(id) +
@@ -169,8 +165,9 @@ auto Contact_outcomes<Traits>::usable(Point_id id, Motion motion, const Time& no
 // `who` touches something, without a speed toward it, but with an acceleration toward it; `remedy`
 // says what helps.
 template <class Traits>
-void Contact_outcomes<Traits>::refuse_press(Point_id id, const std::string& who,
-                                            const std::string& remedy, const Time& now) {
+void Simulation_types<Traits>::Contact_outcomes::refuse_press(Point_id id, const std::string& who,
+                                                              const std::string& remedy,
+                                                              const Time& now) {
   throw Endless_contacts_error(
       id, who + " at t = " + text(now) +
               ", in contact without any speed, so that no change of velocities separates them; "

@@ -14,7 +14,6 @@
 #include "kinetri/impl/events/divided_scheduler.h"
 #include "kinetri/impl/simulation/contact_records.h"
 #include "kinetri/impl/simulation/disc_geometry.h"
-#include "kinetri/impl/simulation/simulation_entry.h"
 #include "kinetri/impl/triangulation/region_division.h"
 
 namespace kinetri::detail {
@@ -25,14 +24,8 @@ namespace kinetri::detail {
 /// radius, that is about the point. A wall has one entry for a point, of the first wall that it
 /// reaches.
 template <class Traits>
-class Contact_schedule {
+class Simulation_types<Traits>::Contact_schedule {
  public:
-  using Motion = typename Traits::Motion;
-  using Point_2 = typename Traits::Point_2;
-  using Time = Algebraic_number;
-  using Entry = Contact_entry;
-  using Subject = Contact_subject;
-
   /// What the scheduler asks; see Event_scheduler and Divided_scheduler.
   class Policy {
    public:
@@ -53,14 +46,8 @@ class Contact_schedule {
   };
   using Queue = Divided_scheduler<Entry, Policy>;
 
-  /// A scheduled change that is not in the queue any more; the motion is the one that it gives.
-  struct Due_change {
-    Entry entry;
-    std::optional<Motion> motion;
-  };
-
   /// The others must outlive this object; `division` is that of the triangulation's queue.
-  Contact_schedule(const Disc_geometry<Traits>& geometry, Contact_records& records,
+  Contact_schedule(const Disc_geometry& geometry, Contact_records& records,
                    const Region_division& division, Contact_counters& counters)
       : geometry_(geometry),
         setup_(geometry.setup()),
@@ -137,8 +124,6 @@ class Contact_schedule {
   std::size_t changes_in_queue() const { return changes_in_queue_; }
 
  private:
-  static constexpr bool has_radii = HasWeight<Motion>;
-
   /// A change that was scheduled; the motion is the one that it gives.
   struct Scheduled_change {
     std::optional<Motion> motion;
@@ -154,8 +139,8 @@ class Contact_schedule {
   void push_change(const Time& time, Entry entry, const std::optional<Motion>& motion);
   std::optional<Motion> take_motion(const Entry& change);
 
-  const Disc_geometry<Traits>& geometry_;
-  const Simulation_setup<Traits>& setup_;
+  const Disc_geometry& geometry_;
+  const Simulation_setup& setup_;
   Contact_records& records_;
   const Region_division& division_;
   Contact_counters& counters_;

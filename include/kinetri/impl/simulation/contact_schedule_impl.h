@@ -14,10 +14,11 @@ namespace kinetri::detail {
 // ---- what the queue asks ----
 
 template <class Traits>
-auto Contact_schedule<Traits>::Policy::entry_time(const Entry& entry) const -> Time {
+auto Simulation_types<Traits>::Contact_schedule::Policy::entry_time(const Entry& entry) const
+    -> Time {
   KINETRI_ASSERT(is_contact(entry.kind), "a scheduled change has its time");
   if (!entry.is_event) return Time(entry.bounds.lower);
-  const Simulation_setup<Traits>& setup = schedule_.setup_;
+  const Simulation_setup& setup = schedule_.setup_;
   const Point_2& p = schedule_.geometry_.point(entry.point_a);
   if (entry.kind == Contact_kind::wall) {
     return setup.traits().wall_failure(p, setup.walls()[entry.point_b], entry.bounds);
@@ -27,7 +28,8 @@ auto Contact_schedule<Traits>::Policy::entry_time(const Entry& entry) const -> T
 }
 
 template <class Traits>
-bool Contact_schedule<Traits>::Policy::precedes(const Entry& a, const Entry& b) const {
+bool Simulation_types<Traits>::Contact_schedule::Policy::precedes(const Entry& a,
+                                                                  const Entry& b) const {
   if (a.kind != b.kind) return a.kind < b.kind;
   if (a.is_noted != b.is_noted) return !a.is_noted;
   return std::pair(a.point_a, a.point_b) < std::pair(b.point_a, b.point_b);
@@ -36,7 +38,7 @@ bool Contact_schedule<Traits>::Policy::precedes(const Entry& a, const Entry& b) 
 // A change of a point that is not there is no event either: the point will not be there at the time
 // of the change, since an insertion before that would be before it in the queue.
 template <class Traits>
-bool Contact_schedule<Traits>::Policy::is_recheck(const Entry& entry) const {
+bool Simulation_types<Traits>::Contact_schedule::Policy::is_recheck(const Entry& entry) const {
   if (!entry.is_event) return true;
   return (entry.kind == Contact_kind::erase || entry.kind == Contact_kind::trajectory) &&
          !schedule_.geometry_.contains(entry.point_a);
@@ -44,7 +46,8 @@ bool Contact_schedule<Traits>::Policy::is_recheck(const Entry& entry) const {
 
 // The same node of the regions that the triangulation's queue has for an edge of the two points.
 template <class Traits>
-std::size_t Contact_schedule<Traits>::Policy::part_of(const Subject& subject) const {
+std::size_t Simulation_types<Traits>::Contact_schedule::Policy::part_of(
+    const Subject& subject) const {
   const Region_division& division = schedule_.division_;
   if (subject.kind == Contact_kind::wall) return division.node_of(subject.point_a, subject.point_a);
   if (subject.kind == Contact_kind::collision) {
@@ -54,15 +57,16 @@ std::size_t Contact_schedule<Traits>::Policy::part_of(const Subject& subject) co
 }
 
 template <class Traits>
-Queue_handle Contact_schedule<Traits>::Policy::handle(const Subject& subject) const {
+Queue_handle Simulation_types<Traits>::Contact_schedule::Policy::handle(
+    const Subject& subject) const {
   if (!is_change(subject.kind)) return schedule_.records_.event(subject);
   const auto change = schedule_.changes_.find(subject.point_b);
   return change == schedule_.changes_.end() ? no_event : change->second.event;
 }
 
 template <class Traits>
-void Contact_schedule<Traits>::Policy::set_handle(const Subject& subject,
-                                                  Queue_handle handle) const {
+void Simulation_types<Traits>::Contact_schedule::Policy::set_handle(const Subject& subject,
+                                                                    Queue_handle handle) const {
   if (!is_change(subject.kind)) return schedule_.records_.set_event(subject, handle);
   schedule_.changes_.at(subject.point_b).event = handle;
 }
@@ -72,7 +76,8 @@ void Contact_schedule<Traits>::Policy::set_handle(const Subject& subject,
 // Puts the entry into the queue with the contact of the certificate, or the time to check it again.
 // Returns no_event if there never is a contact.
 template <class Traits>
-Queue_handle Contact_schedule<Traits>::push(Entry entry, Certificate certificate) {
+Queue_handle Simulation_types<Traits>::Contact_schedule::push(Entry entry,
+                                                              Certificate certificate) {
   if (certificate.kind == Certificate::Kind::never_fails) return no_event;
   entry.bounds = certificate.bounds;
   entry.is_event = certificate.kind == Certificate::Kind::fails;
@@ -81,7 +86,7 @@ Queue_handle Contact_schedule<Traits>::push(Entry entry, Certificate certificate
 }
 
 template <class Traits>
-void Contact_schedule<Traits>::discard(Queue_handle handle) {
+void Simulation_types<Traits>::Contact_schedule::discard(Queue_handle handle) {
   const Entry entry = queue_.erase(handle);
   if (entry.is_event && is_contact(entry.kind)) {
     ++(entry.kind == Contact_kind::wall ? counters_.discarded_walls
@@ -90,7 +95,7 @@ void Contact_schedule<Traits>::discard(Queue_handle handle) {
 }
 
 template <class Traits>
-auto Contact_schedule<Traits>::pop() -> Entry {
+auto Simulation_types<Traits>::Contact_schedule::pop() -> Entry {
   const Entry entry = queue_.pop();
   forget(entry);
   return entry;
@@ -98,7 +103,7 @@ auto Contact_schedule<Traits>::pop() -> Entry {
 
 // Forgets the handle of an entry that has left the queue.
 template <class Traits>
-void Contact_schedule<Traits>::forget(const Entry& entry) {
+void Simulation_types<Traits>::Contact_schedule::forget(const Entry& entry) {
   if (is_change(entry.kind)) {
     --changes_in_queue_;
   } else {
@@ -107,7 +112,7 @@ void Contact_schedule<Traits>::forget(const Entry& entry) {
 }
 
 template <class Traits>
-void Contact_schedule<Traits>::settle() {
+void Simulation_types<Traits>::Contact_schedule::settle() {
   queue_.settle([](const Entry& /*entry*/) { return true; },
                 [this](std::span<const Entry> entries) {
                   for (const Entry& entry : entries) recheck(entry);
@@ -117,7 +122,7 @@ void Contact_schedule<Traits>::settle() {
 // Checks a certificate again, or drops a change of a point that is not there. The entry has left
 // the queue.
 template <class Traits>
-void Contact_schedule<Traits>::recheck(const Entry& entry) {
+void Simulation_types<Traits>::Contact_schedule::recheck(const Entry& entry) {
   forget(entry);
   if (entry.kind == Contact_kind::wall) {
     schedule_wall(entry.point_a, Time(entry.bounds.lower));
@@ -129,7 +134,7 @@ void Contact_schedule<Traits>::recheck(const Entry& entry) {
 }
 
 template <class Traits>
-bool Contact_schedule<Traits>::is_contact_due() {
+bool Simulation_types<Traits>::Contact_schedule::is_contact_due() {
   const Time& now = geometry_.current_time();
   const auto may_be_due = [&] {
     return !queue_.empty() && queue_.top().bounds.lower <= now.interval().upper;
@@ -142,14 +147,14 @@ bool Contact_schedule<Traits>::is_contact_due() {
 // ---- what a point does by itself ----
 
 template <class Traits>
-void Contact_schedule<Traits>::schedule_single(Point_id id, const Time& after) {
+void Simulation_types<Traits>::Contact_schedule::schedule_single(Point_id id, const Time& after) {
   schedule_wall(id, after);
   schedule_vanishing(id);
 }
 
 // Schedules when the radius of a disc is 0, if it shrinks. Precondition: nothing is scheduled yet.
 template <class Traits>
-void Contact_schedule<Traits>::schedule_vanishing(Point_id id) {
+void Simulation_types<Traits>::Contact_schedule::schedule_vanishing(Point_id id) {
   if constexpr (has_radii) {
     if (geometry_.motion(id).growth >= 0) return;
     const Time time = zero_of_radius(geometry_.motion(id));
@@ -163,15 +168,15 @@ void Contact_schedule<Traits>::schedule_vanishing(Point_id id) {
 }
 
 template <class Traits>
-void Contact_schedule<Traits>::schedule_wall(Point_id id, const Time& after) {
+void Simulation_types<Traits>::Contact_schedule::schedule_wall(Point_id id, const Time& after) {
   if (!setup_.has_box()) return;
   auto [first, certificate] = first_wall(id, after, certificate_counters_);
   records_.add_event(first.subject(), push(first, std::move(certificate)));
 }
 
 template <class Traits>
-auto Contact_schedule<Traits>::first_wall(Point_id id, const Time& after,
-                                          Certificate_counters& counters) const
+auto Simulation_types<Traits>::Contact_schedule::first_wall(Point_id id, const Time& after,
+                                                            Certificate_counters& counters) const
     -> std::pair<Entry, Certificate> {
   const Traits& traits = setup_.traits();
   const Point_2& point = geometry_.point(id);
@@ -203,7 +208,7 @@ auto Contact_schedule<Traits>::first_wall(Point_id id, const Time& after,
 }
 
 template <class Traits>
-void Contact_schedule<Traits>::unschedule_single(Point_id id) {
+void Simulation_types<Traits>::Contact_schedule::unschedule_single(Point_id id) {
   Contact_record* const record = records_.find(id);
   if (record == nullptr) return;
   for (Queue_handle* const handle : {&record->wall_event, &record->vanish_event}) {
@@ -213,7 +218,7 @@ void Contact_schedule<Traits>::unschedule_single(Point_id id) {
 }
 
 template <class Traits>
-void Contact_schedule<Traits>::schedule_all_singles() {
+void Simulation_types<Traits>::Contact_schedule::schedule_all_singles() {
   const std::vector<Point_id> ids = geometry_.present_points();
   if (setup_.has_box()) {
     struct Block {
@@ -245,16 +250,17 @@ void Contact_schedule<Traits>::schedule_all_singles() {
 // ---- pairs ----
 
 template <class Traits>
-void Contact_schedule<Traits>::schedule_pair(const Edge_ids& pair, bool is_edge,
-                                             const Time& after) {
+void Simulation_types<Traits>::Contact_schedule::schedule_pair(const Edge_ids& pair, bool is_edge,
+                                                               const Time& after) {
   if (!setup_.has_response()) return;
   unschedule_pair(pair);
   schedule_new_pair(pair, is_edge, after);
 }
 
 template <class Traits>
-bool Contact_schedule<Traits>::schedule_new_pair(const Edge_ids& pair, bool is_edge,
-                                                 const Time& after) {
+bool Simulation_types<Traits>::Contact_schedule::schedule_new_pair(const Edge_ids& pair,
+                                                                   bool is_edge,
+                                                                   const Time& after) {
   Certificate certificate = pair_certificate(pair, after, setup_.traits());
   certificate_counters_.count(certificate);
   const bool may_overlap = certificate.may_vanish;
@@ -263,8 +269,8 @@ bool Contact_schedule<Traits>::schedule_new_pair(const Edge_ids& pair, bool is_e
 }
 
 template <class Traits>
-void Contact_schedule<Traits>::push_pair(const Edge_ids& pair, bool is_edge,
-                                         Certificate certificate) {
+void Simulation_types<Traits>::Contact_schedule::push_pair(const Edge_ids& pair, bool is_edge,
+                                                           Certificate certificate) {
   Entry entry;
   entry.kind = Contact_kind::collision;
   entry.point_a = pair[0];
@@ -275,8 +281,8 @@ void Contact_schedule<Traits>::push_pair(const Edge_ids& pair, bool is_edge,
 }
 
 template <class Traits>
-Certificate Contact_schedule<Traits>::pair_certificate(const Edge_ids& pair, const Time& after,
-                                                       const Traits& traits) const {
+Certificate Simulation_types<Traits>::Contact_schedule::pair_certificate(
+    const Edge_ids& pair, const Time& after, const Traits& traits) const {
   const Point_2& p = geometry_.point(pair[0]);
   const Point_2& q = geometry_.point(pair[1]);
   const Disc_overlap* const overlap = records_.find_overlap(pair);
@@ -289,12 +295,12 @@ Certificate Contact_schedule<Traits>::pair_certificate(const Edge_ids& pair, con
 }
 
 template <class Traits>
-void Contact_schedule<Traits>::unschedule_pair(const Edge_ids& pair) {
+void Simulation_types<Traits>::Contact_schedule::unschedule_pair(const Edge_ids& pair) {
   if (const Queue_handle event = records_.forget_pair(pair); event != no_event) discard(event);
 }
 
 template <class Traits>
-void Contact_schedule<Traits>::unschedule_pairs(Point_id id) {
+void Simulation_types<Traits>::Contact_schedule::unschedule_pairs(Point_id id) {
   Contact_record* const record = records_.find(id);
   if (record == nullptr) return;
   for (const auto& [other, event] : record->partners) {
@@ -307,8 +313,8 @@ void Contact_schedule<Traits>::unschedule_pairs(Point_id id) {
 // ---- changes ----
 
 template <class Traits>
-void Contact_schedule<Traits>::schedule_change(const Time& time, Contact_kind kind, Point_id id,
-                                               const std::optional<Motion>& motion) {
+void Simulation_types<Traits>::Contact_schedule::schedule_change(
+    const Time& time, Contact_kind kind, Point_id id, const std::optional<Motion>& motion) {
   Entry entry;
   entry.point_a = id;
   entry.point_b = scheduled_++;
@@ -318,15 +324,16 @@ void Contact_schedule<Traits>::schedule_change(const Time& time, Contact_kind ki
 }
 
 template <class Traits>
-void Contact_schedule<Traits>::push_change(const Time& time, Entry entry,
-                                           const std::optional<Motion>& motion) {
+void Simulation_types<Traits>::Contact_schedule::push_change(const Time& time, Entry entry,
+                                                             const std::optional<Motion>& motion) {
   entry.bounds = time.interval();
   changes_[entry.point_b] = {motion, queue_.push(entry, time)};
   ++changes_in_queue_;
 }
 
 template <class Traits>
-auto Contact_schedule<Traits>::take_motion(const Entry& change) -> std::optional<Motion> {
+auto Simulation_types<Traits>::Contact_schedule::take_motion(const Entry& change)
+    -> std::optional<Motion> {
   const auto node = changes_.extract(change.point_b);
   return node ? node.mapped().motion : std::nullopt;
 }

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "kinetri/impl/simulation/simulation_setup.h"
-#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri::detail {
 
@@ -21,20 +20,13 @@ namespace kinetri::detail {
 /// corners of the triangle that hides it: one of them contains the point as well (docs/MATH.md,
 /// section 8). So these corners are linked with the point.
 template <class Traits>
-class Disc_geometry {
+class Simulation_types<Traits>::Disc_geometry {
  public:
-  using Triangulation = Kinetic_triangulation_2<Traits>;
-  using Motion = typename Traits::Motion;
-  using Point_2 = typename Traits::Point_2;
-  using Time = Algebraic_number;
-
-  static constexpr bool has_radii = HasWeight<Motion>;
-
   /// The others must outlive this object.
-  Disc_geometry(const Simulation_setup<Traits>& setup, const Triangulation& triangulation)
+  Disc_geometry(const Simulation_setup& setup, const Triangulation& triangulation)
       : setup_(setup), triangulation_(triangulation) {}
 
-  const Simulation_setup<Traits>& setup() const { return setup_; }
+  const Simulation_setup& setup() const { return setup_; }
   const Traits& traits() const { return setup_.traits(); }
   const Time& current_time() const { return triangulation_.current_time(); }
 
@@ -110,7 +102,7 @@ class Disc_geometry {
   std::vector<Point_id> owners_in(Point_id id) const;
   Point_id owner_of_centre(Point_id id) const;
 
-  const Simulation_setup<Traits>& setup_;
+  const Simulation_setup& setup_;
   const Triangulation& triangulation_;
 };
 

@@ -16,7 +16,7 @@ namespace kinetri::detail {
 // ---- points ----
 
 template <class Traits>
-std::vector<Point_id> Disc_geometry<Traits>::present_points() const {
+std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::present_points() const {
   std::vector<Point_id> result;
   for (Point_id id = 0; id < number_of_ids(); ++id) {
     if (contains(id)) result.push_back(id);
@@ -25,13 +25,13 @@ std::vector<Point_id> Disc_geometry<Traits>::present_points() const {
 }
 
 template <class Traits>
-bool Disc_geometry<Traits>::is_without_area(Point_id id) const {
+bool Simulation_types<Traits>::Disc_geometry::is_without_area(Point_id id) const {
   if constexpr (has_radii) return motion(id).radius == 0 && motion(id).growth == 0;
   return false;
 }
 
 template <class Traits>
-bool Disc_geometry<Traits>::is_seed(Point_id id) const {
+bool Simulation_types<Traits>::Disc_geometry::is_seed(Point_id id) const {
   if constexpr (has_radii) {
     if (!contains(id)) return false;
     const Motion& disc = motion(id);
@@ -42,7 +42,7 @@ bool Disc_geometry<Traits>::is_seed(Point_id id) const {
 }
 
 template <class Traits>
-bool Disc_geometry<Traits>::do_overlap(const Point_2& p, const Point_2& q) const {
+bool Simulation_types<Traits>::Disc_geometry::do_overlap(const Point_2& p, const Point_2& q) const {
   return traits().do_touch(p, q, setup_.diameter(), current_time()) &&
          sign_at(contact_polynomial(p, q, setup_.diameter()), current_time()) == CGAL::NEGATIVE;
 }
@@ -51,7 +51,8 @@ bool Disc_geometry<Traits>::do_overlap(const Point_2& p, const Point_2& q) const
 
 template <class Traits>
 template <class Function>
-void Disc_geometry<Traits>::for_each_neighbor(Point_id id, Function function) const {
+void Simulation_types<Traits>::Disc_geometry::for_each_neighbor(Point_id id,
+                                                                Function function) const {
   if (is_hidden(id)) return for_each_corner(id, function);
   detail::for_each_neighbor(triangulation_.triangulation(), triangulation_.vertex(id),
                             [&](auto neighbor) { function(neighbor->point().id()); });
@@ -61,7 +62,7 @@ void Disc_geometry<Traits>::for_each_neighbor(Point_id id, Function function) co
 // Entries and overlaps know that too, if it matters: they need no triangulation, and tell it
 // faster. An edge of which nothing is known has no entry because its discs never touch.
 template <class Traits>
-bool Disc_geometry<Traits>::is_edge(const Edge_ids& pair) const {
+bool Simulation_types<Traits>::Disc_geometry::is_edge(const Edge_ids& pair) const {
   if (!contains(pair[0]) || !contains(pair[1])) return false;
   bool result = false;
   for_each_neighbor(pair[0], [&](Point_id other) { result = result || other == pair[1]; });
@@ -70,7 +71,8 @@ bool Disc_geometry<Traits>::is_edge(const Edge_ids& pair) const {
 
 template <class Traits>
 template <class Function>
-void Disc_geometry<Traits>::for_each_corner(Point_id id, Function function) const {
+void Simulation_types<Traits>::Disc_geometry::for_each_corner(Point_id id,
+                                                              Function function) const {
   if (!is_hidden(id) || !is_without_area(id)) return;
   const auto& triangulation = triangulation_.triangulation();
   const int dimension = triangulation.dimension();
@@ -82,7 +84,7 @@ void Disc_geometry<Traits>::for_each_corner(Point_id id, Function function) cons
 }
 
 template <class Traits>
-std::vector<Point_id> Disc_geometry<Traits>::corners_of(Point_id id) const {
+std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::corners_of(Point_id id) const {
   std::vector<Point_id> result;
   for_each_corner(id, [&](Point_id corner) { result.push_back(corner); });
   return result;
@@ -91,7 +93,8 @@ std::vector<Point_id> Disc_geometry<Traits>::corners_of(Point_id id) const {
 // Calls `function` with the hidden points that a vertex is linked with.
 template <class Traits>
 template <class Function>
-void Disc_geometry<Traits>::for_each_hidden_link(Point_id id, Function function) const {
+void Simulation_types<Traits>::Disc_geometry::for_each_hidden_link(Point_id id,
+                                                                   Function function) const {
   if constexpr (has_radii) {
     if (triangulation_.number_of_hidden_points() == 0) return;
     const auto& triangulation = triangulation_.triangulation();
@@ -114,7 +117,7 @@ void Disc_geometry<Traits>::for_each_hidden_link(Point_id id, Function function)
 
 template <class Traits>
 template <class Made, class Make>
-std::vector<Made> Disc_geometry<Traits>::make_for_edges(const Make& make) const {
+std::vector<Made> Simulation_types<Traits>::Disc_geometry::make_for_edges(const Make& make) const {
   const auto& triangulation = triangulation_.triangulation();
   std::vector<Made> result;
   if (triangulation.dimension() < 2) {
@@ -167,8 +170,8 @@ std::vector<Made> Disc_geometry<Traits>::make_for_edges(const Make& make) const 
 // ---- discs nearby ----
 
 template <class Traits>
-std::vector<Point_id> Disc_geometry<Traits>::overlapping_points(Point_id id,
-                                                                const Traits& traits) const {
+std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::overlapping_points(
+    Point_id id, const Traits& traits) const {
   std::vector<Point_id> result;
   const auto add_neighbors = [&](Point_id of) {
     for_each_neighbor(of, [&](Point_id other) {
@@ -184,7 +187,8 @@ std::vector<Point_id> Disc_geometry<Traits>::overlapping_points(Point_id id,
 }
 
 template <class Traits>
-std::vector<Point_id> Disc_geometry<Traits>::discs_about(std::span<const Point_id> points) const {
+std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::discs_about(
+    std::span<const Point_id> points) const {
   const auto& triangulation = triangulation_.triangulation();
   if (triangulation.dimension() < 2) return present_points();
   std::vector<Point_id> result;
@@ -205,7 +209,7 @@ std::vector<Point_id> Disc_geometry<Traits>::discs_about(std::span<const Point_i
 // that touch it. Those cells are connected, since the disc is; and all of them touch it, since the
 // power of such a place is not positive. Precondition: the dimension is 2.
 template <class Traits>
-std::vector<Point_id> Disc_geometry<Traits>::owners_in(Point_id id) const {
+std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::owners_in(Point_id id) const {
   std::vector<Point_id> result = {owner_of_centre(id)};
   for (std::size_t i = 0; i < result.size(); ++i) {
     for_each_neighbor(result[i], [&](Point_id other) {
@@ -220,7 +224,7 @@ std::vector<Point_id> Disc_geometry<Traits>::owners_in(Point_id id) const {
 // The disc in whose power cell the centre of a disc is just after the present time: mostly the disc
 // itself. From a disc that has not the least power there an edge leads to one that has less.
 template <class Traits>
-Point_id Disc_geometry<Traits>::owner_of_centre(Point_id id) const {
+Point_id Simulation_types<Traits>::Disc_geometry::owner_of_centre(Point_id id) const {
   const auto& triangulation = triangulation_.triangulation();
   if (!is_hidden(id)) {
     Motion centre = motion(id);
@@ -255,8 +259,8 @@ Point_id Disc_geometry<Traits>::owner_of_centre(Point_id id) const {
 
 template <class Traits>
 template <class Function>
-void Disc_geometry<Traits>::for_each_close_pair(std::span<const Point_id> ids,
-                                                Function function) const {
+void Simulation_types<Traits>::Disc_geometry::for_each_close_pair(std::span<const Point_id> ids,
+                                                                  Function function) const {
   const Double_interval times = current_time().tight_interval();
   std::vector<Disc_box> boxes;
   for (const Point_id id : ids) boxes.push_back(box_around(motion(id), id, times.lower, times));
@@ -266,7 +270,8 @@ void Disc_geometry<Traits>::for_each_close_pair(std::span<const Point_id> ids,
 
 template <class Traits>
 template <class Function>
-void Disc_geometry<Traits>::for_each_exact_overlap(const Traits& exact, Function function) const {
+void Simulation_types<Traits>::Disc_geometry::for_each_exact_overlap(const Traits& exact,
+                                                                     Function function) const {
   if constexpr (has_radii) {
     for_each_close_pair(present_points(), [&](Point_id a, Point_id b) {
       if (exact.may_overlap(point(a), point(b), setup_.diameter(), current_time())) function(a, b);

@@ -41,16 +41,13 @@ namespace kinetri::detail {
 /// Invariant, between two events: the records have all overlaps of the present time; each pair that
 /// is watched and will come into contact has an entry. Without a response nothing is watched.
 template <class Traits>
-class Overlap_tracker {
+class Simulation_types<Traits>::Overlap_tracker {
  public:
-  using Motion = typename Traits::Motion;
-  using Point_2 = typename Traits::Point_2;
-  using Time = Algebraic_number;
   using Points = std::span<const Point_id>;
 
   /// The others must outlive this object.
-  Overlap_tracker(const Disc_geometry<Traits>& geometry, Contact_records& records,
-                  Contact_schedule<Traits>& schedule)
+  Overlap_tracker(const Disc_geometry& geometry, Contact_records& records,
+                  Contact_schedule& schedule)
       : geometry_(geometry), setup_(geometry.setup()), records_(records), schedule_(schedule) {}
 
   // ---- all points ----
@@ -103,8 +100,6 @@ class Overlap_tracker {
   void for_each_pair_of(Point_id first, const Counts& counts, Function function) const;
 
  private:
-  static constexpr bool has_radii = HasWeight<Motion>;
-
   bool is_overlapped(const Edge_ids& pair) const;
   void watch(const Edge_ids& pair, bool is_edge);
   void watch_beside(Point_id a, Point_id b, bool is_edge, Points changing = {});
@@ -127,10 +122,10 @@ class Overlap_tracker {
   void find_overlaps_of_seeds(Points points);
   void examine(Point_id a, Point_id b);
 
-  const Disc_geometry<Traits>& geometry_;
-  const Simulation_setup<Traits>& setup_;
+  const Disc_geometry& geometry_;
+  const Simulation_setup& setup_;
   Contact_records& records_;
-  Contact_schedule<Traits>& schedule_;
+  Contact_schedule& schedule_;
   std::vector<Point_id> seeds_;  // discs that may grow from 0 at the present time
 };
 

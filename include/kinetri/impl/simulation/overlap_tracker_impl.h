@@ -15,7 +15,7 @@ namespace kinetri::detail {
 // ---- all points ----
 
 template <class Traits>
-void Overlap_tracker<Traits>::find_all() {
+void Simulation_types<Traits>::Overlap_tracker::find_all() {
   if (!setup_.has_response() && !setup_.options().refuses_overlaps) return;
   if constexpr (has_radii) {
     seeds_.clear();
@@ -46,7 +46,7 @@ void Overlap_tracker<Traits>::find_all() {
 }
 
 template <class Traits>
-void Overlap_tracker<Traits>::schedule_all_pairs() {
+void Simulation_types<Traits>::Overlap_tracker::schedule_all_pairs() {
   if (!setup_.has_response()) return;
   struct Made {
     std::vector<std::pair<Edge_ids, Certificate>> contacts;
@@ -80,7 +80,7 @@ void Overlap_tracker<Traits>::schedule_all_pairs() {
 
 // Keeps the links of all points.
 template <class Traits>
-void Overlap_tracker<Traits>::keep_links() {
+void Simulation_types<Traits>::Overlap_tracker::keep_links() {
   if constexpr (has_radii) {
     records_.for_each([](Contact_record& record) { record.corners.clear(); });
     for (const Point_id id : geometry_.present_points()) {
@@ -94,7 +94,7 @@ void Overlap_tracker<Traits>::keep_links() {
 
 // Schedules the contact of a pair that has none, as an edge has come or as a disc overlaps both.
 template <class Traits>
-void Overlap_tracker<Traits>::watch(const Edge_ids& pair, bool is_edge) {
+void Simulation_types<Traits>::Overlap_tracker::watch(const Edge_ids& pair, bool is_edge) {
   const Queue_handle event = records_.pair_event(pair);
   if (event == no_event) {
     schedule_.schedule_pair(pair, is_edge, geometry_.current_time());
@@ -105,7 +105,8 @@ void Overlap_tracker<Traits>::watch(const Edge_ids& pair, bool is_edge) {
 
 // Watches the pairs that are to be watched because the discs of a and b overlap.
 template <class Traits>
-void Overlap_tracker<Traits>::watch_beside(Point_id a, Point_id b, bool is_edge, Points changing) {
+void Simulation_types<Traits>::Overlap_tracker::watch_beside(Point_id a, Point_id b, bool is_edge,
+                                                             Points changing) {
   for_each_pair_beside(a, b, is_edge, [&](const Edge_ids& pair) {
     if (!is_changing(pair, changing)) watch(pair, false);
   });
@@ -113,19 +114,19 @@ void Overlap_tracker<Traits>::watch_beside(Point_id a, Point_id b, bool is_edge,
 
 // To be called when a reason to watch the pair has gone.
 template <class Traits>
-void Overlap_tracker<Traits>::unwatch(const Edge_ids& pair) {
+void Simulation_types<Traits>::Overlap_tracker::unwatch(const Edge_ids& pair) {
   if (records_.pair_event(pair) != no_event && !is_watched(pair)) schedule_.unschedule_pair(pair);
 }
 
 template <class Traits>
-bool Overlap_tracker<Traits>::is_watched(const Edge_ids& pair) const {
+bool Simulation_types<Traits>::Overlap_tracker::is_watched(const Edge_ids& pair) const {
   return schedule_.queue()[records_.pair_event(pair)].is_edge || is_overlapped(pair);
 }
 
 // Whether the pair is watched because of a disc that overlaps both; or, of discs that have radii of
 // their own, because they overlap each other.
 template <class Traits>
-bool Overlap_tracker<Traits>::is_overlapped(const Edge_ids& pair) const {
+bool Simulation_types<Traits>::Overlap_tracker::is_overlapped(const Edge_ids& pair) const {
   if constexpr (has_radii) {
     if (records_.find_overlap(pair) != nullptr) return true;
     const bool is_second_shorter =
@@ -146,8 +147,9 @@ bool Overlap_tracker<Traits>::is_overlapped(const Edge_ids& pair) const {
 // says whether there is an edge between them.
 template <class Traits>
 template <class Function>
-void Overlap_tracker<Traits>::for_each_pair_beside(Point_id a, Point_id b, bool is_edge,
-                                                   Function function) const {
+void Simulation_types<Traits>::Overlap_tracker::for_each_pair_beside(Point_id a, Point_id b,
+                                                                     bool is_edge,
+                                                                     Function function) const {
   if constexpr (has_radii) function(edge_ids(a, b));
   // Mostly the two overlap no others.
   const auto has_others = [&](Point_id p, Point_id w) {
@@ -169,8 +171,9 @@ void Overlap_tracker<Traits>::for_each_pair_beside(Point_id a, Point_id b, bool 
 
 template <class Traits>
 template <class Counts, class Function>
-void Overlap_tracker<Traits>::for_each_pair_of(Point_id first, const Counts& counts,
-                                               Function function) const {
+void Simulation_types<Traits>::Overlap_tracker::for_each_pair_of(Point_id first,
+                                                                 const Counts& counts,
+                                                                 Function function) const {
   for (const Disc_overlap& between : records_.overlaps(first)) {
     if (!counts(first, between.id)) continue;
     if (has_radii && first < between.id) function(between.id);
@@ -186,7 +189,8 @@ void Overlap_tracker<Traits>::for_each_pair_of(Point_id first, const Counts& cou
 // Precondition: the discs at the ends overlap.
 template <class Traits>
 template <class Function>
-void Overlap_tracker<Traits>::for_each_pair_over(const Edge_ids& edge, Function function) const {
+void Simulation_types<Traits>::Overlap_tracker::for_each_pair_over(const Edge_ids& edge,
+                                                                   Function function) const {
   const auto [a, b] = edge;
   for (const Disc_overlap& overlap : records_.overlaps(a)) {
     if (overlap.id < b) function(Edge_ids{overlap.id, b});
@@ -199,7 +203,7 @@ void Overlap_tracker<Traits>::for_each_pair_over(const Edge_ids& edge, Function 
 // ---- edges that come and go ----
 
 template <class Traits>
-void Overlap_tracker<Traits>::follow(const Edge_trail& trail, Points changing) {
+void Simulation_types<Traits>::Overlap_tracker::follow(const Edge_trail& trail, Points changing) {
   for (const auto& [removed, added] : trail.edges) {
     if (removed) leave_edge(*removed);
     if (added) follow_edge(*added, changing);
@@ -211,13 +215,13 @@ void Overlap_tracker<Traits>::follow(const Edge_trail& trail, Points changing) {
 
 // Whether one of the two is being changed.
 template <class Traits>
-bool Overlap_tracker<Traits>::is_changing(const Edge_ids& pair, Points changing) {
+bool Simulation_types<Traits>::Overlap_tracker::is_changing(const Edge_ids& pair, Points changing) {
   return std::ranges::any_of(pair,
                              [&](Point_id id) { return std::ranges::binary_search(changing, id); });
 }
 
 template <class Traits>
-void Overlap_tracker<Traits>::leave_edge(const Edge_ids& edge) {
+void Simulation_types<Traits>::Overlap_tracker::leave_edge(const Edge_ids& edge) {
   const bool do_overlap = records_.find_overlap(edge) != nullptr;
   if (do_overlap) records_.mark_edge(edge, false);
   if (const Queue_handle event = records_.pair_event(edge); event != no_event) {
@@ -233,7 +237,7 @@ void Overlap_tracker<Traits>::leave_edge(const Edge_ids& edge) {
 }
 
 template <class Traits>
-void Overlap_tracker<Traits>::follow_edge(const Edge_ids& edge, Points changing) {
+void Simulation_types<Traits>::Overlap_tracker::follow_edge(const Edge_ids& edge, Points changing) {
   if (!is_changing(edge, changing)) watch(edge, true);
   if (records_.find_overlap(edge) == nullptr) return;
   records_.mark_edge(edge, true);
@@ -245,7 +249,7 @@ void Overlap_tracker<Traits>::follow_edge(const Edge_ids& edge, Points changing)
 }
 
 template <class Traits>
-void Overlap_tracker<Traits>::follow_links(Point_id id, Points changing) {
+void Simulation_types<Traits>::Overlap_tracker::follow_links(Point_id id, Points changing) {
   const std::vector<Point_id> corners = geometry_.corners_of(id);
   const Contact_record* const known = records_.find(id);
   if (corners.empty() && (known == nullptr || known->corners.empty())) return;
@@ -270,7 +274,7 @@ void Overlap_tracker<Traits>::follow_links(Point_id id, Points changing) {
 // ---- points that change ----
 
 template <class Traits>
-void Overlap_tracker<Traits>::schedule_pairs(Points points) {
+void Simulation_types<Traits>::Overlap_tracker::schedule_pairs(Points points) {
   for (const Point_id id : points) end_passes(id);
   for (const Point_id id : points) {
     if (geometry_.contains(id)) schedule_edges(id, points);
@@ -288,7 +292,7 @@ void Overlap_tracker<Traits>::schedule_pairs(Points points) {
 // Schedules what a point may touch, and notes which discs of neighbors overlap its own. It is one
 // of `points`, of which those of smaller ids have been done.
 template <class Traits>
-void Overlap_tracker<Traits>::schedule_edges(Point_id id, Points points) {
+void Simulation_types<Traits>::Overlap_tracker::schedule_edges(Point_id id, Points points) {
   if (!setup_.has_response()) return;
   geometry_.for_each_neighbor(id, [&](Point_id other) {
     const bool is_done = other < id && std::ranges::binary_search(points, other);
@@ -302,7 +306,7 @@ void Overlap_tracker<Traits>::schedule_edges(Point_id id, Points points) {
 
 // Schedules the pairs that are watched because the disc of the point overlaps others.
 template <class Traits>
-void Overlap_tracker<Traits>::schedule_pairs_beside(Point_id id) {
+void Simulation_types<Traits>::Overlap_tracker::schedule_pairs_beside(Point_id id) {
   for (const Disc_overlap& overlap : records_.overlaps(id)) {
     watch_beside(id, overlap.id, overlap.is_edge);
   }
@@ -311,27 +315,28 @@ void Overlap_tracker<Traits>::schedule_pairs_beside(Point_id id) {
 // ---- overlaps ----
 
 template <class Traits>
-void Overlap_tracker<Traits>::start_overlap(Point_id a, Point_id b, bool is_edge) {
+void Simulation_types<Traits>::Overlap_tracker::start_overlap(Point_id a, Point_id b,
+                                                              bool is_edge) {
   records_.start_overlap(a, b, is_edge);
   watch_beside(a, b, is_edge);
 }
 
 template <class Traits>
-void Overlap_tracker<Traits>::start_pass(Point_id a, Point_id b, bool is_edge) {
+void Simulation_types<Traits>::Overlap_tracker::start_pass(Point_id a, Point_id b, bool is_edge) {
   records_.start_overlap(a, b, is_edge);
   records_.mark_passing(a, b, true);
   watch_beside(a, b, is_edge);
 }
 
 template <class Traits>
-void Overlap_tracker<Traits>::end_overlap(Point_id a, Point_id b) {
+void Simulation_types<Traits>::Overlap_tracker::end_overlap(Point_id a, Point_id b) {
   const bool is_edge = records_.find_overlap({a, b})->is_edge;
   records_.forget_overlap(a, b);
   for_each_pair_beside(a, b, is_edge, [this](const Edge_ids& pair) { unwatch(pair); });
 }
 
 template <class Traits>
-bool Overlap_tracker<Traits>::note_contact(const Contact_entry& contact) {
+bool Simulation_types<Traits>::Overlap_tracker::note_contact(const Contact_entry& contact) {
   if (contact.is_noted) return false;
   const Point_id a = contact.point_a;
   const Point_id b = contact.point_b;
@@ -349,7 +354,7 @@ bool Overlap_tracker<Traits>::note_contact(const Contact_entry& contact) {
 }
 
 template <class Traits>
-void Overlap_tracker<Traits>::let_pass(Point_id a, Point_id b, bool is_edge) {
+void Simulation_types<Traits>::Overlap_tracker::let_pass(Point_id a, Point_id b, bool is_edge) {
   for (const Point_id id : {a, b}) {
     end_passes(id);
     drop_overlaps(id);
@@ -364,7 +369,7 @@ void Overlap_tracker<Traits>::let_pass(Point_id a, Point_id b, bool is_edge) {
 }
 
 template <class Traits>
-void Overlap_tracker<Traits>::end_passes(Point_id id) {
+void Simulation_types<Traits>::Overlap_tracker::end_passes(Point_id id) {
   if (std::ranges::none_of(records_.overlaps(id), &Disc_overlap::passes)) return;
   const std::vector<Disc_overlap> known = records_.overlaps(id);
   for (const Disc_overlap& overlap : known) {
@@ -375,7 +380,7 @@ void Overlap_tracker<Traits>::end_passes(Point_id id) {
 // Whether two discs that a response has let pass have not separated since. They have if their next
 // contact, which is after that, is now.
 template <class Traits>
-bool Overlap_tracker<Traits>::is_passing(Point_id a, Point_id b) {
+bool Simulation_types<Traits>::Overlap_tracker::is_passing(Point_id a, Point_id b) {
   if (!geometry_.contains(a) || !geometry_.contains(b) ||
       !geometry_.do_touch(a, b, geometry_.current_time())) {
     return false;
@@ -389,7 +394,7 @@ bool Overlap_tracker<Traits>::is_passing(Point_id a, Point_id b) {
 // Brings the overlaps of points that have got other motions, come or gone up to date; those at
 // edges are known.
 template <class Traits>
-void Overlap_tracker<Traits>::update_overlaps(Points points) {
+void Simulation_types<Traits>::Overlap_tracker::update_overlaps(Points points) {
   if (!setup_.has_response()) return;
   for (const Point_id id : points) drop_overlaps(id);
   if constexpr (has_radii) {
@@ -401,7 +406,7 @@ void Overlap_tracker<Traits>::update_overlaps(Points points) {
 
 // Forgets the overlaps that are over: all of them if the point is not there any more.
 template <class Traits>
-void Overlap_tracker<Traits>::drop_overlaps(Point_id id) {
+void Simulation_types<Traits>::Overlap_tracker::drop_overlaps(Point_id id) {
   for (std::size_t i = 0; i < records_.overlaps(id).size();) {
     const auto [other, passes, is_edge] = records_.overlaps(id)[i];
     if (passes ||
@@ -418,7 +423,7 @@ void Overlap_tracker<Traits>::drop_overlaps(Point_id id) {
 // another. If the discs of p and q do overlap from now on, and there is an edge between them, the
 // pair has an entry that says so: its contact is now.
 template <class Traits>
-void Overlap_tracker<Traits>::find_new_overlaps_of(Point_id id) {
+void Simulation_types<Traits>::Overlap_tracker::find_new_overlaps_of(Point_id id) {
   for (std::size_t i = 0; i < records_.overlaps(id).size(); ++i) {
     const Point_id between = records_.overlaps(id)[i].id;
     for (std::size_t k = 0; k < records_.overlaps(between).size(); ++k) {
@@ -434,7 +439,7 @@ void Overlap_tracker<Traits>::find_new_overlaps_of(Point_id id) {
 
 // Notes whether two discs overlap.
 template <class Traits>
-void Overlap_tracker<Traits>::examine(Point_id a, Point_id b) {
+void Simulation_types<Traits>::Overlap_tracker::examine(Point_id a, Point_id b) {
   if (a != b && records_.find_overlap({a, b}) == nullptr && geometry_.may_touch(a, b)) {
     records_.start_overlap(a, b, geometry_.is_edge({a, b}));
   }
@@ -442,7 +447,7 @@ void Overlap_tracker<Traits>::examine(Point_id a, Point_id b) {
 
 // The discs of new motions, and all that may overlap one of them.
 template <class Traits>
-void Overlap_tracker<Traits>::find_new_overlaps(Points points) {
+void Simulation_types<Traits>::Overlap_tracker::find_new_overlaps(Points points) {
   std::vector<Point_id> candidates = geometry_.discs_about(points);
   candidates.insert(candidates.end(), points.begin(), points.end());
   for (std::size_t i = 0, number = candidates.size(); i < number; ++i) {
@@ -473,7 +478,7 @@ void Overlap_tracker<Traits>::find_new_overlaps(Points points) {
 // whose rims meet there, those that overlap the seed from now on need have no other sign of it than
 // that they touch it: so these are found by looking at all.
 template <class Traits>
-void Overlap_tracker<Traits>::find_overlaps_of_seeds(Points points) {
+void Simulation_types<Traits>::Overlap_tracker::find_overlaps_of_seeds(Points points) {
   std::erase_if(seeds_, [&](Point_id id) { return !geometry_.is_seed(id); });
   for (const Point_id id : points) {
     if (!geometry_.contains(id)) continue;

@@ -16,20 +16,20 @@ namespace kinetri::detail {
 
 /// One audit of a simulation, by exact certificates that are made anew.
 template <class Traits>
-class Simulation_auditor {
+class Simulation_types<Traits>::Simulation_auditor {
  public:
-  explicit Simulation_auditor(const Simulation_core<Traits>& core) : core_(core) {}
+  explicit Simulation_auditor(const Simulation_core& core) : core_(core) {}
 
   Audit_report run(Audit_level level) const;
 
  private:
-  const Simulation_core<Traits>& core_;
+  const Simulation_core& core_;
 };
 
 template <class Traits>
-Audit_report Simulation_auditor<Traits>::run(Audit_level level) const {
+Audit_report Simulation_types<Traits>::Simulation_auditor::run(Audit_level level) const {
   Audit_report report = core_.triangulation.audit(level);
-  const Disc_geometry<Traits>& geometry = core_.geometry;
+  const Disc_geometry& geometry = core_.geometry;
   const Contact_records& records = core_.records;
   const auto& queue = core_.schedule.queue();
   const auto fail = [&](std::string text) { report.failures.push_back(std::move(text)); };

@@ -17,7 +17,6 @@
 #include "kinetri/impl/simulation/overlap_tracker.h"
 #include "kinetri/impl/simulation/simulation_setup.h"
 #include "kinetri/simulation/simulation_options.h"
-#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri::detail {
 
@@ -32,10 +31,7 @@ namespace kinetri::detail {
 /// | outcomes | | the queue; it changes nothing |
 /// | loop | what is left within an instant | |
 template <class Traits>
-struct Simulation_core {
-  using Time = Algebraic_number;
-  using Triangulation = Kinetic_triangulation_2<Traits>;
-
+struct Simulation_types<Traits>::Simulation_core {
   /// With the arguments of the constructor of the triangulation, or one that is restored.
   template <class Make_triangulation>
   Simulation_core(const Traits& traits, const Simulation_options& options,
@@ -45,8 +41,8 @@ struct Simulation_core {
   Simulation_core& operator=(const Simulation_core&) = delete;
 
   /// The parts of the triangulation.
-  Kinetic_core<Traits>& kinetic() { return Core_access::core(triangulation); }
-  const Kinetic_core<Traits>& kinetic() const { return Core_access::core(triangulation); }
+  Kinetic_core& kinetic() { return Core_access::core(triangulation); }
+  const Kinetic_core& kinetic() const { return Core_access::core(triangulation); }
 
   /// Finds all overlaps.
   void start();
@@ -68,15 +64,14 @@ struct Simulation_core {
   void join_parts();
 
   Contact_counters counters;  ///< but for those of the queue
-  Simulation_setup<Traits> setup;
+  Simulation_setup setup;
   Triangulation triangulation;
-  Disc_geometry<Traits> geometry{setup, triangulation};
+  Disc_geometry geometry{setup, triangulation};
   Contact_records records;
-  Contact_schedule<Traits> schedule{geometry, records, kinetic().schedule.division(), counters};
-  Overlap_tracker<Traits> tracker{geometry, records, schedule};
-  Contact_outcomes<Traits> outcomes{geometry};
-  Contact_loop<Traits> loop{kinetic(), setup,   geometry, records,
-                            schedule,  tracker, outcomes, counters};
+  Contact_schedule schedule{geometry, records, kinetic().schedule.division(), counters};
+  Overlap_tracker tracker{geometry, records, schedule};
+  Contact_outcomes outcomes{geometry};
+  Contact_loop loop{kinetic(), setup, geometry, records, schedule, tracker, outcomes, counters};
   std::size_t threads = 1;  ///< that advance_to may use
 
  private:

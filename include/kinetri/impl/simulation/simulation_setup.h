@@ -12,6 +12,7 @@
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/simulation/disc_numbers.h"
 #include "kinetri/impl/simulation/shortest_text.h"
+#include "kinetri/impl/simulation/simulation_types.h"
 #include "kinetri/kinetic/contact_kinetic_traits_2.h"
 #include "kinetri/simulation/simulation_errors.h"
 #include "kinetri/simulation/simulation_options.h"
@@ -20,15 +21,8 @@ namespace kinetri::detail {
 
 /// The options of a simulation, and what follows from them. Only masses change.
 template <class Traits>
-class Simulation_setup {
+class Simulation_types<Traits>::Simulation_setup {
  public:
-  using Motion = typename Traits::Motion;
-  using Point_2 = typename Traits::Point_2;
-  using Time = Algebraic_number;
-
-  /// Whether discs have radii of their own.
-  static constexpr bool has_radii = HasWeight<Motion>;
-
   /// What is wrong with the options, problem() says.
   Simulation_setup(const Traits& traits, const Simulation_options& options)
       : traits_(traits), options_(options), diameter_(2 * options.radius) {
@@ -70,7 +64,7 @@ class Simulation_setup {
 };
 
 template <class Traits>
-std::string Simulation_setup<Traits>::problem() const {
+std::string Simulation_types<Traits>::Simulation_setup::problem() const {
   if (!std::isfinite(diameter_) || !(options_.radius >= 0)) {
     return "the radius is negative, or the diameter is not finite";
   }
@@ -99,7 +93,8 @@ std::string Simulation_setup<Traits>::problem() const {
 }
 
 template <class Traits>
-void Simulation_setup<Traits>::check_place(const Point_2& p, const Time& now) const {
+void Simulation_types<Traits>::Simulation_setup::check_place(const Point_2& p,
+                                                             const Time& now) const {
   if constexpr (has_radii) check_radius(p, now);
   if (!options_.box) return;
   for (const Wall_2& wall : walls_) {
@@ -117,7 +112,8 @@ void Simulation_setup<Traits>::check_place(const Point_2& p, const Time& now) co
 
 template <class Traits>
 template <HasWeight M>
-void Simulation_setup<Traits>::check_radius(const Point_2& p, const Time& now) const {
+void Simulation_types<Traits>::Simulation_setup::check_radius(const Point_2& p,
+                                                              const Time& now) const {
   const Motion& disc = p.motion();
   KINETRI_PRECONDITION(!options_.response || disc.weight == 0,
                        "disc " + std::to_string(p.id()) +

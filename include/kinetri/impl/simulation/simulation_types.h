@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The types that the parts of a simulation have in common.
+#ifndef KINETRI_IMPL_SIMULATION_SIMULATION_TYPES_H
+#define KINETRI_IMPL_SIMULATION_SIMULATION_TYPES_H
+
+#include <optional>
+
+#include "kinetri/impl/simulation/simulation_entry.h"
+#include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
+
+namespace kinetri::detail {
+
+/// The types of the traits and of the triangulation, and the parts that a simulation is made of, as
+/// in Kinetic_types.
+template <class Traits>
+struct Simulation_types {
+  using Triangulation = Kinetic_triangulation_2<Traits>;
+  using Kinetic_core = detail::Kinetic_core<Traits>;
+  using Motion = typename Traits::Motion;
+  using Point_2 = typename Traits::Point_2;
+  using Change = Point_change<Motion>;
+  using Time = Algebraic_number;
+  using Entry = Contact_entry;
+  using Subject = Contact_subject;
+
+  /// Whether discs have radii of their own.
+  static constexpr bool has_radii = HasWeight<Motion>;
+
+  /// A scheduled change that is not in the queue any more; the motion is the one that it gives.
+  struct Due_change {
+    Entry entry;
+    std::optional<Motion> motion;
+  };
+
+  // The parts, each in the header of its name, in the order in which they know each other.
+  class Simulation_setup;
+  class Disc_geometry;
+  class Contact_schedule;
+  class Overlap_tracker;
+  class Contact_outcomes;
+  class Contact_loop;
+  struct Simulation_core;
+  class Simulation_auditor;
+};
+
+// The parts that others use.
+template <class Traits>
+using Disc_geometry = typename Simulation_types<Traits>::Disc_geometry;
+template <class Traits>
+using Contact_schedule = typename Simulation_types<Traits>::Contact_schedule;
+template <class Traits>
+using Overlap_tracker = typename Simulation_types<Traits>::Overlap_tracker;
+template <class Traits>
+using Simulation_core = typename Simulation_types<Traits>::Simulation_core;
+template <class Traits>
+using Simulation_auditor = typename Simulation_types<Traits>::Simulation_auditor;
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_SIMULATION_SIMULATION_TYPES_H
