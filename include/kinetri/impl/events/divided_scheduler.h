@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -158,13 +157,14 @@ class Divided_scheduler {
     for (const auto& part : parts_) part->for_each(function);
   }
   bool is_valid() const {
-    const auto is_right = [this](std::size_t match) {
-      return winners_[match] == winner(match, made);
-    };
-    const auto matches = std::views::iota(std::size_t{1}, std::max<std::size_t>(parts_.size(), 1));
-    return first_.is_valid() &&
-           std::ranges::all_of(parts_, [](const auto& part) { return part->is_valid(); }) &&
-           (!is_first_known() || std::ranges::all_of(matches, is_right));
+    if (!first_.is_valid() ||
+        !std::ranges::all_of(parts_, [](const auto& part) { return part->is_valid(); })) {
+      return false;
+    }
+    for (std::size_t match = 1; is_first_known() && match < parts_.size(); ++match) {
+      if (winners_[match] != winner(match, made)) return false;
+    }
+    return true;
   }
 
   template <class... Parts>
