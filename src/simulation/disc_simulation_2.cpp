@@ -8,8 +8,11 @@
 namespace kinetri {
 
 template class Simulation_2<Disc_kinetic_traits_2>;
-template struct detail::Simulation_types<Disc_kinetic_traits_2>::Simulation_core;
 template class Simulation_2<Polynomial_disc_kinetic_traits_2>;
-template struct detail::Simulation_types<Polynomial_disc_kinetic_traits_2>::Simulation_core;
+
+namespace detail {
+KINETRI_SIMULATION_PARTS(template, Disc_kinetic_traits_2);
+KINETRI_SIMULATION_PARTS(template, Polynomial_disc_kinetic_traits_2);
+}  // namespace detail
 
 }  // namespace kinetri

@@ -6,8 +6,11 @@
 namespace kinetri {
 
 template class Simulation_2<Linear_kinetic_traits_2>;
-template struct detail::Simulation_types<Linear_kinetic_traits_2>::Simulation_core;
 template class Simulation_2<Polynomial_kinetic_traits_2>;
-template struct detail::Simulation_types<Polynomial_kinetic_traits_2>::Simulation_core;
+
+namespace detail {
+KINETRI_SIMULATION_PARTS(template, Linear_kinetic_traits_2);
+KINETRI_SIMULATION_PARTS(template, Polynomial_kinetic_traits_2);
+}  // namespace detail
 
 }  // namespace kinetri

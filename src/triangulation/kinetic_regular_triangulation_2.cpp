@@ -8,21 +8,9 @@ namespace kinetri {
 template class Kinetic_triangulation_2<Disc_kinetic_traits_2>;
 template class Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>;
 
-// What simulations and audits call of the parts.
 namespace detail {
-template class Kinetic_types<Disc_kinetic_traits_2>::Topology;
-template class Kinetic_types<Polynomial_disc_kinetic_traits_2>::Topology;
-template class Kinetic_types<Disc_kinetic_traits_2>::Event_loop;
-template class Kinetic_types<Polynomial_disc_kinetic_traits_2>::Event_loop;
-template class Kinetic_types<Disc_kinetic_traits_2>::Point_changes;
-template class Kinetic_types<Polynomial_disc_kinetic_traits_2>::Point_changes;
-template struct Kinetic_types<Disc_kinetic_traits_2>::Kinetic_core;
-template class Kinetic_types<Disc_kinetic_traits_2>::Schedule::Policy;
-template bool Kinetic_types<Disc_kinetic_traits_2>::Schedule::settle(const Algebraic_number*);
-template struct Kinetic_types<Polynomial_disc_kinetic_traits_2>::Kinetic_core;
-template class Kinetic_types<Polynomial_disc_kinetic_traits_2>::Schedule::Policy;
-template bool Kinetic_types<Polynomial_disc_kinetic_traits_2>::Schedule::settle(
-    const Algebraic_number*);
+KINETRI_KINETIC_PARTS(template, Disc_kinetic_traits_2);
+KINETRI_KINETIC_PARTS(template, Polynomial_disc_kinetic_traits_2);
 }  // namespace detail
 
 }  // namespace kinetri

@@ -46,7 +46,7 @@ bool Simulation_types<Traits>::Contact_schedule::Policy::is_recheck(const Entry&
 
 // The same node of the regions that the triangulation's queue has for an edge of the two points.
 template <class Traits>
-std::size_t Simulation_types<Traits>::Contact_schedule::Policy::part_of(
+inline std::size_t Simulation_types<Traits>::Contact_schedule::Policy::part_of(
     const Subject& subject) const {
   const Region_division& division = schedule_.division_;
   if (subject.kind == Contact_kind::wall) return division.node_of(subject.point_a, subject.point_a);
@@ -57,7 +57,7 @@ std::size_t Simulation_types<Traits>::Contact_schedule::Policy::part_of(
 }
 
 template <class Traits>
-Queue_handle Simulation_types<Traits>::Contact_schedule::Policy::handle(
+inline Queue_handle Simulation_types<Traits>::Contact_schedule::Policy::handle(
     const Subject& subject) const {
   if (!is_change(subject.kind)) return schedule_.records_.event(subject);
   const auto change = schedule_.changes_.find(subject.point_b);
@@ -65,8 +65,8 @@ Queue_handle Simulation_types<Traits>::Contact_schedule::Policy::handle(
 }
 
 template <class Traits>
-void Simulation_types<Traits>::Contact_schedule::Policy::set_handle(const Subject& subject,
-                                                                    Queue_handle handle) const {
+inline void Simulation_types<Traits>::Contact_schedule::Policy::set_handle(
+    const Subject& subject, Queue_handle handle) const {
   if (!is_change(subject.kind)) return schedule_.records_.set_event(subject, handle);
   schedule_.changes_.at(subject.point_b).event = handle;
 }

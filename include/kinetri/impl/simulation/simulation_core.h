@@ -80,6 +80,18 @@ struct Simulation_types<Traits>::Simulation_core {
   void join_contacts();
 };
 
+/// What the library has compiled of the parts for its own traits.
+#define KINETRI_SIMULATION_PARTS(declaration, Traits)           \
+  declaration class Simulation_types<Traits>::Simulation_setup; \
+  declaration class Simulation_types<Traits>::Contact_schedule; \
+  declaration class Simulation_types<Traits>::Contact_outcomes; \
+  declaration class Simulation_types<Traits>::Contact_loop;     \
+  declaration struct Simulation_types<Traits>::Simulation_core
+KINETRI_SIMULATION_PARTS(extern template, Linear_kinetic_traits_2);
+KINETRI_SIMULATION_PARTS(extern template, Polynomial_kinetic_traits_2);
+KINETRI_SIMULATION_PARTS(extern template, Disc_kinetic_traits_2);
+KINETRI_SIMULATION_PARTS(extern template, Polynomial_disc_kinetic_traits_2);
+
 }  // namespace kinetri::detail
 
 #endif  // KINETRI_IMPL_SIMULATION_SIMULATION_CORE_H

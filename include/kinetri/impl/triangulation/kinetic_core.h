@@ -64,6 +64,22 @@ struct Kinetic_types<Traits>::Kinetic_core {
   std::size_t threads = 1;  ///< that advance_to may use; 0: those of oneTBB's arena
 };
 
+/// What the library has compiled of the parts for its own traits.
+#define KINETRI_KINETIC_PARTS(declaration, Traits)                                   \
+  declaration class Kinetic_types<Traits>::Topology;                                 \
+  declaration class Kinetic_types<Traits>::Schedule::Policy;                         \
+  declaration bool Kinetic_types<Traits>::Schedule::settle(const Algebraic_number*); \
+  declaration void Kinetic_types<Traits>::Schedule::schedule_all();                  \
+  declaration class Kinetic_types<Traits>::Event_reporter;                           \
+  declaration class Kinetic_types<Traits>::Decisions;                                \
+  declaration class Kinetic_types<Traits>::Event_loop;                               \
+  declaration class Kinetic_types<Traits>::Point_changes;                            \
+  declaration struct Kinetic_types<Traits>::Kinetic_core
+KINETRI_KINETIC_PARTS(extern template, Linear_kinetic_traits_2);
+KINETRI_KINETIC_PARTS(extern template, Polynomial_kinetic_traits_2);
+KINETRI_KINETIC_PARTS(extern template, Disc_kinetic_traits_2);
+KINETRI_KINETIC_PARTS(extern template, Polynomial_disc_kinetic_traits_2);
+
 /// The parts of a triangulation, for audits and for simulations, which execute its events.
 struct Core_access {
   template <class KineticTriangulation>

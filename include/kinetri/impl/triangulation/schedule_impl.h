@@ -47,7 +47,7 @@ inline void Kinetic_types<Traits>::Schedule::Policy::prefetch_first(const Entry&
 
 // That of the lowest node that both ends of the edge are in; of the root for a hidden point.
 template <class Traits>
-std::size_t Kinetic_types<Traits>::Schedule::Policy::part_of(const Subject& subject) const {
+inline std::size_t Kinetic_types<Traits>::Schedule::Policy::part_of(const Subject& subject) const {
   const Region_division& division = schedule_.division_;
   if (subject.is_hidden()) return division.nodes() - 1;
   const auto& [face, i] = subject.edge;
@@ -56,7 +56,7 @@ std::size_t Kinetic_types<Traits>::Schedule::Policy::part_of(const Subject& subj
 }
 
 template <class Traits>
-Queue_handle Kinetic_types<Traits>::Schedule::Policy::handle(const Subject& subject) const {
+inline Queue_handle Kinetic_types<Traits>::Schedule::Policy::handle(const Subject& subject) const {
   if constexpr (is_weighted) {
     if (subject.is_hidden()) return subject.hidden->event();
   }
@@ -64,8 +64,8 @@ Queue_handle Kinetic_types<Traits>::Schedule::Policy::handle(const Subject& subj
 }
 
 template <class Traits>
-void Kinetic_types<Traits>::Schedule::Policy::set_handle(const Subject& subject,
-                                                         Queue_handle handle) const {
+inline void Kinetic_types<Traits>::Schedule::Policy::set_handle(const Subject& subject,
+                                                                Queue_handle handle) const {
   if constexpr (is_weighted) {
     if (subject.is_hidden()) return subject.hidden->set_event(handle);
   }
