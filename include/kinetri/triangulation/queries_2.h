@@ -23,18 +23,12 @@
 
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
-#include "kinetri/impl/triangulation/ball.h"
+#include "kinetri/impl/triangulation/triangulation_at_time.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/kinetic/moving_point_2.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
-
-namespace detail {
-
-struct Half_plane;
-
-}  // namespace detail
 
 /// The result of a location query.
 struct Location_2 {
@@ -123,7 +117,7 @@ class Kinetic_queries_2 {
   Kinetic_queries_2(const Kinetic_triangulation_2<Traits>& triangulation, const Time& time);
 
   /// The time of the queries.
-  const Time& time() const { return time_; }
+  const Time& time() const { return at_.time(); }
 
   /// The point nearest to the position, or with weights of the least power there; of several such
   /// points the smallest id, be it hidden beside the time or not; none if there are no points.
@@ -163,7 +157,6 @@ class Kinetic_queries_2 {
   /// equal weights, the smallest id has the area of the common cell, and the others have 0; and so
   /// has a point whose cell is empty, or an id without a point. The areas sum to that of the
   /// polygon, if there is a point. next_id() numbers.
-  ///
   ///
   /// `polygon` has its vertices in either order, the last not being the first again; it need not
   /// be convex, and points may be outside of it. Of a box: Box_2::corners. The sides of the cells
@@ -208,145 +201,14 @@ class Kinetic_queries_2 {
   std::vector<double> rounded_positions() const;
 
  private:
-  using Kinetic = Kinetic_triangulation_2<Traits>;
-  using Topology = typename Kinetic::Triangulation;
-  using Vertex_handle = typename Kinetic::Vertex_handle;
-  using Face_handle = typename Kinetic::Face_handle;
-  using Instantaneous_traits = typename Kinetic::Instantaneous_traits;
+  using Vertex_handle = typename Kinetic_triangulation_2<Traits>::Vertex_handle;
 
-  static constexpr bool is_weighted = WeightedKineticTraits_2<Traits>;
-
-  /// A cell, of a point v: the points across its sides, counterclockwise, and its corners, each as
-  /// two points that have the same distance from it, or power, as v.
-  struct Sides {
-    std::vector<Vertex_handle> across = {};
-    std::vector<std::array<Vertex_handle, 2>> corners = {};
-    bool is_bounded = false;
-    bool is_empty = false;
-  };
-  /// The part of the boundary of a half plane that is in others: a segment, or one position. The
-  /// points whose half planes end it at its right and its left end, seen from the point that it is
-  /// about; none at infinity.
-  struct Part_of_line {
-    Vertex_handle right;
-    Vertex_handle left;
-    bool is_one_position = false;
-  };
-  /// A neighbor of a point, as ball arithmetic knows it.
-  struct Neighbor {
-    Vertex_handle vertex;
-    detail::Ball_2 vector;  // from the point
-    detail::Ball squared_distance;
-  };
-
-  /// A neighbor, and the faces beyond the edges to the neighbors before and after it.
-  struct Ring_entry {
-    Neighbor neighbor;
-    detail::Approximate_place place;
-    Face_handle before;
-    Face_handle beyond;
-    detail::Ball_2 center;  // the vector to that of the circle through it and the next one
-  };
-
-  const Topology& topology() const { return kinetic_.triangulation(); }
   std::uint64_t number_of_changes() const;
   void check_is_current() const;
   Vertex_handle vertex(Point_id id) const;
-  static Point_2 resting_point(const Vector_2& place);
-  static Point_id id(Vertex_handle v) { return v->point().id(); }
 
-  template <class Function>
-  void for_each_neighbor(Vertex_handle v, Function function) const;
-  template <class Belongs>
-  std::vector<Vertex_handle> connected(Vertex_handle v, Belongs belongs) const;
-  template <class Belongs>
-  std::vector<Vertex_handle> connected_or_hidden(Vertex_handle v, Belongs belongs) const;
-  template <class Function>
-  void for_each_hidden_near(Vertex_handle v, Function function) const;
-  Vertex_handle visible_near(const Point_2& place) const;
-  std::vector<Point_id> all_at(Vertex_handle v) const;
-  std::vector<Vertex_handle> all_nearest(const Point_2& query) const;
-
-  // At the time itself.
-  bool coincide(const Point_2& p, const Point_2& q) const;
-  bool are_alike(const Point_2& p, const Point_2& q) const;
-  bool is_lighter(const Point_2& p, const Point_2& q) const;
-  bool is_strictly_between(const Point_2& p, const Point_2& q, const Point_2& r) const;
-  Comparison_result compare_distance(const Point_2& p, const Point_2& q, const Point_2& r) const;
-  static Comparison_result compare_power(const Instantaneous_traits& instant, const Point_2& p,
-                                         const Point_2& q, const Point_2& r);
-
-  // In ball arithmetic at the time, where that decides.
-  detail::Ball_2 ball_place(Vertex_handle v, const detail::Ball& t) const;
-  detail::Approximate_place approximate_place(Vertex_handle v, const detail::Ball& t) const;
-  Neighbor neighbor_at(const detail::Ball_2& here, Vertex_handle u, const detail::Ball& t) const;
-  Vector_2 rounded_position(const Trajectory_2& path) const;
-
-  // Distances.
-  Point_id smallest_id_at(Vertex_handle v, const detail::Ball& t) const;
-  std::optional<Point_id> nearest_neighbor(Vertex_handle v, const detail::Ball& t) const;
-  void find_nearest(Vertex_handle v, const detail::Ball& t, std::vector<Point_id>& seen,
-                    std::span<Point_id> result) const;
-  Comparison_result compare_distance(Vertex_handle v, const Neighbor& a, const Neighbor& b) const;
-  Comparison_result compare_lengths(const Edge_ids& a, const Edge_ids& b) const;
-
-  // Location.
-  Face_handle find_face(const Point_2& query) const;
-  Face_handle find_face_at_hull(const Point_2& query, Face_handle infinite_face) const;
-  std::vector<Face_handle> faces_at(const Point_2& query, Face_handle face) const;
-  bool is_on_closed_edge(const Point_2& query, Face_handle face, int i) const;
-  Location_2 location_in(const std::vector<Face_handle>& faces, const Point_2& query) const;
-  Location_2 location_on_line(const Point_2& query) const;
-  bool is_shorter(const std::array<Vertex_handle, 2>& e, const std::array<Vertex_handle, 2>& f,
-                  const Point_2& query) const;
-
-  // Sides of Voronoi cells.
-  Sides sides(Vertex_handle v) const;
-  std::vector<Vertex_handle> first_candidates(Vertex_handle v) const;
-  Sides intersection(Vertex_handle v, const std::vector<Vertex_handle>& candidates) const;
-  std::vector<Vertex_handle> by_direction(Vertex_handle v,
-                                          const std::vector<Vertex_handle>& candidates) const;
-  Sides sides_around(Vertex_handle v, std::vector<Vertex_handle> candidates) const;
-  Sides sides_of_lines(Vertex_handle v, const std::vector<Vertex_handle>& candidates) const;
-  std::optional<Part_of_line> part_of_line(Vertex_handle v, Vertex_handle u,
-                                           const std::vector<Vertex_handle>& others) const;
-  bool is_inside_own_cell(Vertex_handle v, const std::vector<Vertex_handle>& candidates) const;
-  bool is_left_turn(Vertex_handle p, Vertex_handle q, Vertex_handle r) const;
-  Sign beyond_line(Vertex_handle v, Vertex_handle u, Vertex_handle w) const;
-  bool is_on_all_of(const Sides& sides, Vertex_handle v, Vertex_handle u) const;
-  bool is_on_line(Vertex_handle v, Vertex_handle u, Vertex_handle w) const;
-  Vertex_handle named_across(Vertex_handle v, Vertex_handle u) const;
-
-  // Voronoi cells.
-  Trajectory_2 center(Vertex_handle v, Vertex_handle a, Vertex_handle b) const;
-  template <class Position, class Center, class Evaluate>
-  Voronoi_cell_2<Position> cell(Vertex_handle v, Center center_at, Evaluate position) const;
-  Trajectory_2 ray(Vertex_handle v, Vertex_handle u, bool to_left) const;
-  bool find_ring(Vertex_handle v, std::vector<Ring_entry>& ring) const;
-  bool are_alone(std::vector<Ring_entry>& ring, const detail::Ball& t) const;
-  std::optional<Voronoi_cell_2<Vector_2>> ball_cell(Vertex_handle v) const;
-  bool has_no_length(Vertex_handle v, const Ring_entry& a, const Ring_entry& b,
-                     const Ring_entry& c) const;
-  Vector_2 rounded_center(Vertex_handle v, const detail::Ball_2& here, const Neighbor& a,
-                          const Neighbor& b, const std::optional<detail::Ball_2>& center) const;
-
-  // Areas.
-  std::optional<detail::Half_plane> nearer_half_plane(Vertex_handle v, Vertex_handle u,
-                                                      const std::vector<detail::Ball_2>& places,
-                                                      const Vector_2& origin) const;
-  std::vector<detail::Ball_2> ball_places() const;
-  struct Scaled_vector {
-    Vector_2 vector;
-    int exponent = 0;
-  };
-  Scaled_vector scaled_vector(Vertex_handle v, Vertex_handle u) const;
-  double weight_difference(Vertex_handle v, Vertex_handle u) const;
-
-  const Kinetic& kinetic_;
-  Time time_;
-  std::uint64_t changes_;        // of the triangulation, when this object was made
-  Instantaneous_traits at_;      // the time
-  Instantaneous_traits beside_;  // the side of it at which the triangulation is Delaunay
+  detail::Triangulation_at_time<Traits> at_;
+  std::uint64_t changes_;  // of the triangulation, when this object was made
 };
 
 extern template class Kinetic_queries_2<Linear_kinetic_traits_2>;

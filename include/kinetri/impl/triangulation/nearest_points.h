@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The points nearest to each point at one time, and the closest pair.
+#ifndef KINETRI_IMPL_TRIANGULATION_NEAREST_POINTS_H
+#define KINETRI_IMPL_TRIANGULATION_NEAREST_POINTS_H
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "kinetri/impl/triangulation/ball_positions.h"
+
+namespace kinetri::detail {
+
+/// Searches of one time. Invariant: seen_, once it is made, has for each point the last one for
+/// which it was seen.
+template <KineticTraits_2 Traits>
+class Nearest_points {
+ public:
+  using At_time = Triangulation_at_time<Traits>;
+  using Vertex_handle = typename At_time::Vertex_handle;
+  using Triangulation = typename At_time::Triangulation;
+  using Neighbor = typename Ball_positions<Traits>::Neighbor;
+
+  /// The triangulation must outlive this object.
+  explicit Nearest_points(const At_time& at) : at_(at), balls_(at) {}
+
+  /// The smallest id of the points nearest to `v`; none if there is no other point.
+  // A point nearest to `v` is alone, but for those that coincide with it or with `v`, in the circle
+  // whose diameter joins the two; so that a neighbor of `v` is there. Of points that coincide with
+  // `v` one is a neighbor.
+  std::optional<Point_id> nearest_to(Vertex_handle v) const {
+    std::vector<Neighbor> nearest;
+    double limit = std::numeric_limits<double>::infinity();  // of the distance
+    const Ball_2 here = balls_.position(v);
+    const Approximate_place near_here = balls_.approximate(v);
+    at_.for_each_neighbor(v, [&](Vertex_handle u) {
+      if (are_apart(near_here, balls_.approximate(u), limit)) return;
+      const Neighbor neighbor = balls_.neighbor(here, u);
+      const auto order =
+          nearest.empty() ? CGAL::SMALLER : balls_.compare_distance(v, neighbor, nearest.front());
+      if (order == CGAL::LARGER) return;
+      if (order == CGAL::SMALLER) nearest.clear();
+      nearest.push_back(neighbor);
+      limit = length_bound(neighbor.squared_distance);
+    });
+    if (nearest.empty()) return std::nullopt;
+    if (!nearest.front().squared_distance.is_nonzero() && at_.coincide(v, nearest.front().vertex)) {
+      const std::vector<Point_id> there = at_.all_at(v);
+      return there[there[0] == at_.id(v) ? 1 : 0];
+    }
+    Point_id result = no_point;
+    for (const Neighbor& u : nearest) result = std::min(result, smallest_id_at(u.vertex));
+    return result;
+  }
+
+  /// Fills `result` with the points nearest to `v`, in their order, as far as there are some.
+  // The points within a circle about `v`, or on it, are connected with `v` by edges between them:
+  // so the nearest point that is not known yet is a neighbor of one that is.
+  void find_nearest(Vertex_handle v, std::span<Point_id> result) {
+    seen_.resize(at_.kinetic().next_id(), no_point);
+    const Ball_2 here = balls_.position(v);
+    std::vector<Neighbor> border;  // a heap: the nearest one is at the front
+    const auto is_farther = [&](const Neighbor& a, const Neighbor& b) {
+      return balls_.compare_distance(v, a, b) == CGAL::LARGER;
+    };
+    const auto add_neighbors = [&](Vertex_handle known) {
+      at_.for_each_neighbor(known, [&](Vertex_handle u) {
+        if (std::exchange(seen_[at_.id(u)], at_.id(v)) == at_.id(v)) return;
+        border.push_back(balls_.neighbor(here, u));
+        std::ranges::push_heap(border, is_farther);
+      });
+    };
+    seen_[at_.id(v)] = at_.id(v);
+    add_neighbors(v);
+    std::vector<Point_id> equally_near;
+    auto next = result.begin();
+    while (next != result.end() && !border.empty()) {
+      const Neighbor nearest = border.front();
+      equally_near.clear();
+      do {
+        std::ranges::pop_heap(border, is_farther);
+        const Vertex_handle u = border.back().vertex;
+        border.pop_back();
+        equally_near.push_back(at_.id(u));
+        add_neighbors(u);
+      } while (!border.empty() &&
+               balls_.compare_distance(v, border.front(), nearest) == CGAL::EQUAL);
+      std::ranges::sort(equally_near);
+      for (const Point_id u : equally_near) {
+        if (next != result.end()) *next++ = u;
+      }
+    }
+  }
+
+  /// The first of the pairs nearest to each other, in the order of Edge_ids.
+  // Two points as near as any others are alone in the circle about them, so that they have an edge;
+  // but of points that coincide not every two have one.
+  std::optional<Edge_ids> closest_pair() const {
+    std::optional<Edge_ids> closest;
+    Ball least;
+    double limit = std::numeric_limits<double>::infinity();  // of the length
+    for (const auto& [face, i] : at_.triangulation().finite_edges()) {
+      const Vertex_handle v = face->vertex(Triangulation::cw(i));
+      const Vertex_handle u = face->vertex(Triangulation::ccw(i));
+      if (are_apart(balls_.approximate(v), balls_.approximate(u), limit)) continue;
+      const Edge_ids edge = edge_ids(at_.id(v), at_.id(u));
+      const Ball length = balls_.neighbor(balls_.position(v), u).squared_distance;
+      if (closest) {
+        const auto known = compare(length, least);
+        const auto order = known ? *known : compare_lengths(edge, *closest);
+        if (order == CGAL::LARGER || (order == CGAL::EQUAL && *closest < edge)) continue;
+      }
+      closest = edge;
+      least = length;
+      limit = length_bound(least);
+    }
+    if (!closest || least.is_nonzero()) return closest;
+    const Vertex_handle first = at_.kinetic().vertex((*closest)[0]);
+    if (!at_.coincide(first, at_.kinetic().vertex((*closest)[1]))) return closest;
+    const std::vector<Point_id> there = at_.all_at(first);
+    return Edge_ids{there[0], there[1]};
+  }
+
+ private:
+  // The first of all_at(v). Where no neighbor of `v` coincides with it, no other point does.
+  Point_id smallest_id_at(Vertex_handle v) const {
+    const Approximate_place here = balls_.approximate(v);
+    bool is_alone = true;
+    at_.for_each_neighbor(
+        v, [&](Vertex_handle u) { is_alone = is_alone && are_apart(here, balls_.approximate(u)); });
+    return is_alone ? at_.id(v) : at_.all_at(v).front();
+  }
+
+  // Exactly.
+  Comparison_result compare_lengths(const Edge_ids& a, const Edge_ids& b) const {
+    // The denominator is positive.
+    struct Fraction {
+      Polynomial numerator;
+      Polynomial denominator;
+    };
+    const auto squared_length = [&](const Edge_ids& edge) -> Fraction {
+      const Trajectory_2 d =
+          At_time::vector(at_.kinetic().vertex(edge[0]), at_.kinetic().vertex(edge[1]));
+      return {d.x * d.x + d.y * d.y, d.w * d.w};
+    };
+    const Fraction of_a = squared_length(a);
+    const Fraction of_b = squared_length(b);
+    return sign_at(of_a.numerator * of_b.denominator - of_b.numerator * of_a.denominator,
+                   at_.time());
+  }
+
+  const At_time& at_;
+  Ball_positions<Traits> balls_;
+  std::vector<Point_id> seen_;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_NEAREST_POINTS_H

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is at a position at one time: the nearest points; the vertex, edge or face that contains it.
+#ifndef KINETRI_IMPL_TRIANGULATION_POSITION_QUERY_H
+#define KINETRI_IMPL_TRIANGULATION_POSITION_QUERY_H
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/triangulation_at_time.h"
+#include "kinetri/triangulation/queries_2.h"
+
+namespace kinetri::detail {
+
+/// The search at one position, which rests. The position is finite.
+template <KineticTraits_2 Traits>
+class Position_query {
+ public:
+  using At_time = Triangulation_at_time<Traits>;
+  using Triangulation = typename At_time::Triangulation;
+  using Vertex_handle = typename At_time::Vertex_handle;
+  using Face_handle = typename Triangulation::Face_handle;
+  using Point_2 = typename At_time::Point_2;
+
+  /// The triangulation must outlive this object.
+  Position_query(const At_time& at, const Vector_2& position)
+      : at_(at), triangulation_(at.triangulation()), query_(resting_point(position)) {}
+
+  /// The points that are nearest at the time, or of the least power; none if there is no point.
+  // A vertex that is not nearest has a neighbor that is nearer, so going to nearer ones ends at the
+  // nearest one beside the time; by continuity that is a nearest one at the time. The others are in
+  // the same circle about the query, and the vertices in a circle are connected by edges. A hidden
+  // point that is nearest is in a face at one of them.
+  std::vector<Vertex_handle> all_nearest() const {
+    if (at_.kinetic().number_of_points() == 0) return {};
+    Vertex_handle nearest = at_.visible_near(query_);
+    for (Vertex_handle before; nearest != before;) {
+      before = nearest;
+      at_.for_each_neighbor(before, [&](Vertex_handle u) {
+        if (at_.compare_power_beside(query_, u, nearest) == CGAL::SMALLER) nearest = u;
+      });
+    }
+    return at_.connected(nearest, [&](Vertex_handle u) {
+      return at_.compare_power(query_, u, nearest) == CGAL::EQUAL;
+    });
+  }
+
+  /// What contains the position at the time.
+  Location_2 location() const {
+    if (triangulation_.dimension() < 2) return location_on_line();
+    Face_handle face = find_face();
+    if (triangulation_.is_infinite(face)) face = find_face_at_hull(face);
+    if (face == Face_handle()) return {};
+    return location_in(faces_at(face));
+  }
+
+ private:
+  using Kind = Location_2::Kind;
+
+  static Point_2 resting_point(const Vector_2& position) {
+    typename Traits::Motion motion{};
+    motion.position = position;
+    KINETRI_PRECONDITION(is_finite(motion), "a place has a coordinate that is not finite");
+    return Point_2(motion, no_point);
+  }
+
+  // The finite face that contains the query beside the time, or an infinite one whose hull edge has
+  // the query strictly beyond it. Goes across any edge that has the query beyond it, which ends in
+  // a Delaunay triangulation.
+  Face_handle find_face() const {
+    const auto orientation = at_.beside().orientation_2_object();
+    Face_handle face = at_.visible_near(query_)->face();
+    if (triangulation_.is_infinite(face)) {
+      face = face->neighbor(face->index(triangulation_.infinite_vertex()));
+    }
+    Face_handle previous;
+    while (!triangulation_.is_infinite(face)) {
+      int i = 0;
+      while (i < 3 && (face->neighbor(i) == previous ||
+                       orientation(face->vertex(Triangulation::ccw(i))->point(),
+                                   face->vertex(Triangulation::cw(i))->point(),
+                                   query_) != CGAL::RIGHT_TURN)) {
+        ++i;
+      }
+      if (i == 3) return face;
+      previous = std::exchange(face, face->neighbor(i));
+    }
+    return face;
+  }
+
+  // A query that is outside of the hull beside the time may be at the hull at the time: then no
+  // hull edge has it strictly beyond its line, and one of them contains it. That one's finite face;
+  // none if the query is outside.
+  Face_handle find_face_at_hull(Face_handle infinite_face) const {
+    Face_handle face = infinite_face;
+    Face_handle result;
+    do {
+      const int i = face->index(triangulation_.infinite_vertex());
+      // Seen from outside, so that the inner side is on the right.
+      if (at_.orientation(face->vertex(Triangulation::ccw(i)), face->vertex(Triangulation::cw(i)),
+                          query_) == CGAL::LEFT_TURN) {
+        return Face_handle();
+      }
+      if (result == Face_handle() && is_on_closed_edge(face, i)) result = face->neighbor(i);
+      face = face->neighbor(Triangulation::ccw(i));
+    } while (face != infinite_face);
+    return result;
+  }
+
+  bool is_on_closed_edge(Face_handle face, int i) const {
+    const Vertex_handle p = face->vertex(Triangulation::ccw(i));
+    const Vertex_handle q = face->vertex(Triangulation::cw(i));
+    return at_.is_strictly_between(p, query_, q) || at_.coincide(p, query_) ||
+           at_.coincide(q, query_);
+  }
+
+  // All finite faces that contain the query at the time, on their boundary or inside, when one of
+  // them is known. Beside the time they cover a small disc about the query within the hull, and so
+  // are connected across edges that contain it at the time.
+  std::vector<Face_handle> faces_at(Face_handle face) const {
+    std::vector<Face_handle> result = {face};
+    std::unordered_set<Face_handle> seen = {face};
+    for (std::size_t j = 0; j < result.size(); ++j) {
+      const Face_handle here = result[j];
+      for (int i = 0; i < 3; ++i) {
+        const Face_handle there = here->neighbor(i);
+        if (triangulation_.is_infinite(there) || seen.contains(there)) continue;
+        if (!is_on_closed_edge(here, i)) continue;
+        seen.insert(there);
+        result.push_back(there);
+      }
+    }
+    return result;
+  }
+
+  // Precondition: `faces` are all those that contain the query at the time.
+  Location_2 location_in(const std::vector<Face_handle>& faces) const {
+    std::optional<Point_id> point;
+    std::optional<std::array<Vertex_handle, 2>> edge;
+    for (const Face_handle face : faces) {
+      for (int i = 0; i < 3; ++i) {
+        const Vertex_handle v = face->vertex(i);
+        if (at_.coincide(v, query_)) point = std::min(point.value_or(no_point), at_.id(v));
+        const Vertex_handle p = face->vertex(Triangulation::ccw(i));
+        const Vertex_handle q = face->vertex(Triangulation::cw(i));
+        if (!at_.is_strictly_between(p, query_, q)) continue;
+        const std::array<Vertex_handle, 2> candidate = {p, q};
+        if (!edge || is_shorter(candidate, *edge)) edge = candidate;
+      }
+    }
+    if (point) return {Kind::vertex, {*point}};
+    if (edge) {
+      const Edge_ids ids = ids_of(*edge);
+      return {Kind::edge, {ids[0], ids[1]}};
+    }
+    const Face_handle face = faces.front();
+    std::vector<Point_id> ids = {at_.id(face->vertex(0)), at_.id(face->vertex(1)),
+                                 at_.id(face->vertex(2))};
+    std::rotate(ids.begin(), std::ranges::min_element(ids), ids.end());
+    return {Kind::face, std::move(ids)};
+  }
+
+  // Of edges that are strictly on both sides of the query, along one line, one without points
+  // between its ends is shorter than every other one at both ends, or has the same ends; then the
+  // ids decide. Between two others either may be called the shorter one.
+  bool is_shorter(const std::array<Vertex_handle, 2>& e,
+                  const std::array<Vertex_handle, 2>& f) const {
+    const bool is_reversed = at_.is_strictly_between(e[0], query_, f[0]);
+    const auto first = at_.compare_distance(query_, e[0], f[is_reversed ? 1 : 0]);
+    const auto second = at_.compare_distance(query_, e[1], f[is_reversed ? 0 : 1]);
+    if (first == CGAL::SMALLER || second == CGAL::SMALLER) return true;
+    return first == CGAL::EQUAL && second == CGAL::EQUAL && ids_of(e) < ids_of(f);
+  }
+
+  static Edge_ids ids_of(const std::array<Vertex_handle, 2>& edge) {
+    return edge_ids(At_time::id(edge[0]), At_time::id(edge[1]));
+  }
+
+  // Without faces: all points are on a line, and the edges are between successive ones. Only one of
+  // them, or none, has the query strictly between its ends.
+  Location_2 location_on_line() const {
+    std::optional<Point_id> point;
+    std::optional<Edge_ids> edge;
+    for (const Vertex_handle v : triangulation_.finite_vertex_handles()) {
+      if (at_.coincide(v, query_)) point = std::min(point.value_or(no_point), at_.id(v));
+      at_.for_each_neighbor(v, [&](Vertex_handle u) {
+        if (at_.is_strictly_between(v, query_, u)) edge = ids_of({u, v});
+      });
+    }
+    if (point) return {Kind::vertex, {*point}};
+    if (edge) return {Kind::edge, {(*edge)[0], (*edge)[1]}};
+    return {};
+  }
+
+  const At_time& at_;
+  const Triangulation& triangulation_;
+  Point_2 query_;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_POSITION_QUERY_H

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The sides and corners of a Voronoi cell, as an intersection of half planes. Of each other point
+// there is one, of the positions that are at least as near to the point as to that one, or have no
+// more power. docs/MATH.md, section 10.
+#ifndef KINETRI_IMPL_TRIANGULATION_VORONOI_SIDES_H
+#define KINETRI_IMPL_TRIANGULATION_VORONOI_SIDES_H
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "kinetri/impl/triangulation/triangulation_at_time.h"
+#include "kinetri/triangulation/queries_2.h"
+
+namespace kinetri::detail {
+
+/// The cell of one point. Once it is made it has the points across the sides, counterclockwise, as
+/// Voronoi_cell_2 says, and its corners, each as two points that have the same distance from it, or
+/// power, as the point.
+template <KineticTraits_2 Traits>
+class Voronoi_sides {
+ public:
+  using At_time = Triangulation_at_time<Traits>;
+  using Vertex_handle = typename At_time::Vertex_handle;
+
+  /// The triangulation must outlive this object.
+  Voronoi_sides(const At_time& at, Vertex_handle v) : at_(at), v_(v) { find(); }
+
+  /// The cell. `center_at(a, b)` gives the position of at.center(v, a, b), and `position` that on a
+  /// trajectory.
+  template <class Position, class Center, class Evaluate>
+  Voronoi_cell_2<Position> cell(Center center_at, Evaluate position) const {
+    const auto& [across, corners, is_bounded, is_empty] = sides_;
+    Voronoi_cell_2<Position> result;
+    result.is_empty = is_empty;
+    for (const Vertex_handle u : across) result.neighbors.push_back(at_.id(u));
+    for (const auto& [a, b] : corners) result.vertices.push_back(center_at(a, b));
+    if (is_bounded || across.empty()) return result;
+    // The first side comes from infinity, and the last one goes there.
+    result.rays = {position(at_.turned_vector(v_, across.front(), false)),
+                   position(at_.turned_vector(v_, across.back(), true))};
+    return result;
+  }
+
+ private:
+  struct Sides {
+    std::vector<Vertex_handle> across = {};
+    std::vector<std::array<Vertex_handle, 2>> corners = {};
+    bool is_bounded = false;
+    bool is_empty = false;
+  };
+  // The part of the boundary of a half plane that is in others: a segment, or one position. The
+  // points whose half planes end it at its right and its left end, seen from the point; none at
+  // infinity.
+  struct Part_of_line {
+    Vertex_handle right;
+    Vertex_handle left;
+    bool is_one_position = false;
+  };
+  static constexpr bool is_weighted = At_time::is_weighted;
+
+  // Where the bisector with `u` lies to the half plane of `w`: positive outside of it, zero on its
+  // boundary, negative inside. With weights: `w`, lifted, is below the line of the other two.
+  // Precondition: the three points are collinear, and `u` and `w` do not coincide with the point.
+  Sign beyond_line(Vertex_handle u, Vertex_handle w) const {
+    if constexpr (is_weighted) {
+      return at_.side_of_segment(v_, u, w);
+    } else {
+      if (at_.coincide(u, w)) return CGAL::ZERO;
+      return at_.is_strictly_between(v_, w, u) ? CGAL::POSITIVE : CGAL::NEGATIVE;
+    }
+  }
+
+  // Whether `w` has all along the bisector with `u` the same distance, or power, as these.
+  bool is_on_line(Vertex_handle u, Vertex_handle w) const {
+    if (at_.coincide(w, v_)) return at_.are_alike(w, v_);
+    return at_.orientation(v_, u, w) == CGAL::COLLINEAR && beyond_line(u, w) == CGAL::ZERO;
+  }
+
+  // ---- which half planes ----
+
+  // Half planes are taken until they are enough: if no point has a neighbor that has not been
+  // looked at, of those points that have the same distance (power) as the cell's in all of the
+  // intersection. Then all of that is the cell: of its inner positions, one of these points is
+  // nearest, since none of its neighbors is nearer.
+  void find() {
+    std::vector<Vertex_handle> candidates = first_candidates();
+    std::unordered_set<Point_id> seen = {at_.id(v_)};
+    std::unordered_set<Point_id> expanded = {at_.id(v_)};
+    for (const Vertex_handle u : candidates) seen.insert(at_.id(u));
+    for (;;) {
+      sides_ = intersection(candidates);
+      const std::size_t before = candidates.size();
+      for (std::size_t i = 0; i < before && !sides_.is_empty; ++i) {
+        const Vertex_handle u = candidates[i];
+        if (expanded.contains(at_.id(u)) || !is_on_all_sides(u)) continue;
+        expanded.insert(at_.id(u));
+        at_.for_each_neighbor(u, [&](Vertex_handle w) {
+          if (seen.insert(at_.id(w)).second) candidates.push_back(w);
+        });
+      }
+      if (candidates.size() == before) break;
+    }
+    auto& [across, corners, is_bounded, is_empty] = sides_;
+    for (Vertex_handle& u : across) u = named_across(u);
+    if (!is_bounded || across.empty()) return;
+    const auto first = std::ranges::min_element(
+        across, [&](Vertex_handle a, Vertex_handle b) { return at_.is_nearer(v_, a, b); });
+    std::rotate(corners.begin(), corners.begin() + (first - across.begin()), corners.end());
+    std::rotate(across.begin(), first, across.end());
+  }
+
+  // The neighbors; of a hidden point the vertices of the triangle, or edge, that hides it: it is
+  // not below that, so that it is nowhere nearer than all of these.
+  std::vector<Vertex_handle> first_candidates() const {
+    std::vector<Vertex_handle> result;
+    if constexpr (is_weighted) {
+      if (v_->is_hidden()) {
+        const int dimension = at_.triangulation().dimension();
+        if (dimension < 1) return {at_.triangulation().finite_vertex()};
+        for (int i = 0; i <= dimension; ++i) result.push_back(v_->face()->vertex(i));
+        return result;
+      }
+    }
+    at_.for_each_neighbor(v_, [&](Vertex_handle u) { result.push_back(u); });
+    return result;
+  }
+
+  // Whether `u` has the same distance (power) as the point in the whole intersection.
+  bool is_on_all_sides(Vertex_handle u) const {
+    if (at_.are_alike(u, v_)) return true;
+    if constexpr (is_weighted) {
+      const auto& [across, corners, is_bounded, is_empty] = sides_;
+      if (at_.coincide(u, v_)) return false;
+      if (across.empty() && !corners.empty()) {
+        const auto& [a, b] = corners.front();
+        return at_.side_of_circle(v_, a, b, u) == CGAL::ON_ORIENTED_BOUNDARY;
+      }
+      if (across.size() == 2 && is_on_line(across[0], across[1])) return is_on_line(across[0], u);
+    }
+    return false;
+  }
+
+  // The point that is named as that across the side with `u`: of those with the same bisector in
+  // the same direction the farthest, the smallest id. In a place beyond the side, and near to it,
+  // that one is nearer than the others.
+  Vertex_handle named_across(Vertex_handle u) const {
+    if constexpr (!is_weighted) return at_.kinetic().vertex(at_.all_at(u).front());
+    Vertex_handle result = u;
+    for (const Vertex_handle w :
+         at_.connected(u, [&](Vertex_handle other) { return is_on_line(u, other); })) {
+      if (at_.coincide(w, v_) || at_.is_strictly_between(u, v_, w)) continue;
+      const auto order = at_.compare_distance(v_, w, result);
+      if (order == CGAL::LARGER || (order == CGAL::EQUAL && at_.id(w) < at_.id(result))) result = w;
+    }
+    return result;
+  }
+
+  // ---- the intersection of half planes ----
+
+  // Of those of the candidates.
+  Sides intersection(const std::vector<Vertex_handle>& candidates) const {
+    std::vector<Vertex_handle> elsewhere;
+    for (const Vertex_handle u : candidates) {
+      if (!at_.coincide(u, v_)) {
+        elsewhere.push_back(u);
+      } else if (at_.is_lighter(v_, u)) {
+        return {.is_bounded = true, .is_empty = true};
+      }
+    }
+    if (elsewhere.empty()) return {};
+    // The place of a point without weight is inside all half planes, on the boundary of none.
+    const bool is_inside = !is_weighted || std::ranges::all_of(elsewhere, [&](Vertex_handle u) {
+      return at_.compare_power(v_, v_, u) == CGAL::SMALLER;
+    });
+    std::vector<Vertex_handle> sorted = by_direction(elsewhere);
+    return is_inside ? sides_around(std::move(sorted)) : sides_of_lines(sorted);
+  }
+
+  // Sorted counterclockwise from the nearest one on; of those in one direction only the one with
+  // the least half plane, of those the nearest, of those the smallest id.
+  std::vector<Vertex_handle> by_direction(const std::vector<Vertex_handle>& candidates) const {
+    const auto is_nearer = [&](Vertex_handle a, Vertex_handle b) {
+      return at_.is_nearer(v_, a, b);
+    };
+    const Vertex_handle nearest = *std::ranges::min_element(candidates, is_nearer);
+    // From the direction of the nearest one on, the first half turn, or the second.
+    const auto half = [&](Vertex_handle u) {
+      const auto side = at_.orientation(v_, nearest, u);
+      if (side != CGAL::COLLINEAR) return side == CGAL::LEFT_TURN ? 0 : 1;
+      return at_.is_strictly_between(nearest, v_, u) ? 1 : 0;
+    };
+    std::vector<std::pair<int, Vertex_handle>> sorted;
+    for (const Vertex_handle u : candidates) sorted.emplace_back(half(u), u);
+    std::ranges::sort(sorted, [&](const auto& a, const auto& b) {
+      if (a.first != b.first) return a.first < b.first;
+      const auto side = at_.orientation(v_, a.second, b.second);
+      if (side != CGAL::COLLINEAR) return side == CGAL::LEFT_TURN;
+      const Sign beyond = is_weighted ? beyond_line(b.second, a.second) : CGAL::ZERO;
+      return beyond != CGAL::ZERO ? beyond == CGAL::POSITIVE : is_nearer(a.second, b.second);
+    });
+    const auto repeated =
+        std::unique(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) {
+          return a.first == b.first && at_.orientation(v_, a.second, b.second) == CGAL::COLLINEAR;
+        });
+    sorted.erase(repeated, sorted.end());
+    std::vector<Vertex_handle> result;
+    for (const auto& [unused, u] : sorted) result.push_back(u);
+    return result;
+  }
+
+  // The intersection, where the place of the point is inside all half planes: a scan as Graham's,
+  // by direction, takes those away that bound nothing, or only a point: of three neighbors the
+  // middle one, if it is not inside the oriented circle through the point and the other two (where
+  // these are half a turn apart or more, it always is: each is less than half a turn from the
+  // next). It begins with one that has a side: the first one after a gap of half a turn, or else,
+  // without weights, the nearest.
+  Sides sides_around(std::vector<Vertex_handle> candidates) const {
+    Sides result;
+    result.is_bounded = true;
+    const auto rotate_to = [&](std::size_t i) {
+      std::rotate(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(i),
+                  candidates.end());
+    };
+    const auto is_left_turn = [&](Vertex_handle a, Vertex_handle b) {
+      return at_.orientation(v_, a, b) == CGAL::LEFT_TURN;
+    };
+    for (std::size_t i = 0; i < candidates.size() && result.is_bounded; ++i) {
+      const std::size_t next = (i + 1) % candidates.size();
+      if (is_left_turn(candidates[i], candidates[next])) continue;
+      rotate_to(next);
+      result.is_bounded = false;
+    }
+    if (is_weighted && result.is_bounded) {
+      std::size_t first = 0;
+      for (;; ++first) {
+        const auto part = part_of_line(candidates[first], candidates);
+        if (part && !part->is_one_position) break;
+      }
+      rotate_to(first);
+    }
+    if (result.is_bounded) candidates.push_back(candidates.front());
+    const auto is_redundant = [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
+      return at_.side_of_circle(v_, a, c, b) != CGAL::ON_POSITIVE_SIDE;
+    };
+    auto& across = result.across;
+    for (const Vertex_handle u : candidates) {
+      while (across.size() > 1 && is_redundant(*(across.end() - 2), across.back(), u)) {
+        across.pop_back();
+      }
+      across.push_back(u);
+    }
+    if (result.is_bounded) across.pop_back();
+    for (std::size_t i = 0; i < across.size(); ++i) {
+      const Vertex_handle next = across[(i + 1) % across.size()];
+      // Not so at infinity, nor between the two sides of a strip.
+      if (is_left_turn(across[i], next)) result.corners.push_back({across[i], next});
+    }
+    return result;
+  }
+
+  // The intersection, whatever the half planes are: of the boundary of each the part that is in all
+  // others. Precondition: the candidates are sorted by direction, and there is one.
+  Sides sides_of_lines(const std::vector<Vertex_handle>& candidates) const {
+    std::vector<std::pair<Vertex_handle, Part_of_line>> parts;
+    std::optional<std::array<Vertex_handle, 2>> position;
+    for (const Vertex_handle u : candidates) {
+      const auto part = part_of_line(u, candidates);
+      if (part && part->is_one_position) position = {u, part->left};
+      if (part && !part->is_one_position) parts.emplace_back(u, *part);
+    }
+    Sides result;
+    result.is_bounded = true;
+    if (parts.empty()) {
+      if (position) result.corners.push_back(*position);
+      result.is_empty = !position;
+      return result;
+    }
+    const auto from_infinity = std::ranges::find_if(
+        parts, [](const auto& part) { return part.second.right == Vertex_handle(); });
+    if (from_infinity != parts.end()) {
+      result.is_bounded = false;
+      std::rotate(parts.begin(), from_infinity, parts.end());
+    }
+    for (const auto& [u, part] : parts) {
+      result.across.push_back(u);
+      if (part.left != Vertex_handle()) result.corners.push_back({u, part.left});
+    }
+    return result;
+  }
+
+  // The part of the bisector with `u` that is in the half planes of the others; none if there is
+  // nothing. A half plane to the left bounds it on the left. Of two such half planes, the second
+  // one ends more if the end that the first one makes is outside of it, of which the determinant of
+  // the three, an in-circle test, tells.
+  std::optional<Part_of_line> part_of_line(Vertex_handle u,
+                                           const std::vector<Vertex_handle>& others) const {
+    const auto determinant = [&](Vertex_handle a, Vertex_handle b) {
+      return at_.side_of_circle(u, a, b, v_);
+    };
+    Part_of_line result;
+    auto& [right, left, is_one_position] = result;
+    for (const Vertex_handle w : others) {
+      if (w == u) continue;
+      const auto turn = at_.orientation(v_, u, w);
+      if (turn == CGAL::COLLINEAR) {
+        if (beyond_line(u, w) == CGAL::POSITIVE) return std::nullopt;
+      } else if (turn == CGAL::LEFT_TURN) {
+        if (left == Vertex_handle() || determinant(left, w) == CGAL::ON_NEGATIVE_SIDE) left = w;
+      } else {
+        if (right == Vertex_handle() || determinant(right, w) == CGAL::ON_POSITIVE_SIDE) right = w;
+      }
+    }
+    if (left == Vertex_handle() || right == Vertex_handle()) return result;
+    const auto order = determinant(left, right);
+    if (order == CGAL::ON_NEGATIVE_SIDE) return std::nullopt;
+    is_one_position = order == CGAL::ON_ORIENTED_BOUNDARY;
+    return result;
+  }
+
+  const At_time& at_;
+  Vertex_handle v_;
+  Sides sides_;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_VORONOI_SIDES_H
