@@ -1,40 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How a representation is made, and how its parts depend on one another.
+// How a representation is made, how its parts depend on one another, and what is done with it.
 #include "representation.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "binary64_ordinal.h"
 #include "dyadic.h"
+#include "gmp_access.h"
 #include "kinetri/impl/base/check.h"
 
-namespace kinetri {
+namespace kinetri::detail {
+namespace {
+
+// More correct bits than a binary64 number has: two numbers that agree to so many are either equal,
+// which the gcd of their polynomials tells, or exceptionally close.
+constexpr long bits_before_gcd = 60;
+
+// The order of two dyadic numbers x / 2^e and y / 2^f.
+int compare_dyadic(const Integer& x, unsigned long e, const Integer& y, unsigned long f) {
+  if (e == f) return x.compare(y);
+  return e < f ? Integer(x << (f - e)).compare(y) : x.compare(Integer(y << (e - f)));
+}
+
+// The order of numbers in open intervals that do not overlap; nothing where they do.
+std::optional<Comparison_result> order_of_disjoint(const Isolation& s, const Isolation& t) {
+  if (compare_dyadic(s.b, s.e, t.a, t.e) <= 0) return CGAL::SMALLER;
+  if (compare_dyadic(s.a, s.e, t.b, t.e) >= 0) return CGAL::LARGER;
+  return std::nullopt;
+}
+
+}  // namespace
 
 bool Isolation::is_narrower_than_bits(long bits) const {
   const Integer& near_zero = a.sign() >= 0 ? a : b;
   return !near_zero.is_zero() && bit_length(b - a) + bits < bit_length(near_zero);
 }
 
-Root_source::Access::~Access() {
+Root_access::~Root_access() {
   if (!lock_.owns_lock() || representation_.bounds_are_published) return;
-  source_.narrow(representation_.double_interval());
+  bounds_.narrow(representation_.double_interval());
   representation_.bounds_are_published = true;
 }
 
-void Root_source::narrow(const Double_interval& interval) {
-  double seen = lower_.load(std::memory_order_relaxed);
-  while (seen < interval.lower &&
-         !lower_.compare_exchange_weak(seen, interval.lower, std::memory_order_release)) {
-  }
-  seen = upper_.load(std::memory_order_relaxed);
-  while (seen > interval.upper &&
-         !upper_.compare_exchange_weak(seen, interval.upper, std::memory_order_release)) {
-  }
-}
-
-void Root_source::Representation::isolate(const Polynomial& p, const Rational& first,
-                                          const Rational& last) {
+void Root_representation::isolate(const Polynomial& p, const Rational& first,
+                                  const Rational& last) {
   KINETRI_PRECONDITION(first < last, "the isolating interval is empty");
   KINETRI_PRECONDITION(p.degree() >= 1, "a polynomial without roots has no root to isolate");
   own_polynomial = primitive_part(p);
@@ -60,8 +72,7 @@ void Root_source::Representation::isolate(const Polynomial& p, const Rational& f
 }
 
 // Dyadic ends inside the given ones, on finer and finer grids until the root is between them.
-void Root_source::Representation::isolate_between_dyadic_ends(const Rational& first,
-                                                              const Rational& last) {
+void Root_representation::isolate_between_dyadic_ends(const Rational& first, const Rational& last) {
   const Rational width = last - first;
   long e = std::max(bit_length(denominator(width)) - bit_length(numerator(width)) + 2, 0L);
   for (;; e += 8) {
@@ -77,7 +88,7 @@ void Root_source::Representation::isolate_between_dyadic_ends(const Rational& fi
   }
 }
 
-const Polynomial& Root_source::Representation::polynomial() {
+const Polynomial& Root_representation::polynomial() {
   if (is_rational() && !linear_is_made) {
     own_polynomial = Polynomial{Integer(-numerator(lower)), denominator(lower)};
     linear_is_made = true;
@@ -85,7 +96,7 @@ const Polynomial& Root_source::Representation::polynomial() {
   return own_polynomial;
 }
 
-const Rational& Root_source::Representation::lower_end() {
+const Rational& Root_representation::lower_end() {
   if (!is_rational() && !ends_are_current) {
     lower = dyadic(isolation->a, isolation->e);
     upper = dyadic(isolation->b, isolation->e);
@@ -94,23 +105,23 @@ const Rational& Root_source::Representation::lower_end() {
   return lower;
 }
 
-const Rational& Root_source::Representation::upper_end() {
+const Rational& Root_representation::upper_end() {
   lower_end();
   return is_rational() ? lower : upper;
 }
 
-Double_interval Root_source::Representation::double_interval() {
+Double_interval Root_representation::double_interval() {
   return {to_interval(lower_end()).lower, to_interval(upper_end()).upper};
 }
 
-void Root_source::Representation::become_rational(Rational number) {
+void Root_representation::become_rational(Rational number) {
   isolation.reset();
   lower = std::move(number);
   bounds_are_published = false;
 }
 
 // Precondition: the polynomial has opposite signs, not zero, at the ends.
-void Root_source::Representation::set_ends(Integer a, Integer b, unsigned long e) {
+void Root_representation::set_ends(Integer a, Integer b, unsigned long e) {
   const mp_bitcnt_t common = std::min({mpz_scan1(raw(a), 0), mpz_scan1(raw(b), 0), e});
   isolation->a = a >> common;
   isolation->b = b >> common;
@@ -122,7 +133,7 @@ void Root_source::Representation::set_ends(Integer a, Integer b, unsigned long e
 }
 
 // Makes the dyadic number m an end of the isolation. `side` is the sign of the polynomial at m.
-void Root_source::Representation::narrow_to(const Rational& m, Sign side) {
+void Root_representation::narrow_to(const Rational& m, Sign side) {
   Isolation& s = *isolation;
   const unsigned long e = *dyadic_exponent(m);
   const auto degree = static_cast<unsigned long>(own_polynomial.degree());
@@ -144,11 +155,217 @@ void Root_source::Representation::narrow_to(const Rational& m, Sign side) {
 }
 
 // Precondition: `factor` divides the polynomial and has the number as a root.
-void Root_source::Representation::use_factor(Polynomial factor) {
+void Root_representation::use_factor(Polynomial factor) {
   if (factor.degree() == 1) return become_rational(linear_root(factor));
   if (factor.degree() == own_polynomial.degree()) return;
   own_polynomial = std::move(factor);
   set_ends(isolation->a, isolation->b, isolation->e);
 }
 
-}  // namespace kinetri
+// ---- refinement ----
+
+// One step of quadratic interval refinement: the interval is divided into 2^k parts, k <= k_max,
+// and the part in which the secant meets zero is tried. Where that is the right one, the next step
+// has twice as many digits; else half as many. With k = 1 it is bisection.
+void Root_representation::quadratic_step(unsigned long k_max) {
+  Isolation& s = *isolation;
+  const Polynomial& p = own_polynomial;
+  const auto degree = static_cast<unsigned long>(p.degree());
+  const unsigned long k = std::max(std::min(s.k, k_max), 1UL);
+  const Integer part = s.b - s.a;
+  s.e += k;
+  s.a <<= k;
+  s.b <<= k;
+  s.value_a <<= k * degree;
+  s.value_b <<= k * degree;
+  ends_are_current = false;
+  bounds_are_published = false;
+
+  // The position of the secant's zero in parts, rounded. It is only a guess: k + 32 leading bits of
+  // the values will do.
+  Integer size_a = boost::multiprecision::abs(s.value_a);
+  Integer size_sum = size_a + boost::multiprecision::abs(s.value_b);
+  const long excess = bit_length(size_sum) - static_cast<long>(k) - 32;
+  if (excess > 0) {
+    size_a >>= static_cast<unsigned long>(excess);
+    size_sum >>= static_cast<unsigned long>(excess);
+  }
+  const Integer parts = Integer(1) << k;
+  const Integer j = std::min<Integer>(((size_a << (k + 1)) + size_sum) / (size_sum << 1), parts);
+
+  const Sign sign_a = sign(s.value_a);
+  bool root_is_right = j.is_zero();
+  if (!j.is_zero() && j != parts) {
+    Integer x = s.a + j * part;
+    Integer value = scaled_value(p, x, s.e);
+    if (value.is_zero()) return become_rational(dyadic(x, s.e));
+    root_is_right = sign(value) == sign_a;
+    (root_is_right ? s.a : s.b) = std::move(x);
+    (root_is_right ? s.value_a : s.value_b) = std::move(value);
+  }
+  if (s.b - s.a > part) {
+    Integer x = root_is_right ? s.a + part : s.b - part;
+    Integer value = scaled_value(p, x, s.e);
+    if (value.is_zero()) return become_rational(dyadic(x, s.e));
+    const bool is_lower = sign(value) == sign_a;
+    (is_lower ? s.a : s.b) = std::move(x);
+    (is_lower ? s.value_a : s.value_b) = std::move(value);
+  }
+  if (s.b - s.a == part) {
+    s.k = std::max(s.k, 2 * k);
+  } else {
+    s.k = std::max(k / 2, 1UL);
+  }
+}
+
+void Root_representation::halve() {
+  const Integer width = isolation->b - isolation->a;
+  const unsigned long e = isolation->e;
+  do {
+    quadratic_step(std::numeric_limits<unsigned long>::max());
+  } while (!is_rational() && ((isolation->b - isolation->a) << 1) > (width << (isolation->e - e)));
+}
+
+void Root_representation::refine_to_bits(long bits) {
+  while (!is_rational() && !isolation->is_narrower_than_bits(bits)) {
+    const Integer& near_zero = isolation->a.sign() >= 0 ? isolation->a : isolation->b;
+    // No more digits than are asked for, unless it is unknown yet how small the number is.
+    const long missing = near_zero.is_zero() ? std::numeric_limits<long>::max()
+                                             : bit_length(isolation->b - isolation->a) + bits -
+                                                   bit_length(near_zero) + 1;
+    quadratic_step(static_cast<unsigned long>(missing));
+  }
+}
+
+void Root_representation::refine_to(const Rational& width) {
+  // 2^exponent <= width
+  const long exponent = bit_length(numerator(width)) - bit_length(denominator(width)) - 1;
+  while (!is_rational()) {
+    const long present = bit_length(isolation->b - isolation->a) - static_cast<long>(isolation->e);
+    if (present <= exponent) return;
+    quadratic_step(static_cast<unsigned long>(present - exponent));
+  }
+}
+
+Double_interval Root_representation::tight_interval() {
+  while (!is_rational()) {
+    const Double_interval present = double_interval();
+    // The number is strictly between the ends of the isolation, so it can be a binary64 number only
+    // if there is one strictly between these two.
+    const std::int64_t first = ordinal(present.lower);
+    const std::int64_t candidates = ordinal(present.upper) - first - 1;
+    if (candidates == 0) return present;
+    if (candidates <= 3) {
+      compare_with(to_rational(from_ordinal(first + (candidates + 1) / 2)));
+    } else {
+      quadratic_step(std::numeric_limits<unsigned long>::max());
+    }
+  }
+  return to_interval(lower);
+}
+
+// ---- order ----
+
+// The order of the number and m. An m inside the isolation becomes an end of it, if it can.
+Comparison_result Root_representation::compare_with(const Rational& m) {
+  if (is_rational()) return comparison(lower.compare(m));
+  if (m <= lower_end()) return CGAL::LARGER;
+  if (m >= upper_end()) return CGAL::SMALLER;
+  const Sign side = own_polynomial.sign_at(m);
+  if (side == CGAL::ZERO) {
+    become_rational(m);
+    return CGAL::EQUAL;
+  }
+  const bool root_is_right = side == sign(isolation->value_a);
+  if (dyadic_exponent(m)) narrow_to(m, side);
+  return root_is_right ? CGAL::LARGER : CGAL::SMALLER;
+}
+
+// Whether p changes sign over the intersection of two overlapping isolating intervals. Each end of
+// it is an end of one of them.
+bool Root_representation::changes_sign_over_intersection(const Polynomial& p,
+                                                         Root_representation& x,
+                                                         Root_representation& y) {
+  return p.sign_at(std::max(x.lower_end(), y.lower_end())) !=
+         p.sign_at(std::min(x.upper_end(), y.upper_end()));
+}
+
+// The order of two roots of one polynomial in overlapping intervals. They are equal where it
+// changes sign over the intersection, which then holds the only root of either interval. Else each
+// number is in the part of its interval that the other does not share, so neither interval contains
+// the other.
+Comparison_result Root_representation::compare_roots_of_one_polynomial(Root_representation& x,
+                                                                       Root_representation& y) {
+  if (changes_sign_over_intersection(x.own_polynomial, x, y)) return CGAL::EQUAL;
+  return comparison(x.lower_end().compare(y.lower_end()));
+}
+
+// Whether two numbers in overlapping intervals are equal. A root of the gcd of their polynomials in
+// the intersection is a root of both, so it is both numbers; the ends are not roots of it, each
+// being an end of an isolating interval. Equal numbers get that gcd as their polynomial, to be
+// compared without a gcd from then on.
+bool Root_representation::are_equal(Root_representation& x, Root_representation& y) {
+  const Polynomial common = gcd(x.own_polynomial, y.own_polynomial);
+  if (common.degree() == 0 || !changes_sign_over_intersection(common, x, y)) return false;
+  x.use_factor(common);
+  y.use_factor(common);
+  return true;
+}
+
+Comparison_result Root_representation::compare(Root_representation& x, Root_representation& y) {
+  bool known_different = false;
+  while (!x.is_rational() && !y.is_rational()) {
+    const Isolation& s = *x.isolation;
+    const Isolation& t = *y.isolation;
+    if (const std::optional<Comparison_result> order = order_of_disjoint(s, t)) return *order;
+
+    if (!known_different && equal_up_to_sign(x.own_polynomial, y.own_polynomial)) {
+      return compare_roots_of_one_polynomial(x, y);
+    }
+    if (!known_different && s.is_narrower_than_bits(bits_before_gcd) &&
+        t.is_narrower_than_bits(bits_before_gcd)) {
+      if (are_equal(x, y)) return CGAL::EQUAL;
+      known_different = true;
+    }
+    const bool x_is_wider = compare_dyadic(s.b - s.a, s.e, t.b - t.a, t.e) >= 0;
+    (x_is_wider ? x : y).quadratic_step(std::numeric_limits<unsigned long>::max());
+  }
+  if (y.is_rational()) return x.compare_with(y.lower);
+  return CGAL::opposite(y.compare_with(x.lower));
+}
+
+// ---- signs ----
+
+// The gcd has the number as a root where it changes sign over the isolating interval: as a divisor
+// of polynomial() it has no other root there, and a simple one only.
+bool Root_representation::is_root_of(const Polynomial& p) {
+  if (p.is_zero()) return true;
+  if (is_rational()) return p.sign_at(lower) == CGAL::ZERO;
+  if (equal_up_to_sign(p, own_polynomial)) return true;
+  Polynomial common = gcd(p, own_polynomial);
+  if (common.degree() == 0) return false;
+  if (common.sign_at(lower_end()) == common.sign_at(upper_end())) return false;
+  use_factor(std::move(common));
+  return true;
+}
+
+Sign Root_representation::sign_of(const Polynomial& p) {
+  if (!is_rational() && equal_up_to_sign(p, own_polynomial)) return CGAL::ZERO;
+  for (long bits = 0;; bits = bits == 0 ? 24 : 2 * bits) {
+    if (bits != 0) refine_to_bits(bits);
+    if (is_rational()) return p.sign_at(lower);
+    if (const std::optional<Sign> s = p.sign_on(lower_end(), upper_end())) return *s;
+    // Tested once, between 24 bits and 48: nearly all that is not zero has been told by then.
+    if (bits == 24 && is_root_of(p)) return CGAL::ZERO;
+  }
+}
+
+// The end of the isolating interval on that side is as good as beside the number where p has no
+// other root up to it. So it is after a flip, where p is minus the polynomial that made the number.
+std::optional<Sign> Root_representation::sign_of_own_polynomial_beside(const Polynomial& p,
+                                                                       Sign side) {
+  if (is_rational() || !equal_up_to_sign(p, own_polynomial)) return std::nullopt;
+  return p.sign_at(side == CGAL::POSITIVE ? upper_end() : lower_end());
+}
+
+}  // namespace kinetri::detail

@@ -12,7 +12,12 @@
 
 #include "kinetri/algebra/algebraic_number.h"
 
-namespace kinetri {
+namespace kinetri::detail {
+
+/// The result of a comparison, from a number of its sign.
+inline Comparison_result comparison(int order) {
+  return static_cast<Comparison_result>(order < 0 ? -1 : order > 0 ? 1 : 0);
+}
 
 /// The isolating interval from a / 2^e to b / 2^e. Invariant: a < b, the polynomial has opposite
 /// signs, not zero, at the two ends, exactly one root between them, and zero is not strictly
@@ -30,10 +35,10 @@ struct Isolation {
   bool is_narrower_than_bits(long bits) const;
 };
 
-/// Its member functions are called by one thread at a time: the one that has an Access to it.
-struct Root_source::Representation {
-  explicit Representation(Rational number) : lower(std::move(number)) {}
-  Representation(const Polynomial& p, const Rational& first, const Rational& last) {
+/// Its member functions are called by one thread at a time: the one that has a Root_access to it.
+struct Root_representation {
+  explicit Root_representation(Rational number) : lower(std::move(number)) {}
+  Root_representation(const Polynomial& p, const Rational& first, const Rational& last) {
     isolate(p, first, last);
   }
 
@@ -43,7 +48,7 @@ struct Root_source::Representation {
   const Rational& upper_end();
   Double_interval double_interval();
 
-  // representation.cpp
+  // How its parts depend on one another.
   void isolate(const Polynomial& p, const Rational& first, const Rational& last);
   void isolate_between_dyadic_ends(const Rational& first, const Rational& last);
   void become_rational(Rational number);
@@ -51,24 +56,24 @@ struct Root_source::Representation {
   void set_ends(Integer a, Integer b, unsigned long e);
   void narrow_to(const Rational& m, Sign side);
 
-  // refine_algebraic_number.cpp
+  // Refinement.
   void quadratic_step(unsigned long k_max);
   void halve();
   void refine_to(const Rational& width);
   void refine_to_bits(long bits);
 
-  // round_algebraic_number.cpp
   Double_interval tight_interval();
 
-  // compare_algebraic_numbers.cpp
+  // The order of numbers.
   Comparison_result compare_with(const Rational& m);
-  static bool changes_sign_over_intersection(const Polynomial& p, Representation& x,
-                                             Representation& y);
-  static Comparison_result compare(Representation& x, Representation& y);
-  static Comparison_result compare_roots_of_one_polynomial(Representation& x, Representation& y);
-  static bool are_equal(Representation& x, Representation& y);
+  static bool changes_sign_over_intersection(const Polynomial& p, Root_representation& x,
+                                             Root_representation& y);
+  static Comparison_result compare(Root_representation& x, Root_representation& y);
+  static Comparison_result compare_roots_of_one_polynomial(Root_representation& x,
+                                                           Root_representation& y);
+  static bool are_equal(Root_representation& x, Root_representation& y);
 
-  // sign_at_algebraic_number.cpp
+  // Signs of polynomials at the number and beside it.
   bool is_root_of(const Polynomial& p);
   Sign sign_of(const Polynomial& p);
   std::optional<Sign> sign_of_own_polynomial_beside(const Polynomial& p, Sign side);
@@ -87,16 +92,16 @@ struct Root_source::Representation {
 
 /// A representation that no other thread uses as long as this object is there. At its end the
 /// binary64 bounds of the number are published, if they have changed.
-class Root_source::Access {
+class Root_access {
  public:
-  Access(Root_source& source, Representation& representation)
-      : source_(source), representation_(representation), lock_(representation.mutex) {}
+  Root_access(Shared_bounds& bounds, Root_representation& representation)
+      : bounds_(bounds), representation_(representation), lock_(representation.mutex) {}
   /// Access that is yet to be given, by std::lock.
-  Access(Root_source& source, Representation& representation, std::defer_lock_t defer)
-      : source_(source), representation_(representation), lock_(representation.mutex, defer) {}
-  ~Access();
-  Access(const Access&) = delete;
-  Access& operator=(const Access&) = delete;
+  Root_access(Shared_bounds& bounds, Root_representation& representation, std::defer_lock_t defer)
+      : bounds_(bounds), representation_(representation), lock_(representation.mutex, defer) {}
+  ~Root_access();
+  Root_access(const Root_access&) = delete;
+  Root_access& operator=(const Root_access&) = delete;
 
   /// @{
   /// What std::lock asks for.
@@ -105,15 +110,15 @@ class Root_source::Access {
   void unlock() { lock_.unlock(); }
   /// @}
 
-  Representation& operator*() const { return representation_; }
-  Representation* operator->() const { return &representation_; }
+  Root_representation& operator*() const { return representation_; }
+  Root_representation* operator->() const { return &representation_; }
 
  private:
-  Root_source& source_;
-  Representation& representation_;
+  Shared_bounds& bounds_;
+  Root_representation& representation_;
   std::unique_lock<std::mutex> lock_;
 };
 
-}  // namespace kinetri
+}  // namespace kinetri::detail
 
 #endif  // KINETRI_SRC_ALGEBRA_REPRESENTATION_H

@@ -57,12 +57,13 @@ MUTATIONS = (
      "const auto factors = square_free_decomposition(p);\n  return factors[0].multiplicity == 1 ? first_simple_root_after(factors[0].factor, t) : std::nullopt;"),
     ("roots of even multiplicity taken for failures", ROOTS, "return first_simple_root_after(odd_part(p), t);",
      "const auto root = first_root_after(p, t);\n  return root ? std::optional(root->value) : std::nullopt;"),
-    ("times compared by the midpoints of intervals", ALGEBRA + "compare_algebraic_numbers.cpp",
+    ("times compared by the midpoints of intervals", ALGEBRA + "algebraic_number.cpp",
      "  if (a.is_binary64()) return CGAL::opposite(compare(b, a.binary64_value()));",
-     "  if (x.lower + x.upper != y.lower + y.upper) return comparison(x.lower + x.upper < y.lower + y.upper ? -1 : 1);\n"
+     "  const Double_interval x = a.interval();\n  const Double_interval y = b.interval();\n"
+     "  if (x.lower + x.upper != y.lower + y.upper) return x.lower + x.upper < y.lower + y.upper ? CGAL::SMALLER : CGAL::LARGER;\n"
      "  if (!a.is_binary64()) return CGAL::EQUAL;\n  return CGAL::opposite(compare(b, a.binary64_value()));"),
-    ("times equal where 60 bits are", ALGEBRA + "compare_algebraic_numbers.cpp", "if (are_equal(x, y)) return", "return"),
-    ("signs of derivatives: those before the time", ALGEBRA + "sign_at_algebraic_number.cpp",
+    ("times equal where 60 bits are", ALGEBRA + "representation.cpp", "if (are_equal(x, y)) return", "return"),
+    ("signs of derivatives: those before the time", ALGEBRA + "algebraic_number.cpp",
      "t.sign_beside(p, CGAL::POSITIVE)", "t.sign_beside(p, CGAL::NEGATIVE)"),
     ("in-circle certificate: sign", TRAITS, "  const auto on_stack = [&](const auto& formula) {",
      "  if (t == t) return exact_certificate(perturbed_in_circle_polynomial(p, q, r, s), t);\n"

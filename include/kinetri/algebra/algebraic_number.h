@@ -8,7 +8,7 @@
 // How several threads share a number. A handle (Algebraic_number) is not changed by a const
 // function. It holds a first binary64 interval and refers to a Root_source, which its copies share
 // and which const functions do change:
-//   - The Representation (polynomial and isolating interval) is made once, by whoever needs it
+//   - The representation (polynomial and isolating interval) is made once, by whoever needs it
 //     first. A thread that reads or refines it holds its mutex.
 //   - Binary64 bounds of the number are atomic, read without a lock, and only ever move towards the
 //     number. Hence a lower and an upper bound that were published at different times enclose it
@@ -40,6 +40,30 @@ struct Rounding {
   Double_interval bounds;  ///< binary64 numbers that enclose it: `nearest`, or one beside it
 };
 
+namespace detail {
+
+struct Root_representation;
+class Root_access;
+
+/// Binary64 bounds of one number, for several threads. Invariant: they enclose the number, and only
+/// ever move towards it.
+class Shared_bounds {
+ public:
+  /// @{
+  /// Who reads a bound that the representation has given sees the representation.
+  double lower() const { return lower_.load(std::memory_order_acquire); }
+  double upper() const { return upper_.load(std::memory_order_acquire); }
+  /// @}
+  /// Takes each bound that is tighter.
+  void narrow(const Double_interval& interval);
+
+ private:
+  std::atomic<double> lower_ = -std::numeric_limits<double>::infinity();
+  std::atomic<double> upper_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace detail
+
 /// What a number is the root of. Its polynomial is only made when it is needed: where binary64
 /// intervals decide, it never is. Each object belongs to one number. Both functions may be called
 /// by several threads at once.
@@ -68,19 +92,12 @@ class Root_source {
 
  private:
   friend class Algebraic_number;
-  struct Representation;
-  class Access;
 
-  // Who reads a bound that the representation has given sees the representation.
-  double lower() const { return lower_.load(std::memory_order_acquire); }
-  double upper() const { return upper_.load(std::memory_order_acquire); }
-  void narrow(const Double_interval& interval);
   static void share_identity(Root_source& a, Root_source& b);
 
-  std::atomic<double> lower_ = -std::numeric_limits<double>::infinity();
-  std::atomic<double> upper_ = std::numeric_limits<double>::infinity();
-  std::atomic<Representation*> representation_ = nullptr;  // owned
-  std::atomic<std::uint64_t> identity_ = 0;                // 0: none yet
+  detail::Shared_bounds bounds_;
+  std::atomic<detail::Root_representation*> representation_ = nullptr;  // owned
+  std::atomic<std::uint64_t> identity_ = 0;                             // 0: none yet
 };
 
 /// An interval of rational numbers: a single number, or an open interval.
@@ -150,7 +167,8 @@ class Algebraic_number {
   /// or the bracket of a number whose polynomial has not been made.
   Double_interval interval() const {
     if (source_ == nullptr) return bounds_;
-    return {std::max(bounds_.lower, source_->lower()), std::min(bounds_.upper, source_->upper())};
+    return {std::max(bounds_.lower, source_->bounds_.lower()),
+            std::min(bounds_.upper, source_->bounds_.upper())};
   }
 
   /// The tightest binary64 interval that contains the number: both bounds are the number where it
@@ -197,8 +215,8 @@ class Algebraic_number {
   /// @}
 
  private:
-  using Representation = Root_source::Representation;
-  using Access = Root_source::Access;
+  using Representation = detail::Root_representation;
+  using Access = detail::Root_access;
 
   bool is_binary64() const { return source_ == nullptr; }
   Rational binary64_value() const { return to_rational(bounds_.lower); }
