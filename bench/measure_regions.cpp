@@ -12,7 +12,7 @@
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 #include "measurements.h"
-#include "simulation/contact_turns.h"
+#include "simulation/contact_events.h"
 #include "triangulation/regions.h"
 
 namespace kinetri::bench {

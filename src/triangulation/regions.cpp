@@ -2,6 +2,8 @@
 #include "triangulation/regions.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <numeric>
@@ -20,6 +22,21 @@ bool may_pay_by_regions(std::size_t points, std::size_t threads) {
   constexpr std::size_t least_points = 50'000;
   constexpr std::size_t most_points = 100'000'000;  // so that handles of a part have enough bits
   return points >= least_points && points <= most_points && usable_threads(threads) > 1;
+}
+
+// So many that each thread has several, and that what a region has stays near in memory. Fewer
+// where there are few points, of which more are beside another region then; and where there are so
+// many that handles, which name one of at most 5 R - 1 parts, would have no bits left for the
+// entries of all 3 n edges in one part, and of as many that come later.
+std::size_t number_of_regions(const Region_options& options, std::size_t points) {
+  const std::size_t threads = usable_threads(options.threads);
+  const std::size_t enough = std::max(4 * threads, points / 12'500);
+  const auto by_points =
+      std::min(enough, static_cast<std::size_t>(std::sqrt(static_cast<double>(points)) / 15));
+  const int bits = std::max(2, 32 - static_cast<int>(std::bit_width(6 * points)));
+  const std::size_t most = std::min<std::size_t>(128, ((std::size_t{1} << bits) + 1) / 5);
+  return std::bit_floor(
+      std::clamp<std::size_t>(options.regions > 0 ? options.regions : by_points, 1, most));
 }
 
 void call_for_each_index(const Region_options& options, std::size_t count,
@@ -60,33 +77,9 @@ template struct Region_runs<Linear_kinetic_traits_2>;
 template struct Region_runs<Polynomial_kinetic_traits_2>;
 template struct Region_runs<Disc_kinetic_traits_2>;
 template struct Region_runs<Polynomial_disc_kinetic_traits_2>;
-
-// Of turns, which are not there, nothing is compiled.
-template <class Traits>
-using Run = Region_run<Traits>;
-template Run<Linear_kinetic_traits_2>::Region_run(Kinetic_core<Linear_kinetic_traits_2>&,
-                                                  const Region_options&, No_turns);
-template std::size_t Run<Linear_kinetic_traits_2>::advance_to(const Algebraic_number&,
-                                                              const std::function<bool()>&);
-template void Run<Linear_kinetic_traits_2>::join();
-template void Run<Linear_kinetic_traits_2>::make_turns(
-    std::span<const Run<Linear_kinetic_traits_2>::Change>);
-template Run<Polynomial_kinetic_traits_2>::Region_run(Kinetic_core<Polynomial_kinetic_traits_2>&,
-                                                      const Region_options&, No_turns);
-template std::size_t Run<Polynomial_kinetic_traits_2>::advance_to(const Algebraic_number&,
-                                                                  const std::function<bool()>&);
-template void Run<Polynomial_kinetic_traits_2>::join();
-template void Run<Polynomial_kinetic_traits_2>::make_turns(
-    std::span<const Run<Polynomial_kinetic_traits_2>::Change>);
-template Run<Disc_kinetic_traits_2>::Region_run(Kinetic_core<Disc_kinetic_traits_2>&,
-                                                const Region_options&, No_turns);
-template std::size_t Run<Disc_kinetic_traits_2>::advance_to(const Algebraic_number&,
-                                                            const std::function<bool()>&);
-template void Run<Disc_kinetic_traits_2>::join();
-template Run<Polynomial_disc_kinetic_traits_2>::Region_run(
-    Kinetic_core<Polynomial_disc_kinetic_traits_2>&, const Region_options&, No_turns);
-template std::size_t Run<Polynomial_disc_kinetic_traits_2>::advance_to(
-    const Algebraic_number&, const std::function<bool()>&);
-template void Run<Polynomial_disc_kinetic_traits_2>::join();
+template class Region_run<Linear_kinetic_traits_2>;
+template class Region_run<Polynomial_kinetic_traits_2>;
+template class Region_run<Disc_kinetic_traits_2>;
+template class Region_run<Polynomial_disc_kinetic_traits_2>;
 
 }  // namespace kinetri::detail

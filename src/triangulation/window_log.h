@@ -22,13 +22,13 @@
 
 namespace kinetri::detail {
 
-/// The records of the events of a window, and their order. With turns, some of them are changes of
-/// motions.
+/// The records of the events of a window, and their order. With contacts, some of them are velocity
+/// changes.
 ///
 /// Invariants: a record that has a key is that of an event that has been executed; the stamp of a
 /// face is the number of its last event, of those that have not been rolled back; numbers grow with
 /// execution among events that conflict. Several threads may add records for different nodes.
-template <class Traits, bool has_turns>
+template <class Traits, bool has_contacts>
 class Window_log {
  public:
   using Types = Topology<Traits>;
@@ -55,21 +55,21 @@ class Window_log {
     Stamp stamp;  ///< before
   };
 
-  /// A turn of the window: the rest of its record.
-  struct Turn {
+  /// A velocity change of the window: the rest of its record.
+  struct Velocity_change {
     std::array<Point_id, 2> points = {no_point, no_point};  ///< as the event names them
-    std::array<Point_id, 2> turned = {no_point, no_point};
-    std::array<Point_2, 2> before = {};  ///< of those turned
-    std::array<Point_2, 2> after = {};   ///< of those turned
+    std::array<Point_id, 2> changed = {no_point, no_point};
+    std::array<Point_2, 2> before = {};  ///< of those changed
+    std::array<Point_2, 2> after = {};   ///< of those changed
     std::array<Stamp, 2> previous = {};  ///< their turns before this one
     std::vector<Written_face> faces;     ///< that it has written
 
-    Points turned_points() const { return Points(turned).first(turned[1] == no_point ? 1 : 2); }
+    Points changed_points() const { return Points(changed).first(changed[1] == no_point ? 1 : 2); }
   };
   struct Nothing {};
 
-  /// A flip of the window, or a turn: the record.
-  struct Flip {
+  /// A flip of the window, or a velocity change: the record.
+  struct Record {
     /// The ends of the edge, right and left as `face` has them, and the corners opposite it, of
     /// `face` and of `neighbor`; no_point is the infinite vertex.
     std::array<Point_id, 4> corners;
@@ -82,9 +82,11 @@ class Window_log {
     std::uint8_t j : 2;             ///< and in `neighbor`
     bool left_had_face : 1;         ///< `face` was the one that CGAL keeps at the left end
     bool right_had_neighbor : 1;    ///< `neighbor` was the one at the right end
-    bool is_undone : 1;
-    /// If it is no flip, but a turn.
-    [[no_unique_address]] std::conditional_t<has_turns, std::unique_ptr<Turn>, Nothing> turn;
+    bool is_rolled_back : 1;
+    /// If it is no flip, but a velocity change.
+    [[no_unique_address]] std::conditional_t<has_contacts, std::unique_ptr<Velocity_change>,
+                                             Nothing>
+        change;
   };
 
   /// What the order of events needs to know of one.
@@ -102,9 +104,9 @@ class Window_log {
     std::uint32_t first_number = 0;  ///< of its events
     std::size_t numbers = 0;         ///< how many there are for its events
     std::size_t before = 0;          ///< events in windows before, since stamps were cleared
-    std::vector<Flip> flips = {};
-    std::vector<Key> keys = {};  ///< of the flips
-    bool has_undone = false;     ///< whether one of them is rolled back
+    std::vector<Record> records = {};
+    std::vector<Key> keys = {};    ///< of the records
+    bool has_rolled_back = false;  ///< whether one of them is rolled back
   };
 
   /// The others must outlive this object.
@@ -118,8 +120,8 @@ class Window_log {
   void go_on_with_division();
   Node& node(std::size_t number) { return nodes_[number]; }
   std::vector<Node>& nodes() { return nodes_; }
-  /// Makes room for turns of points whose ids are less than `ids`.
-  void make_room(std::size_t ids) { last_turns_.resize(ids, 0); }
+  /// Makes room for velocity changes of points whose ids are less than `ids`.
+  void make_room(std::size_t ids) { last_changes_.resize(ids, 0); }
   /// Whether the numbers of a node, of at most so many events in a window, may not be enough.
   static bool are_numbers_spent(const Node& node, std::size_t most) {
     const std::size_t left = node.numbers - node.before;
@@ -127,8 +129,8 @@ class Window_log {
   }
   /// All stamps have been cleared.
   void start_numbers();
-  /// Forgets which points have turned.
-  void end_turns();
+  /// Forgets which points have other motions.
+  void forget_changes();
   /// Forgets the events of a node, whose numbers are used, when its window has been closed.
   void clear(Node& node);
   /// Forgets everything.
@@ -146,31 +148,33 @@ class Window_log {
     const Node& node = node_of(stamp);
     return node.keys[index_of(stamp) - node.before];
   }
-  Flip& flip(Stamp stamp) { return flip(key(stamp)); }
-  Flip& flip(const Key& key) { return nodes_[key.node].flips[key.index]; }
-  static bool is_turn(const Key& key) {
+  Record& record(Stamp stamp) { return record(key(stamp)); }
+  Record& record(const Key& key) { return nodes_[key.node].records[key.index]; }
+  static bool is_contact(const Key& key) {
     return key.kind == Event_kind::wall || key.kind == Event_kind::collision;
   }
 
   // ---- records ----
 
   /// Makes the record of a flip that is about to be executed.
-  Flip& start_flip(Node& node, const Two_sided_edge& edge);
+  Record& start_flip(Node& node, const Two_sided_edge& edge);
   /// Gives the last record of the node its key, and returns its number. If this does not throw, the
   /// event must be executed.
   Stamp add_key(Node& node, const Double_interval& bounds, Event_kind kind);
-  /// Makes the record of a turn, and takes it; if something throws before, the caller still has it.
-  Stamp add_turn(Node& node, std::unique_ptr<Turn>&& turn, const Moment& moment, Event_kind kind);
-  /// Notes that the points of a turn have turned.
-  void note_turn(Turn& turn, Stamp number);
-  /// Notes that a turn has been rolled back.
-  void forget_turn(const Turn& turn);
-  /// Whether a point has turned in this window.
-  bool has_turned(Point_id id) const { return last_turns_[id] != 0; }
+  /// Makes the record of a velocity change, and takes it; if something throws before, the caller
+  /// still has it.
+  Stamp add_change(Node& node, std::unique_ptr<Velocity_change>&& change, const Moment& moment,
+                   Event_kind kind);
+  /// Notes that the points of a velocity change have got their motions.
+  void note_change(Velocity_change& change, Stamp number);
+  /// Notes that a velocity change has been rolled back.
+  void forget_change(const Velocity_change& change);
+  /// Whether a point has got another motion in this window.
+  bool has_changed(Point_id id) const { return last_changes_[id] != 0; }
 
-  /// Makes faces, motions and stamps what they were just before a flip, or a turn, that is the last
-  /// one of its faces. Leaves the queue as it is, and takes no memory.
-  void roll_back(Flip& flip);
+  /// Makes faces, motions and stamps what they were just before a flip, or a velocity change, that
+  /// is the last one of its faces. Leaves the queue as it is, and takes no memory.
+  void roll_back(Record& record);
   /// Rolls everything back, the last events first.
   void roll_back_all();
 
@@ -199,15 +203,15 @@ class Window_log {
 
   // ---- motions of other times ----
 
-  /// Gives the points of a turn the motions after it, or before it.
-  void set_motions(const Turn& turn, bool are_after);
-  /// Gives the points the motions that they had when the window began: observers are told of turns
-  /// one after the other.
-  void go_back_in_turns();
+  /// Gives the points of a velocity change the motions after it, or before it.
+  void set_motions(const Velocity_change& change, bool are_after);
+  /// Gives the points the motions that they had when the window began: observers are told of
+  /// velocity changes one after the other.
+  void restore_motions();
   /// Gives the points of an event the motions after it.
   void go_through(const Key& key) {
-    if constexpr (has_turns) {
-      if (is_turn(key)) set_motions(*flip(key).turn, true);
+    if constexpr (has_contacts) {
+      if (is_contact(key)) set_motions(*record(key).change, true);
     }
   }
 
@@ -223,15 +227,15 @@ class Window_log {
 
   /// Calls `function` with each face that an event has written.
   template <class Function>
-  static void for_each_written_face(const Flip& flip, const Function& function) {
-    if constexpr (has_turns) {
-      if (flip.turn) {
-        for (const auto& [face, stamp] : flip.turn->faces) function(face);
+  static void for_each_written_face(const Record& record, const Function& function) {
+    if constexpr (has_contacts) {
+      if (record.change) {
+        for (const auto& [face, stamp] : record.change->faces) function(face);
         return;
       }
     }
-    function(flip.face);
-    function(flip.neighbor);
+    function(record.face);
+    function(record.neighbor);
   }
 
  private:
@@ -260,7 +264,7 @@ class Window_log {
   Region_division& division_;
   std::vector<Node> nodes_;
   std::vector<Key> order_;
-  std::vector<Stamp> last_turns_;  // by point: the last turn of the window, or 0
+  std::vector<Stamp> last_changes_;  // by point: the last change of the window, or 0
 };
 
 }  // namespace kinetri::detail

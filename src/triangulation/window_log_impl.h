@@ -15,8 +15,8 @@ namespace kinetri::detail {
 
 // ---- nodes ----
 
-template <class Traits, bool has_turns>
-void Window_log<Traits, has_turns>::go_on_with_division() {
+template <class Traits, bool has_contacts>
+void Window_log<Traits, has_contacts>::go_on_with_division() {
   nodes_.resize(division_.nodes());
   for (std::size_t number = 0; number < nodes_.size(); ++number) {
     Node& node = nodes_[number];
@@ -27,46 +27,47 @@ void Window_log<Traits, has_turns>::go_on_with_division() {
   }
 }
 
-template <class Traits, bool has_turns>
-void Window_log<Traits, has_turns>::start_numbers() {
+template <class Traits, bool has_contacts>
+void Window_log<Traits, has_contacts>::start_numbers() {
   for (Node& node : nodes_) division_.flips[node.number] = node.before = 0;
 }
 
-template <class Traits, bool has_turns>
-void Window_log<Traits, has_turns>::end_turns() {
-  if constexpr (has_turns) {
+template <class Traits, bool has_contacts>
+void Window_log<Traits, has_contacts>::forget_changes() {
+  if constexpr (has_contacts) {
     for (const Node& node : nodes_) {
-      for (const Flip& flip : node.flips) {
-        if (!flip.turn) continue;
-        for (const Point_id id : flip.turn->turned_points()) last_turns_[id] = 0;
+      for (const Record& record : node.records) {
+        if (!record.change) continue;
+        for (const Point_id id : record.change->changed_points()) last_changes_[id] = 0;
       }
     }
   }
 }
 
-template <class Traits, bool has_turns>
-void Window_log<Traits, has_turns>::clear(Node& node) {
-  node.before += node.flips.size();
+template <class Traits, bool has_contacts>
+void Window_log<Traits, has_contacts>::clear(Node& node) {
+  node.before += node.records.size();
   division_.flips[node.number] = node.before;
-  node.flips.clear();
+  node.records.clear();
   node.keys.clear();
-  node.has_undone = false;
+  node.has_rolled_back = false;
 }
 
-template <class Traits, bool has_turns>
-void Window_log<Traits, has_turns>::reset() {
+template <class Traits, bool has_contacts>
+void Window_log<Traits, has_contacts>::reset() {
   nodes_.clear();
   order_.clear();
-  std::ranges::fill(last_turns_, 0);
+  std::ranges::fill(last_changes_, 0);
 }
 
 // ---- records ----
 
-template <class Traits, bool has_turns>
-auto Window_log<Traits, has_turns>::start_flip(Node& node, const Two_sided_edge& edge) -> Flip& {
+template <class Traits, bool has_contacts>
+auto Window_log<Traits, has_contacts>::start_flip(Node& node, const Two_sided_edge& edge)
+    -> Record& {
   const auto [face, i] = edge.here;
   const auto [neighbor, j] = edge.there;
-  Flip& f = node.flips.emplace_back();
+  Record& f = node.records.emplace_back();
   const Vertex_handle right = face->vertex(Triangulation::ccw(i));
   const Vertex_handle left = face->vertex(Triangulation::cw(i));
   f.corners = {right->point().id(), left->point().id(), face->vertex(i)->point().id(),
@@ -81,46 +82,47 @@ auto Window_log<Traits, has_turns>::start_flip(Node& node, const Two_sided_edge&
   return f;
 }
 
-template <class Traits, bool has_turns>
-auto Window_log<Traits, has_turns>::add_key(Node& node, const Double_interval& bounds,
-                                            Event_kind kind) -> Stamp {
-  const std::size_t index = node.flips.size() - 1;
+template <class Traits, bool has_contacts>
+auto Window_log<Traits, has_contacts>::add_key(Node& node, const Double_interval& bounds,
+                                               Event_kind kind) -> Stamp {
+  const std::size_t index = node.records.size() - 1;
   const double reached = index > 0 ? node.keys.back().reached : bounds.lower;
   node.keys.push_back({bounds, std::max(reached, bounds.lower), static_cast<std::uint32_t>(index),
                        node.number, kind});
   return stamp(node, index);
 }
 
-template <class Traits, bool has_turns>
-auto Window_log<Traits, has_turns>::add_turn(Node& node, std::unique_ptr<Turn>&& turn,
-                                             const Moment& moment, Event_kind kind) -> Stamp {
-  Flip& f = node.flips.emplace_back();
+template <class Traits, bool has_contacts>
+auto Window_log<Traits, has_contacts>::add_change(Node& node,
+                                                  std::unique_ptr<Velocity_change>&& change,
+                                                  const Moment& moment, Event_kind kind) -> Stamp {
+  Record& f = node.records.emplace_back();
   f.exact = std::make_unique<Time>(*moment.exact);
-  f.turn = std::move(turn);
+  f.change = std::move(change);
   return add_key(node, moment.bounds, kind);
 }
 
-template <class Traits, bool has_turns>
-void Window_log<Traits, has_turns>::note_turn(Turn& turn, Stamp number) {
-  const Points turned = turn.turned_points();
-  for (std::size_t k = 0; k < turned.size(); ++k) {
-    turn.previous[k] = std::exchange(last_turns_[turned[k]], number);
+template <class Traits, bool has_contacts>
+void Window_log<Traits, has_contacts>::note_change(Velocity_change& change, Stamp number) {
+  const Points changed = change.changed_points();
+  for (std::size_t k = 0; k < changed.size(); ++k) {
+    change.previous[k] = std::exchange(last_changes_[changed[k]], number);
   }
 }
 
-template <class Traits, bool has_turns>
-void Window_log<Traits, has_turns>::forget_turn(const Turn& turn) {
-  const Points turned = turn.turned_points();
-  for (std::size_t k = 0; k < turned.size(); ++k) last_turns_[turned[k]] = turn.previous[k];
+template <class Traits, bool has_contacts>
+void Window_log<Traits, has_contacts>::forget_change(const Velocity_change& change) {
+  const Points changed = change.changed_points();
+  for (std::size_t k = 0; k < changed.size(); ++k) last_changes_[changed[k]] = change.previous[k];
 }
 
-template <class Traits, bool has_turns>
-void Window_log<Traits, has_turns>::roll_back(Flip& f) {
-  f.is_undone = true;
-  if constexpr (has_turns) {
-    if (f.turn) {
-      set_motions(*f.turn, false);
-      for (const auto& [face, stamp] : f.turn->faces) face->set_stamp(stamp);
+template <class Traits, bool has_contacts>
+void Window_log<Traits, has_contacts>::roll_back(Record& f) {
+  f.is_rolled_back = true;
+  if constexpr (has_contacts) {
+    if (f.change) {
+      set_motions(*f.change, false);
+      for (const auto& [face, stamp] : f.change->faces) face->set_stamp(stamp);
       return;
     }
   }
@@ -145,11 +147,11 @@ void Window_log<Traits, has_turns>::roll_back(Flip& f) {
 
 // Events of nodes of one level do not conflict. The record of an event that has not been executed
 // has no key.
-template <class Traits, bool has_turns>
-void Window_log<Traits, has_turns>::roll_back_all() {
+template <class Traits, bool has_contacts>
+void Window_log<Traits, has_contacts>::roll_back_all() {
   const auto roll_back_in = [this](Node& node) {
-    for (std::size_t k = std::min(node.flips.size(), node.keys.size()); k-- > 0;) {
-      if (!node.flips[k].is_undone) roll_back(node.flips[k]);
+    for (std::size_t k = std::min(node.records.size(), node.keys.size()); k-- > 0;) {
+      if (!node.records[k].is_rolled_back) roll_back(node.records[k]);
     }
   };
   std::for_each(nodes_.rbegin(), nodes_.rend(), roll_back_in);
@@ -157,9 +159,9 @@ void Window_log<Traits, has_turns>::roll_back_all() {
 
 // ---- times ----
 
-template <class Traits, bool has_turns>
-auto Window_log<Traits, has_turns>::time(const Key& key) -> const Time& {
-  Flip& f = flip(key);
+template <class Traits, bool has_contacts>
+auto Window_log<Traits, has_contacts>::time(const Key& key) -> const Time& {
+  Record& f = record(key);
   if (!f.exact) {
     f.exact =
         std::make_unique<Time>(certification_.failure_time(certificate_points(key), key.bounds));
@@ -168,10 +170,10 @@ auto Window_log<Traits, has_turns>::time(const Key& key) -> const Time& {
 }
 
 // As Certification::points said it then.
-template <class Traits, bool has_turns>
-auto Window_log<Traits, has_turns>::certificate_points(const Key& key) -> Certificate_points {
+template <class Traits, bool has_contacts>
+auto Window_log<Traits, has_contacts>::certificate_points(const Key& key) -> Certificate_points {
   const Stamp number = stamp(nodes_[key.node], key.index);
-  const Flip& f = flip(key);
+  const Record& f = record(key);
   const auto point = [&](std::size_t k) { return &point_at(f.corners[k], number); };
   return {Entry_kind::flip, {point(0), point(1), point(2), point(3)}};
 }
@@ -179,34 +181,34 @@ auto Window_log<Traits, has_turns>::certificate_points(const Key& key) -> Certif
 // ---- motions of other times ----
 
 // A point with the motion that it had at a flip of the window.
-template <class Traits, bool has_turns>
-auto Window_log<Traits, has_turns>::point_at(Point_id id, Stamp flip) -> const Point_2& {
-  if constexpr (has_turns) {
+template <class Traits, bool has_contacts>
+auto Window_log<Traits, has_contacts>::point_at(Point_id id, Stamp flip) -> const Point_2& {
+  if constexpr (has_contacts) {
     const Point_2* result = nullptr;
-    for (Stamp number = last_turns_[id]; number != 0;) {
-      const Turn& turn = *this->flip(number).turn;
-      const std::size_t k = turn.turned[0] == id ? 0 : 1;
-      if (number < flip) return result == nullptr ? turn.after[k] : *result;
-      result = &turn.before[k];
-      number = turn.previous[k];
+    for (Stamp number = last_changes_[id]; number != 0;) {
+      const Velocity_change& change = *record(number).change;
+      const std::size_t k = change.changed[0] == id ? 0 : 1;
+      if (number < flip) return result == nullptr ? change.after[k] : *result;
+      result = &change.before[k];
+      number = change.previous[k];
     }
     if (result != nullptr) return *result;
   }
   return topology_.vertex(id)->point();
 }
 
-template <class Traits, bool has_turns>
-void Window_log<Traits, has_turns>::set_motions(const Turn& turn, bool are_after) {
-  for (std::size_t k = 0; k < 2 && turn.turned[k] != no_point; ++k) {
-    topology_.vertex(turn.turned[k])->set_point(are_after ? turn.after[k] : turn.before[k]);
+template <class Traits, bool has_contacts>
+void Window_log<Traits, has_contacts>::set_motions(const Velocity_change& change, bool are_after) {
+  for (std::size_t k = 0; k < 2 && change.changed[k] != no_point; ++k) {
+    topology_.vertex(change.changed[k])->set_point(are_after ? change.after[k] : change.before[k]);
   }
 }
 
-template <class Traits, bool has_turns>
-void Window_log<Traits, has_turns>::go_back_in_turns() {
-  if constexpr (has_turns) {
+template <class Traits, bool has_contacts>
+void Window_log<Traits, has_contacts>::restore_motions() {
+  if constexpr (has_contacts) {
     for (auto key = order_.rbegin(); key != order_.rend(); ++key) {
-      if (is_turn(*key)) set_motions(*flip(*key).turn, false);
+      if (is_contact(*key)) set_motions(*record(*key).change, false);
     }
   }
 }
@@ -215,9 +217,10 @@ void Window_log<Traits, has_turns>::go_back_in_turns() {
 
 // Slices are made by lower bounds; since bounds may overlap, the first events of a slice may then
 // go further to the front.
-template <class Traits, bool has_turns>
+template <class Traits, bool has_contacts>
 template <class For_each>
-void Window_log<Traits, has_turns>::put_in_order(std::size_t per_slice, const For_each& for_each) {
+void Window_log<Traits, has_contacts>::put_in_order(std::size_t per_slice,
+                                                    const For_each& for_each) {
   order_.clear();
   std::size_t size = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -258,8 +261,8 @@ void Window_log<Traits, has_turns>::put_in_order(std::size_t per_slice, const Fo
 }
 
 // The keys of a node that reach from the beginning of a slice on, but not its end.
-template <class Traits, bool has_turns>
-auto Window_log<Traits, has_turns>::keys_in(const Node& node, const Slice& slice)
+template <class Traits, bool has_contacts>
+auto Window_log<Traits, has_contacts>::keys_in(const Node& node, const Slice& slice)
     -> std::span<const Key> {
   const auto first = std::ranges::lower_bound(node.keys, slice.least, {}, &Key::reached);
   const auto last = std::ranges::lower_bound(first, node.keys.end(), slice.end, {}, &Key::reached);
@@ -267,24 +270,26 @@ auto Window_log<Traits, has_turns>::keys_in(const Node& node, const Slice& slice
 }
 
 // How many events of a slice are not rolled back.
-template <class Traits, bool has_turns>
-std::size_t Window_log<Traits, has_turns>::count_keys(const Slice& slice) const {
+template <class Traits, bool has_contacts>
+std::size_t Window_log<Traits, has_contacts>::count_keys(const Slice& slice) const {
   std::size_t result = 0;
   for (const Node& node : nodes_) {
     const std::span<const Key> keys = keys_in(node, slice);
     result += keys.size();
-    if (!node.has_undone) continue;
-    const auto is_undone = [&](const Key& key) { return node.flips[key.index].is_undone; };
-    result -= static_cast<std::size_t>(std::ranges::count_if(keys, is_undone));
+    if (!node.has_rolled_back) continue;
+    const auto is_rolled_back = [&](const Key& key) {
+      return node.records[key.index].is_rolled_back;
+    };
+    result -= static_cast<std::size_t>(std::ranges::count_if(keys, is_rolled_back));
   }
   return result;
 }
 
 // Writes the keys of a slice of events that are not rolled back to `keys`, nearly in order: through
 // as many buckets, of equal shares of the slice's width.
-template <class Traits, bool has_turns>
-void Window_log<Traits, has_turns>::distribute(const Slice& slice, double width,
-                                               std::span<Key> keys) const {
+template <class Traits, bool has_contacts>
+void Window_log<Traits, has_contacts>::distribute(const Slice& slice, double width,
+                                                  std::span<Key> keys) const {
   const auto count = static_cast<double>(keys.size());
   const auto bucket_of = [&](const Key& key) {
     const double bucket = (key.reached - slice.least) / width * count;
@@ -293,7 +298,7 @@ void Window_log<Traits, has_turns>::distribute(const Slice& slice, double width,
   const auto for_each_key = [&](const auto& function) {
     for (const Node& node : nodes_) {
       for (const Key& key : keys_in(node, slice)) {
-        if (!node.has_undone || !node.flips[key.index].is_undone) function(key);
+        if (!node.has_rolled_back || !node.records[key.index].is_rolled_back) function(key);
       }
     }
   };
@@ -305,8 +310,8 @@ void Window_log<Traits, has_turns>::distribute(const Slice& slice, double width,
 
 // Puts each key after those that it does not precede. Gives up, and returns false, where too many
 // are in the way.
-template <class Traits, bool has_turns>
-bool Window_log<Traits, has_turns>::insert_in_order(std::span<Key> keys) {
+template <class Traits, bool has_contacts>
+bool Window_log<Traits, has_contacts>::insert_in_order(std::span<Key> keys) {
   std::size_t steps = 8 * keys.size();
   for (std::size_t k = 1; k < keys.size(); ++k) {
     const std::size_t moved = insert_in_order(keys, k);
@@ -318,9 +323,9 @@ bool Window_log<Traits, has_turns>::insert_in_order(std::span<Key> keys) {
 
 // Puts a key after those of the keys before it, which are in order, that it does not precede.
 // Returns how many it precedes.
-template <class Traits, bool has_turns>
-inline std::size_t Window_log<Traits, has_turns>::insert_in_order(std::span<Key> keys,
-                                                                  std::size_t k) {
+template <class Traits, bool has_contacts>
+inline std::size_t Window_log<Traits, has_contacts>::insert_in_order(std::span<Key> keys,
+                                                                     std::size_t k) {
   if (k == 0 || keys[k - 1].bounds.upper < keys[k].bounds.lower) return 0;
   const Key key = keys[k];
   std::size_t to = k;

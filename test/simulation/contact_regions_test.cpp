@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "kinetri/simulation/simulation_2.h"
-#include "simulation/contact_turns.h"
+#include "simulation/contact_events.h"
 #include "support/contact_region_runs.h"
 #include "support/multiplier.h"
 

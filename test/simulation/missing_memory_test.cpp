@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "kinetri/simulation/simulation_2.h"
-#include "simulation/contact_turns.h"
+#include "simulation/contact_events.h"
 #include "support/live_bytes.h"
 #include "support/motions.h"
 #include "support/multiplier.h"

@@ -14,7 +14,7 @@
 
 #include "kinetri/simulation/scenarios.h"
 #include "kinetri/simulation/simulation_2.h"
-#include "simulation/contact_turns.h"
+#include "simulation/contact_events.h"
 #include "support/contact_region_runs.h"
 
 namespace kinetri::region_decisions_test {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "kinetri/simulation/simulation_2.h"
-#include "simulation/contact_turns.h"
+#include "simulation/contact_events.h"
 
 namespace kinetri::simulation_threads_test {
 namespace {

@@ -15,7 +15,7 @@
 
 #include "kinetri/simulation/recording.h"
 #include "kinetri/simulation/simulation_2.h"
-#include "simulation/contact_turns.h"
+#include "simulation/contact_events.h"
 #include "support/region_runs.h"
 
 namespace kinetri::test {

@@ -23,7 +23,7 @@
 #include "kinetri/io/event_log.h"
 #include "kinetri/io/motion_log.h"
 #include "kinetri/simulation/simulation_2.h"
-#include "simulation/contact_turns.h"
+#include "simulation/contact_events.h"
 #include "support/region_runs.h"
 
 namespace kinetri {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Runs by regions of a simulation, contacts and all, as the simulation sees them. They are defined
-// in src/simulation/contact_turns.cpp, for the library's own traits.
+// in src/simulation/contact_events.cpp, for the library's own traits.
 #ifndef KINETRI_IMPL_SIMULATION_CONTACT_RUNS_H
 #define KINETRI_IMPL_SIMULATION_CONTACT_RUNS_H
 

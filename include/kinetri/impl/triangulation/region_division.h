@@ -89,10 +89,18 @@ struct Region_division {
   /// The region that owns a vertex. The infinite vertex has the id no_point.
   std::uint16_t owner(Point_id id) const { return id < owners.size() ? owners[id] : no_region; }
 
+  /// Whether a node of this level owns a vertex.
+  bool owns(std::size_t node, unsigned level, Point_id id) const {
+    return std::size_t{owner(id)} >> level == node - first_node(level);
+  }
   /// How many nodes the tree has.
   std::size_t nodes() const { return std::max<std::size_t>(2 * regions - 1, 2); }
-  /// How many parts a queue has, as docs/PARALLEL.md says.
+  /// How many parts a queue has, as docs/PARALLEL.md says: one for each node, then these two kinds.
   std::size_t parts() const { return 3 * nodes() - 1 - regions; }
+  /// The part of what a node, which is not the root, has deferred.
+  std::size_t deferred_part(std::size_t node) const { return nodes() + node; }
+  /// The part of what a union of regions has to execute in a window.
+  std::size_t due_part(std::size_t node) const { return 2 * nodes() - 1 + node - regions; }
   /// The first node of a level; regions are the level 0.
   std::size_t first_node(unsigned level) const { return 2 * regions - ((2 * regions) >> level); }
   /// The level of a node.

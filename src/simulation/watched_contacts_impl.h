@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Contact_turns.
-#ifndef KINETRI_SRC_SIMULATION_CONTACT_TURNS_IMPL_H
-#define KINETRI_SRC_SIMULATION_CONTACT_TURNS_IMPL_H
+// Definitions of Watched_contacts.
+#ifndef KINETRI_SRC_SIMULATION_WATCHED_CONTACTS_IMPL_H
+#define KINETRI_SRC_SIMULATION_WATCHED_CONTACTS_IMPL_H
 
 #include <algorithm>
 #include <map>
@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "kinetri/impl/base/check.h"
-#include "simulation/contact_turns.h"
+#include "simulation/watched_contacts.h"
 
 namespace kinetri::detail {
 
 template <class Traits>
-bool Contact_turns<Traits>::can_run(const Core& core) {
+bool Watched_contacts<Traits>::can_run(const Core& core) {
   const Simulation_options& options = core.setup.options();
   return options.max_contacts_per_instant > 0 &&
          (!options.response || options.response_is_pure || is_pure(options.response)) &&
@@ -24,12 +24,11 @@ bool Contact_turns<Traits>::can_run(const Core& core) {
          !core.kinetic().reporter.observers().any_of(
              [](const Event_observer& observer) { return observer.looks_at_triangulation(); });
 }
-
 // ---- the queue ----
 
 template <class Traits>
 template <class In_parallel>
-void Contact_turns<Traits>::divide(std::size_t count, const In_parallel& in_parallel) {
+void Watched_contacts<Traits>::divide(std::size_t count, const In_parallel& in_parallel) {
   using Subject = Contact_subject;
   constexpr Point_id points_per_block = 2048;
   struct Block {
@@ -38,17 +37,17 @@ void Contact_turns<Traits>::divide(std::size_t count, const In_parallel& in_para
     std::vector<Subject> changes = {};
   };
   std::vector<Block> blocks;
-  const Point_id ids = geometry_->number_of_ids();
+  const Point_id ids = geometry_.number_of_ids();
   for (Point_id first = 0; first < ids; first += points_per_block) {
     blocks.push_back({first, std::min(ids, first + points_per_block)});
   }
   Block& of_changes = blocks.emplace_back(Block{ids, ids});
   queue().for_each([&](const Entry& entry) {
-    if (!is_contact(entry)) of_changes.changes.push_back(entry.subject());
+    if (!is_contact(entry.kind)) of_changes.changes.push_back(entry.subject());
   });
   const auto for_each_subject = [this](const Block& block, const auto& function) {
     for (Point_id id = block.first; id < block.last; ++id) {
-      const auto* const contacts = records_->find(id);
+      const auto* const contacts = records_.find(id);
       if (contacts == nullptr) continue;
       if (contacts->wall_event != no_event) function(Subject{Contact_kind::wall, id, no_point});
       for (const auto& [other, event] : contacts->partners) {
@@ -59,14 +58,8 @@ void Contact_turns<Traits>::divide(std::size_t count, const In_parallel& in_para
   };
   queue().distribute(count, blocks, for_each_subject, in_parallel);
 }
-
 template <class Traits>
-std::array<Point_id, 2> Contact_turns<Traits>::points(const Entry& entry) {
-  return {entry.point_a, entry.kind == Contact_kind::collision ? entry.point_b : no_point};
-}
-
-template <class Traits>
-auto Contact_turns<Traits>::pair(const Edge_ids& pair) -> Entry {
+auto Watched_contacts<Traits>::pair(const Edge_ids& pair) -> Entry {
   Entry result;
   result.kind = Contact_kind::collision;
   result.point_a = pair[0];
@@ -74,80 +67,76 @@ auto Contact_turns<Traits>::pair(const Edge_ids& pair) -> Entry {
   result.is_edge = true;
   return result;
 }
-
 template <class Traits>
 template <class Function>
-void Contact_turns<Traits>::for_each_handle(Point_id id, const Function& function) const {
-  const auto* const contacts = records_->find(id);
+void Watched_contacts<Traits>::for_each_handle(Point_id id, const Function& function) const {
+  const auto* const contacts = records_.find(id);
   if (contacts == nullptr) return;
   if (contacts->wall_event != no_event) function(contacts->wall_event);
   if (!has_pairs()) return;
   for (const auto& partner : contacts->partners) function(partner.event);
 }
-
 // ---- contacts ----
 
 template <class Traits>
-auto Contact_turns<Traits>::changes(const Entry& entry, const Time& now) const
+auto Watched_contacts<Traits>::changes(const Entry& entry, const Time& now) const
     -> std::vector<Change> {
   std::vector<Change> result;
   // A radius that shrinks ends at another time then.
   const auto is_for_loop = [this](Point_id id) {
-    const auto* const contacts = records_->find(id);
+    const auto* const contacts = records_.find(id);
     return passing_.contains(id) || (contacts != nullptr && contacts->vanish_event != no_event);
   };
   if (std::ranges::any_of(points(entry), is_for_loop)) return result;
   try {
-    result = core_->outcomes.changes(entry, now);
+    result = core_.outcomes.changes(entry, now);
   } catch (...) {
-    return {};  // the plain loop throws it again, in its turn
+    return {};  // the sequential loop throws it again, in its turn
   }
   if (std::ranges::any_of(result, [](const Change& change) { return !change.motion; })) return {};
   return result;
 }
-
 template <class Traits>
-auto Contact_turns<Traits>::certificate(const Entry& entry, const Time& after,
-                                        Certificate_counters& counters) const
+auto Watched_contacts<Traits>::certificate(const Entry& entry, const Time& after,
+                                           Certificate_counters& counters) const
     -> std::pair<Entry, Certificate> {
   if (entry.kind == Contact_kind::wall) {
-    return schedule_->first_wall(entry.point_a, after, counters);
+    return schedule_.first_wall(entry.point_a, after, counters);
   }
   std::pair<Entry, Certificate> result = {
-      entry, geometry_->traits().contact_certificate(geometry_->point(entry.point_a),
-                                                     geometry_->point(entry.point_b),
-                                                     core_->setup.diameter(), after)};
+      entry, geometry_.traits().contact_certificate(geometry_.point(entry.point_a),
+                                                    geometry_.point(entry.point_b),
+                                                    core_.setup.diameter(), after)};
   counters.count(result.second);
   return result;
 }
-
 template <class Traits>
 template <class Put>
-void Contact_turns<Traits>::for_each_contact(Points points, const Time& now,
-                                             Certificate_counters& counters, const Put& put) const {
+void Watched_contacts<Traits>::for_each_contact(Points points, const Time& now,
+                                                Certificate_counters& counters,
+                                                const Put& put) const {
   const auto put_both = [&put](std::pair<Entry, Certificate>&& contact) {
     put(contact.first, std::move(contact.second));
   };
-  if (core_->setup.has_box()) {
-    for (const Point_id id : points) put_both(schedule_->first_wall(id, now, counters));
+  if (core_.setup.has_box()) {
+    for (const Point_id id : points) put_both(schedule_.first_wall(id, now, counters));
   }
   if (!has_pairs()) return;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Point_id id = points[k];
-    geometry_->for_each_neighbor(id, [&](Point_id other) {
+    geometry_.for_each_neighbor(id, [&](Point_id other) {
       if (is_one(points.first(k), other)) return;
       put_both(certificate(pair(edge_ids(id, other)), now, counters));
     });
   }
 }
-
 template <class Traits>
-bool Contact_turns<Traits>::certify(const std::array<Point_id, 2>& points, Points turned,
-                                    const Time& now, Certificate_counters& counters,
-                                    std::vector<std::pair<Entry, Certificate>>& result) const {
+bool Watched_contacts<Traits>::certify(const Pair& points, Points changed, const Time& now,
+                                       Certificate_counters& counters,
+                                       std::vector<std::pair<Entry, Certificate>>& result) const {
   bool may_go_on = true;
   bool are_neighbors = points[1] == no_point || !has_pairs();
-  for_each_contact(turned, now, counters, [&](const Entry& entry, Certificate&& known) {
+  for_each_contact(changed, now, counters, [&](const Entry& entry, Certificate&& known) {
     if (entry.kind == Contact_kind::collision) {
       if (is_one(points, entry.point_a) && is_one(points, entry.point_b)) {
         are_neighbors = true;
@@ -160,61 +149,57 @@ bool Contact_turns<Traits>::certify(const std::array<Point_id, 2>& points, Point
   if (!has_pairs()) return true;
   if constexpr (has_radii) {
     // Discs that have a place of this one in their power cells; see Disc_geometry::owners_in.
-    for (const Point_id id : turned) {
+    for (const Point_id id : changed) {
       for (const Point_id partner : points) {
         if (partner == id || partner == no_point) continue;
         if (is_centre_in(id, partner, now)) may_go_on = false;
-        geometry_->for_each_neighbor(partner, [&](Point_id other) {
+        geometry_.for_each_neighbor(partner, [&](Point_id other) {
           if (!is_one(points, other) && do_meet(id, other, now)) may_go_on = false;
         });
       }
     }
   }
   for (const Point_id id : points) {
-    if (id == no_point || is_one(turned, id)) continue;
-    geometry_->for_each_neighbor(id, [&](Point_id other) {
+    if (id == no_point || is_one(changed, id)) continue;
+    geometry_.for_each_neighbor(id, [&](Point_id other) {
       if (!is_one(points, other) && do_meet(id, other, now)) may_go_on = false;
     });
   }
   return may_go_on && are_neighbors;
 }
-
 template <class Traits>
-bool Contact_turns<Traits>::do_meet(Point_id a, Point_id b, const Time& now) const {
-  return geometry_->may_touch(a, b, geometry_->traits(), now);
+bool Watched_contacts<Traits>::do_meet(Point_id a, Point_id b, const Time& now) const {
+  return geometry_.may_touch(a, b, geometry_.traits(), now);
 }
-
 // Whether the centre of a disc is in another one.
 template <class Traits>
-bool Contact_turns<Traits>::is_centre_in(Point_id id, Point_id other, const Time& now) const {
-  auto centre = geometry_->point(id).motion();
+bool Watched_contacts<Traits>::is_centre_in(Point_id id, Point_id other, const Time& now) const {
+  auto centre = geometry_.point(id).motion();
   if constexpr (has_radii) centre.radius = centre.growth = 0;
-  return geometry_->traits().do_touch(typename Traits::Point_2(centre, id), geometry_->point(other),
-                                      core_->setup.diameter(), now);
+  return geometry_.traits().do_touch(typename Traits::Point_2(centre, id), geometry_.point(other),
+                                     core_.setup.diameter(), now);
 }
-
 // ---- windows ----
 
 template <class Traits>
-bool Contact_turns<Traits>::begin_window(double begin) {
-  scheduled_ = schedule_->number_of_changes();
-  records_->make_room(geometry_->number_of_ids());
+bool Watched_contacts<Traits>::begin_window(double begin) {
+  scheduled_ = schedule_.number_of_changes();
+  records_.make_room(geometry_.number_of_ids());
   if (!has_pairs()) return true;
-  if (has_radii && (core_->triangulation.number_of_hidden_points() > 0 || !have_areas())) {
+  if (has_radii && (core_.triangulation.number_of_hidden_points() > 0 || !have_areas())) {
     return false;
   }
   // Two that have just touched are apart at the next event, if they are not now.
   const Time first(begin);
-  if (drop_overlaps(std::max(first, geometry_->current_time()))) return true;
+  if (drop_overlaps(std::max(first, geometry_.current_time()))) return true;
   put_passes_back();
   return false;
 }
-
 // Whether all radii are positive, unless for a moment. Only changes that are no contacts make one
 // 0.
 template <class Traits>
-bool Contact_turns<Traits>::have_areas() {
-  const auto& triangulation = core_->triangulation;
+bool Watched_contacts<Traits>::have_areas() {
+  const auto& triangulation = core_.triangulation;
   const auto& events = triangulation.counters().events;
   const std::uint64_t changes = events[static_cast<std::size_t>(Event_kind::insert)] +
                                 events[static_cast<std::size_t>(Event_kind::trajectory)];
@@ -230,18 +215,17 @@ bool Contact_turns<Traits>::have_areas() {
   }
   return have_areas_;
 }
-
 // Forgets the overlaps that are over at a time up to which nothing happens. Returns whether all of
 // them are.
 template <class Traits>
-bool Contact_turns<Traits>::drop_overlaps(const Time& time) {
-  for (Point_id id = 0; id < records_->size(); ++id) {
-    const std::vector<Disc_overlap> overlaps = records_->overlaps(id);
+bool Watched_contacts<Traits>::drop_overlaps(const Time& time) {
+  for (Point_id id = 0; id < records_.size(); ++id) {
+    const std::vector<Disc_overlap> overlaps = records_.overlaps(id);
     for (const auto& [other, passes, is_edge] : overlaps) {
-      if (geometry_->contains(id) && geometry_->contains(other) && do_meet(id, other, time)) {
+      if (geometry_.contains(id) && geometry_.contains(other) && do_meet(id, other, time)) {
         return false;
       }
-      tracker_->end_overlap(id, other);
+      tracker_.end_overlap(id, other);
       if (!passes) continue;
       passes_.push_back({id, other});
       passing_.insert({id, other});
@@ -249,33 +233,31 @@ bool Contact_turns<Traits>::drop_overlaps(const Time& time) {
   }
   return true;
 }
-
 template <class Traits>
-void Contact_turns<Traits>::put_passes_back() {
+void Watched_contacts<Traits>::put_passes_back() {
   for (const auto& [a, b] : passes_) {
-    tracker_->start_pass(a, b, geometry_->is_edge({a, b}));
+    tracker_.start_pass(a, b, geometry_.is_edge({a, b}));
   }
   passes_.clear();
   passing_.clear();
 }
-
 template <class Traits>
-void Contact_turns<Traits>::end_turn(const std::array<Point_id, 2>& points) {
+void Watched_contacts<Traits>::end_contact(const Pair& points) {
   const auto [a, b] = points;
-  if (b == no_point || !do_meet(a, b, geometry_->current_time())) return;
-  tracker_->start_overlap(a, b, geometry_->is_edge({a, b}));
+  if (b == no_point || !do_meet(a, b, geometry_.current_time())) return;
+  tracker_.start_overlap(a, b, geometry_.is_edge({a, b}));
 }
 
 template <class Traits>
-void Contact_turns<Traits>::end_window() {
+void Watched_contacts<Traits>::end_window() {
   put_passes_back();
-  KINETRI_PRECONDITION(schedule_->number_of_changes() == scheduled_,
+  KINETRI_PRECONDITION(schedule_.number_of_changes() == scheduled_,
                        "an observer that does not look at the triangulation has scheduled a "
                        "change; let its looks_at_triangulation() return true");
 }
 
 template <class Traits>
-void Contact_turns<Traits>::start_anew() {
+void Watched_contacts<Traits>::start_anew() {
   // By number: one that was being moved to another part may be in both.
   std::map<Point_id, std::pair<Entry, Time>> changes;
   for (std::size_t p = 0; p < queue().number_of_parts(); ++p) {
@@ -286,43 +268,24 @@ void Contact_turns<Traits>::start_anew() {
     });
   }
   queue().clear();
-  records_->for_each([](Contact_record& record) {
+  records_.for_each([](Contact_record& record) {
     record.wall_event = record.vanish_event = no_event;
     record.partners.clear();
   });
   for (auto& [number, change] : changes) {
     auto& [entry, time] = change;
     const Queue_handle handle = queue().push(entry, std::move(time));
-    schedule_->policy().set_handle(entry.subject(), handle);
+    schedule_.policy().set_handle(entry.subject(), handle);
   }
   for (const auto& [a, b] : passes_) {
-    records_->start_overlap(a, b, geometry_->is_edge({a, b}));
-    records_->mark_passing(a, b, true);
+    records_.start_overlap(a, b, geometry_.is_edge({a, b}));
+    records_.mark_passing(a, b, true);
   }
   passes_.clear();
   passing_.clear();
-  tracker_->find_all();
-  core_->schedule_all();
+  tracker_.find_all();
+  core_.schedule_all();
 }
-
-template <class Traits>
-void Contact_turns<Traits>::count(std::uint64_t contacts) {
-  core_->counters.instants += contacts;
-  core_->counters.most_at_one_time =
-      std::max<std::uint64_t>(core_->counters.most_at_one_time, contacts > 0 ? 1 : 0);
-}
-
-template <class Traits>
-void Contact_turns<Traits>::count(const Certificate_counters& counted) {
-  schedule_->certificate_counters() += counted;
-}
-
-template <class Traits>
-void Contact_turns<Traits>::count(const Discarded& discarded) {
-  core_->counters.discarded_walls += discarded.walls;
-  core_->counters.discarded_collisions += discarded.collisions;
-}
-
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_SRC_SIMULATION_CONTACT_TURNS_IMPL_H
+#endif  // KINETRI_SRC_SIMULATION_WATCHED_CONTACTS_IMPL_H

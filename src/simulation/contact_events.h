@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Contacts in windows of time (docs/PARALLEL.md): which of them a node executes, and how they are
+// rolled back.
+#ifndef KINETRI_SRC_SIMULATION_CONTACT_EVENTS_H
+#define KINETRI_SRC_SIMULATION_CONTACT_EVENTS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/ids.h"
+#include "kinetri/simulation/simulation_2.h"
+#include "simulation/watched_contacts.h"
+#include "triangulation/edge_events.h"
+#include "triangulation/regions.h"
+
+namespace kinetri::detail {
+
+/// The entries of contacts and scheduled changes of a simulation, for windows of time. Functions
+/// that are given a process may be called by several threads, for different nodes of one level.
+///
+/// Owns, of each process, the counts of its contacts, and which points have contacts that wait for
+/// a node above. Invariant, in a window: each watched contact that may come has one entry, in
+/// whatever part, whose handle the records of its points have; between two windows nothing waits.
+template <class Traits>
+class Contact_events {
+ public:
+  static constexpr bool exist = true;
+  using Watch = Watched_contacts<Traits>;
+  using Core = typename Watch::Core;    ///< of the simulation
+  using Entry = typename Watch::Entry;  ///< of the queue of contacts and changes
+  using Queue = typename Watch::Queue;  ///< that queue
+  using Part = typename Watch::Part;    ///< of the queue
+  using Time = typename Watch::Time;    ///< of contacts
+  using Edges = Edge_events<Traits, true>;
+  using Log = Window_log<Traits, true>;
+  using Moment = typename Log::Moment;
+  using Record = typename Log::Record;
+  using Process = Logical_process<Traits, true>;
+  using Two_sided_edge = typename Edges::Two_sided_edge;
+  using Face_handle = typename Edges::Face_handle;
+  using Points = typename Watch::Points;  ///< some points
+
+  /// A contact that a process may execute.
+  struct Candidate {
+    Entry entry = {};
+    Moment moment = {};
+    std::unique_ptr<typename Log::Velocity_change> change = {};
+
+    Points points() const {
+      return Points(change->points).first(change->points[1] == no_point ? 1 : 2);
+    }
+  };
+
+  /// The others must outlive this object.
+  Contact_events(Core& core, Edges& edges, Log& log)
+      : core_(core),
+        topology_(core.kinetic().topology),
+        certification_(core.kinetic().certification),
+        records_(core.records),
+        schedule_(core.schedule),
+        watch_(core),
+        edges_(edges),
+        log_(log) {}
+  static Kinetic_core<Traits>& kinetic(Core& core) { return core.kinetic(); }
+
+  // ---- what they are ----
+
+  /// Whether contacts can be executed in windows.
+  bool can_run() const { return Watch::can_run(core_); }
+  /// Whether discs have contacts.
+  bool has_pairs() const { return watch_.has_pairs(); }
+
+  // ---- the sequential loop ----
+
+  /// Whether something of the queue is due up to a time.
+  bool settle(const Time& until) {
+    schedule_.settle();
+    return !queue().empty() &&
+           queue().is_due(queue().top(), until.interval(), [&]() -> const Time& { return until; });
+  }
+  /// Executes the events of the next time, of the triangulation too. Returns their number.
+  std::size_t run_instant(const Time& until) { return core_.loop.step(&until); }
+  /// Executes all events up to a time.
+  void run_to(const Time& until, const std::function<bool()>& may_go_on) {
+    core_.loop.run_to(until, may_go_on);
+  }
+
+  // ---- entries ----
+
+  Queue& queue() { return schedule_.queue(); }  ///< of all entries
+  Part& part(const Process& process) { return *of(process).part; }
+  /// Whether it is a contact whose certificate is to be checked again.
+  static bool is_recheck(const Entry& entry) { return is_contact(entry.kind) && !entry.is_event; }
+  /// Whether what an entry says is for the sequential loop.
+  static bool is_for_loop(const Entry& entry) { return !is_contact(entry.kind); }
+  /// Distributes the entries, as Divided_scheduler::distribute says.
+  template <class In_parallel>
+  void divide(std::size_t count, const In_parallel& in_parallel) {
+    watch_.divide(count, in_parallel);
+  }
+  /// Takes up the nodes of the division.
+  void take_up(std::span<const Process> processes);
+  /// Certifies a contact anew whose entry, which says when, has left its part.
+  void recheck(Process& process, std::span<const Entry> entries);
+  /// Leaves the first entry of the process to the node above.
+  void defer(Process& process);
+  /// Notes that an entry waits for a node above. This saves rollbacks, and decides nothing.
+  void note_blocked(Process& process, const Entry& entry);
+
+  // ---- a contact ----
+
+  /// Precondition: !is_for_loop(entry); the entry is the first one of the process.
+  Candidate candidate(Process& process, const Entry& entry);
+  /// Whether the process, whose first entry it is, may execute the contact, if it is for a window.
+  bool may_execute(Process& process, Candidate& candidate);
+  /// Calls `function` with the faces at the points, and those beside them.
+  template <class Function>
+  void for_each_surrounding_face(const Candidate& candidate, const Function& function) const;
+  /// Whether the entry is still the first one of the process.
+  bool is_first(const Process& process, const Candidate& candidate) {
+    const auto handle = [this](const Entry& e) { return schedule_.policy().handle(e.subject()); };
+    return handle(part(process).top()) == handle(candidate.entry);
+  }
+  /// Executes a contact. Returns false, with the triangulation as it was, if it is for a node above
+  /// or the sequential loop.
+  bool execute(Process& process, Candidate& candidate);
+  /// Rolls a contact back, at the time `now`, that is the last event of its faces, and makes its
+  /// entries anew.
+  void roll_back(Process& process, Record& record, const Time& now);
+
+  // ---- flips ----
+
+  /// Whether a contact that waits is before a flip and near it: of the edge's pair, or else of one
+  /// of the four points.
+  bool blocks(const Process& process, const typename Edges::Candidate& flip);
+  /// Whether two discs that have touched in this window still do, and have to keep their edge.
+  bool keeps(const Two_sided_edge& edge, Moment& moment);
+  /// Schedules the contact of the edge that a flip has added, in place of the one removed.
+  void follow_flip(Process& process, const Record& flip, Moment& moment);
+  /// The other way round, for a flip that is rolled back, at the time `now`. A contact at that time
+  /// is seen from that time on.
+  void unfollow_flip(Process& process, const Record& flip, const Time& now);
+
+  // ---- windows ----
+
+  /// Whether a window may begin, up to whose beginning nothing happens; makes it ready.
+  bool begin_window(double begin) { return watch_.begin_window(begin); }
+  /// Makes room for what a window notes of points.
+  void make_room();
+  /// What observers are told of a contact, but for its number and time.
+  Event event(const typename Log::Key& key);
+  /// Counts contacts, each without another event at its time.
+  void count(std::uint64_t contacts);
+  /// To be called after each window: notes what the sequential loop is to know of its contacts.
+  void end_window();
+  /// Finds overlaps and schedules contacts anew, at any time between two events. Keeps the changes
+  /// that are scheduled.
+  void start_anew();
+
+ private:
+  using Types = Topology<Traits>;
+  using Triangulation = typename Types::Triangulation;
+  using Vertex_handle = typename Types::Vertex_handle;
+  using Point_2 = typename Types::Point_2;
+  using Velocity_change = typename Log::Velocity_change;
+  using Change = typename Types::Change;
+
+  // Of one process. Vectors are memory that is used again for each contact.
+  struct alignas(64) State {
+    Part* part = nullptr;  // whose entries it executes
+    Certificate_counters certificates = {};
+    std::uint64_t discarded_walls = 0;
+    std::uint64_t discarded_collisions = 0;
+    std::vector<Point_id> blocked = {};  // points of contacts that it has deferred
+    std::vector<Two_sided_edge> edges = {};
+    std::vector<std::tuple<Two_sided_edge, Entry_kind, Certificate>> edge_certificates = {};
+    std::vector<std::pair<Entry, Certificate>> contact_certificates = {};
+    std::vector<Queue_handle> handles = {};
+
+    void count_discarded(const Entry& entry) {
+      if (!entry.is_event) return;
+      ++(entry.kind == Contact_kind::wall ? discarded_walls : discarded_collisions);
+    }
+  };
+
+  State& of(const Process& process) { return states_[process.number]; }
+
+  void put(const Process& process, Entry entry, Certificate&& known);
+  Entry take(Queue_handle handle);
+  template <class Function>
+  void take_all(Process& process, Points points, const Function& function);
+
+  bool is_blocked(Process& process, const Candidate& candidate);
+  bool is_point_blocked(Point_id id, const Double_interval& bounds) const {
+    return id < blocked_from_.size() && blocked_from_[id] <= bounds.upper;
+  }
+  template <class Exact>
+  bool waits_before(Queue_handle handle, const Process& process, const Double_interval& bounds,
+                    const Exact& exact);
+
+  bool set_points(Velocity_change& change, std::span<const Change> changes, Moment& moment);
+  bool certify(Process& process, const Velocity_change& change, const Moment& moment);
+  void record(Process& process, Candidate&& candidate);
+  template <class Function>
+  void for_each_face_around(Points points, const Function& function) const;
+  std::span<const Two_sided_edge> edges_around(State& state, Points points) const;
+
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  Core& core_;
+  Topology<Traits>& topology_;
+  const Certification<Traits>& certification_;
+  Contact_records& records_;
+  Contact_schedule<Traits>& schedule_;
+  Watch watch_;
+  Edges& edges_;
+  Log& log_;
+  std::vector<State> states_;  // of the processes, by their numbers
+  // Of each point: a time up to which no contact of it waits for a node above.
+  std::vector<double> blocked_from_;
+};
+
+/// A run of a simulation by regions.
+template <class Traits>
+auto region_run_of(Simulation_2<Traits>& simulation, const Region_options& options = {}) {
+  return Region_run<Traits, Contact_events<Traits>>(Core_access::core(simulation), options);
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_SIMULATION_CONTACT_EVENTS_H

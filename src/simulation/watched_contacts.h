@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which contacts are watched in a window of time (docs/PARALLEL.md). These are those of the pairs
+// of discs with an edge between them, and no others. That is enough as long as no two discs meet
+// but those that have just touched: else a disc that meets two could be between them (docs/MATH.md,
+// section 17). Two discs *meet* if they overlap or, where they have radii of their own, touch. So a
+// window begins where no discs meet; a contact after which a disc meets another one than that which
+// it touched is left to the sequential loop; and where a window ends, the pairs that still meet are
+// noted, as the sequential loop does at each contact. Pairs that a response has let pass, and that
+// have parted, are put aside for a window, since the sequential loop knows of them up to the next
+// contact of one of the two, which is left to it.
+//
+// Discs that pass through each other (log_contact) overlap for long, so that no window could begin:
+// the sequential loop runs. It also executes contacts that erase discs.
+//
+// Discs with radii of their own may be inside of others, and hidden. Here all radii are positive;
+// no disc is hidden; and the centre of a disc that gets another velocity is in its own power cell,
+// since it is in no other disc. Two that meet keep their edge: its flip is left to the sequential
+// loop.
+#ifndef KINETRI_SRC_SIMULATION_WATCHED_CONTACTS_H
+#define KINETRI_SRC_SIMULATION_WATCHED_CONTACTS_H
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "kinetri/base/ids.h"
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri::detail {
+
+/// The contacts of a simulation that windows watch, and their certificates. Const functions may be
+/// called by several threads.
+///
+/// Owns the pairs that are put aside. Invariant: between two windows none is; in a window no two
+/// discs meet but those that have just touched.
+template <class Traits>
+class Watched_contacts {
+ public:
+  using Core = Simulation_core<Traits>;                    ///< of the simulation
+  using Entry = Contact_entry;                             ///< of the queue of contacts and changes
+  using Queue = typename Contact_schedule<Traits>::Queue;  ///< that queue
+  using Part = typename Queue::Part;                       ///< of the queue
+  using Time = Algebraic_number;                           ///< of contacts
+  using Change = Point_change<typename Traits::Motion>;    ///< of a point
+  using Points = std::span<const Point_id>;                ///< some points
+  using Pair = std::array<Point_id, 2>;                    ///< of a contact; no_point is a wall
+
+  /// The simulation must outlive this object.
+  explicit Watched_contacts(Core& core)
+      : core_(core),
+        geometry_(core.geometry),
+        records_(core.records),
+        schedule_(core.schedule),
+        tracker_(core.tracker) {}
+
+  /// Whether contacts can be executed in windows: of walls, and of discs whose response may be
+  /// called at any time, by any thread, and is not log_contact or erase_both.
+  static bool can_run(const Core& core);
+  /// Whether discs have contacts.
+  bool has_pairs() const { return core_.setup.has_response(); }
+  /// Whether discs that meet keep their edge in a window.
+  bool keep_edges() const { return has_radii && has_pairs(); }
+
+  // ---- entries ----
+
+  Queue& queue() { return schedule_.queue(); }  ///< of all entries
+  /// Distributes the entries, as Divided_scheduler::distribute says.
+  template <class In_parallel>
+  void divide(std::size_t count, const In_parallel& in_parallel);
+  /// The points of a contact.
+  static Pair points(const Entry& entry) {
+    return {entry.point_a, entry.kind == Contact_kind::collision ? entry.point_b : no_point};
+  }
+  /// The contact of a pair of discs.
+  static Entry pair(const Edge_ids& pair);
+  /// Calls `function` with the handles of all contacts of a point that change it.
+  template <class Function>
+  void for_each_handle(Point_id id, const Function& function) const;
+
+  // ---- contacts ----
+
+  /// Whether two discs meet just after `now`, or true if unsure.
+  bool do_meet(Point_id a, Point_id b, const Time& now) const;
+  /// The new motions that a contact at `now` gives its points. None if what it does is for the
+  /// sequential loop, which may throw then. Changes nothing.
+  std::vector<Change> changes(const Entry& entry, const Time& now) const;
+  /// The entry of what the given one is about, and its certificate after a time.
+  std::pair<Entry, Certificate> certificate(const Entry& entry, const Time& after,
+                                            Certificate_counters& counters) const;
+  /// Calls put(entry, certificate) with all contacts of points that may have some in a window, one
+  /// or two points, from `now` on: those with walls, and those of their edges.
+  template <class Put>
+  void for_each_contact(Points points, const Time& now, Certificate_counters& counters,
+                        const Put& put) const;
+  /// Makes the certificates of points that have changed at `now`, in a contact of `points`. Returns
+  /// false if discs meet that have not just touched, or may do so unnoticed.
+  bool certify(const Pair& points, Points changed, const Time& now, Certificate_counters& counters,
+               std::vector<std::pair<Entry, Certificate>>& result) const;
+
+  // ---- windows ----
+
+  /// Whether a window may begin, up to whose beginning nothing happens; makes it ready.
+  bool begin_window(double begin);
+  /// Notes what the sequential loop is to know of a contact of the window that has ended.
+  void end_contact(const Pair& points);
+  /// To be called after each window.
+  void end_window();
+  /// Finds overlaps and schedules contacts anew, at any time between two events. Keeps the changes
+  /// that are scheduled.
+  void start_anew();
+
+  /// Whether a point is one of some.
+  static bool is_one(Points some, Point_id id) { return std::ranges::find(some, id) != some.end(); }
+
+ private:
+  static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
+
+  bool is_centre_in(Point_id id, Point_id other, const Time& now) const;
+  bool have_areas();
+  bool drop_overlaps(const Time& time);
+  void put_passes_back();
+
+  Core& core_;
+  const Disc_geometry<Traits>& geometry_;
+  Contact_records& records_;
+  Contact_schedule<Traits>& schedule_;
+  Overlap_tracker<Traits>& tracker_;
+  std::uint32_t scheduled_ = 0;                // changes before the window
+  std::vector<Edge_ids> passes_ = {};          // put aside
+  std::unordered_set<Point_id> passing_ = {};  // their points
+  bool have_areas_ = false;                    // whether all radii are positive
+  std::optional<std::uint64_t> changes_ = {};  // how many there had been when that was so
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_SIMULATION_WATCHED_CONTACTS_H

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The failures of edges in a window of time: which of them a node executes, a flip, and how it is
+// rolled back. docs/PARALLEL.md has the contract.
+#ifndef KINETRI_SRC_TRIANGULATION_EDGE_EVENTS_H
+#define KINETRI_SRC_TRIANGULATION_EDGE_EVENTS_H
+
+#include <span>
+#include <utility>
+
+#include "kinetri/impl/triangulation/kinetic_core.h"
+#include "triangulation/logical_process.h"
+
+namespace kinetri::detail {
+
+/// The entries of edges and hidden points. Functions that are given a process may be called by
+/// several threads, for different nodes of one level.
+///
+/// Owns nothing: the queue is that of the triangulation, the records are in the log, counts in the
+/// process. Invariant, of the window: an edge has the handle of its entry in its two faces, in
+/// whatever part that is; `execute` and `roll_back` leave entries for the five edges of a flip.
+template <class Traits, bool has_contacts>
+class Edge_events {
+ public:
+  using Types = Topology<Traits>;
+  using Time = typename Types::Time;
+  using Edge = typename Types::Edge;
+  using Face_handle = typename Types::Face_handle;
+  using Two_sided_edge = typename Types::Two_sided_edge;
+  using Entry = typename Schedule<Traits>::Entry;
+  using Queue = typename Schedule<Traits>::Queue;
+  using Part = typename Queue::Part;
+  using Log = Window_log<Traits, has_contacts>;
+  using Moment = typename Log::Moment;
+  using Record = typename Log::Record;
+  using Process = Logical_process<Traits, has_contacts>;
+
+  /// An entry that a process may execute.
+  struct Candidate {
+    Entry entry;
+    Two_sided_edge edge;
+    Moment moment;
+  };
+
+  /// The others must outlive this object.
+  Edge_events(Kinetic_core<Traits>& core, Log& log)
+      : topology_(core.topology),
+        certification_(core.certification),
+        schedule_(core.schedule),
+        log_(log) {}
+
+  // ---- entries ----
+
+  Queue& queue() { return schedule_.queue(); }
+  Part& part(const Process& process) const { return *process.edges; }
+  static bool is_recheck(const Entry& entry) { return entry.kind == Entry_kind::recheck; }
+  /// Whether what an entry says is for the sequential loop.
+  static bool is_for_loop(const Entry& entry) {
+    return entry.kind == Entry_kind::coincidence || entry.is_hidden();
+  }
+  /// Certifies the edges of entries that have left their part anew, from the time of the first on.
+  void recheck(Process& process, std::span<const Entry> entries);
+  /// Certifies edges that have no entries from `after` on, and schedules them.
+  void certify(Process& process, std::span<const Two_sided_edge> edges, const Time& after);
+  /// Schedules an edge that has no entry.
+  KINETRI_ALWAYS_INLINE void put(const Process& process, const Two_sided_edge& edge,
+                                 Entry_kind kind, Certificate&& known);
+  /// Takes the entry of an edge out of the queue, if there is one.
+  void discard(Process& process, Queue_handle handle);
+  /// Leaves the first entry of the process to the node above.
+  void defer(const Process& process) {
+    queue().move_first(process.from, schedule_.division().deferred_part(process.number));
+  }
+  /// Whether an entry at an edge of a face waits in another part than that of the process, one of a
+  /// window, and is not later than what has these bounds, and the time exact().
+  template <class Exact>
+  bool waits_before(Face_handle face, const Process& process, const Double_interval& bounds,
+                    const Exact& exact);
+
+  // ---- a flip ----
+
+  /// Precondition: !is_for_loop(entry).
+  Candidate candidate(Process& process, const Entry& entry) const;
+  /// Whether the process, whose first entry it is, may flip the edge, if it flips any.
+  bool may_execute(const Process& process, const Candidate& candidate);
+  /// Calls `function` with the faces beside those of the edge.
+  template <class Function>
+  void for_each_surrounding_face(const Candidate& candidate, const Function& function) const;
+  /// Whether the entry is still the first one of the process.
+  bool is_first(const Process& process, const Candidate& candidate) const {
+    const auto handle = [this](const Entry& e) { return schedule_.policy().handle(e.subject()); };
+    return handle(process.edges->top()) == handle(candidate.entry);
+  }
+  /// Whether the sequential loop flips the edge, and does nothing else.
+  bool is_flip(Candidate& candidate) const;
+  /// Flips the edge of the first entry of the process, as Updates::flip does, and keeps what is
+  /// needed to roll it back; the exact time only after keep_time.
+  Record& execute(Process& process, Candidate& candidate);
+  /// Keeps the exact time of a flip that has been executed, if it has been made.
+  void keep_time(Record& record, Candidate& candidate) const;
+  /// Rolls a flip back that is the last one of its faces, and makes its entries anew.
+  void roll_back(Process& process, Record& record);
+  /// Schedules edges whose quadrilaterals are there again.
+  void certify_again(Process& process, std::span<const Two_sided_edge> edges);
+
+  /// Whether a point and all its neighbors are in the node of a process, so that it is not at the
+  /// hull.
+  bool owns_star(const Process& process, Point_id id) const;
+  /// Whether points are hidden in a face.
+  static bool hides_points(Face_handle face) {
+    if constexpr (Types::is_weighted) return !face->vertex_list().empty();
+    return false;
+  }
+
+ private:
+  using Triangulation = typename Types::Triangulation;
+  using Point_2 = typename Types::Point_2;
+
+  // Puts what Certification::certify makes.
+  struct Put_certificate {
+    Edge_events& events;
+    const Process& process;
+
+    KINETRI_ALWAYS_INLINE void operator()(const Two_sided_edge& edge, Entry_kind kind,
+                                          Certificate&& known) const {
+      events.put(process, edge, kind, std::move(known));
+    }
+  };
+
+  bool is_blocked(const Process& process, const Candidate& candidate);
+  bool is_convex(const Candidate& candidate) const;
+  const Time& birth(const Two_sided_edge& edge);
+
+  Topology<Traits>& topology_;
+  const Certification<Traits>& certification_;
+  Schedule<Traits>& schedule_;
+  Log& log_;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_TRIANGULATION_EDGE_EVENTS_H

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Edge_events.
+#ifndef KINETRI_SRC_TRIANGULATION_EDGE_EVENTS_IMPL_H
+#define KINETRI_SRC_TRIANGULATION_EDGE_EVENTS_IMPL_H
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "kinetri/impl/triangulation/incident.h"
+#include "kinetri/impl/triangulation/prefetch.h"
+#include "triangulation/edge_events.h"
+
+namespace kinetri::detail {
+
+// ---- entries ----
+
+template <class Traits, bool has_contacts>
+void Edge_events<Traits, has_contacts>::recheck(Process& process, std::span<const Entry> entries) {
+  process.counters.rechecks += entries.size();
+  const Entry& first = entries.front();
+  if constexpr (Types::is_weighted) {
+    // In the part of the root, whose entries are taken one by one.
+    if (first.is_hidden()) {
+      return schedule_.schedule_hidden(first.hidden, Time(first.bounds.lower));
+    }
+  }
+  std::array<Two_sided_edge, 2> edges;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    edges[k] = topology_.two_sided(entries[k].edge());
+  }
+  certify(process, std::span(edges).first(entries.size()), Time(first.bounds.lower));
+}
+
+template <class Traits, bool has_contacts>
+void Edge_events<Traits, has_contacts>::certify(Process& process,
+                                                std::span<const Two_sided_edge> edges,
+                                                const Time& after) {
+  certification_.certify(edges, after, Certificate_state::any, process.certificates,
+                         Put_certificate{*this, process});
+}
+
+template <class Traits, bool has_contacts>
+KINETRI_ALWAYS_INLINE void Edge_events<Traits, has_contacts>::put(const Process& process,
+                                                                  const Two_sided_edge& edge,
+                                                                  Entry_kind kind,
+                                                                  Certificate&& known) {
+  if (known.kind == Certificate::Kind::never_fails) return topology_.set_event(edge, no_event);
+  Part* part = process.edges;
+  Queue_handle first_handle = process.first_handle;
+  if (!(known.bounds.lower <= process.due_until)) {
+    const std::size_t home = schedule_.policy().part_of({edge.here});
+    part = &queue().part(home);
+    first_handle = queue().named(home, 0);
+  }
+  const Queue_handle handle = known.failure == nullptr ? part->emplace(edge.here, kind, known)
+                                                       : part->push(Entry(edge.here, kind, known),
+                                                                    std::move(*known.failure));
+  topology_.set_event(edge, first_handle | handle);
+}
+
+template <class Traits, bool has_contacts>
+inline void Edge_events<Traits, has_contacts>::discard(Process& process, Queue_handle handle) {
+  if (handle == no_event) return;
+  const Entry_kind kind = queue().erase(handle).kind;
+  if (kind != Entry_kind::recheck) {
+    ++process.counters.discarded[static_cast<std::size_t>(event_kind_of(kind))];
+  }
+}
+
+template <class Traits, bool has_contacts>
+template <class Exact>
+inline bool Edge_events<Traits, has_contacts>::waits_before(Face_handle face,
+                                                            const Process& process,
+                                                            const Double_interval& bounds,
+                                                            const Exact& exact) {
+  const Queue_handle first_of_window = queue().named(schedule_.division().nodes(), 0);
+  const auto is_of_window = [&](Queue_handle handle) {
+    return static_cast<Queue_handle>(handle - first_of_window) < no_event - first_of_window;
+  };
+  if (!is_of_window(face->event(0)) && !is_of_window(face->event(1)) &&
+      !is_of_window(face->event(2))) {
+    return false;
+  }
+  const auto waits = [&](Queue_handle handle) {
+    if (!is_of_window(handle)) return false;
+    const Part& part = queue().part(queue().part_of_handle(handle));
+    if (&part == process.edges) return false;
+    const Entry& other = queue()[handle];
+    if (other.bounds.lower > bounds.upper) return false;
+    return other.bounds.upper < bounds.lower || part.time_of(other) <= exact();
+  };
+  return waits(face->event(0)) || waits(face->event(1)) || waits(face->event(2));
+}
+
+// ---- before a flip ----
+
+template <class Traits, bool has_contacts>
+auto Edge_events<Traits, has_contacts>::candidate(Process& process, const Entry& entry) const
+    -> Candidate {
+  const Two_sided_edge edge = topology_.two_sided(entry.edge());
+  Candidate result = {entry, edge, {certification_.points(edge), entry.bounds, std::nullopt}};
+  if (entry.time != Time_pool::none) result.moment.exact = process.edges->time_of(entry);
+  return result;
+}
+
+// The ends of the edge are in the node, since the entry is one of its own.
+template <class Traits, bool has_contacts>
+bool Edge_events<Traits, has_contacts>::may_execute(const Process& process,
+                                                    const Candidate& candidate) {
+  if (process.is_root) return true;
+  const auto owns_corner = [&](const Edge& side) {
+    return schedule_.division().owns(process.number, process.level,
+                                     side.first->vertex(side.second)->point().id());
+  };
+  const auto& [entry, edge, moment] = candidate;
+  return entry.kind == Entry_kind::flip && owns_corner(edge.here) && owns_corner(edge.there) &&
+         !is_blocked(process, candidate);
+}
+
+// Whether another entry in the surroundings waits and is not later. (Entries of the process come
+// after this one, those of nodes' parts after the window. What waits there was deferred by this
+// node, or is due in a node above.)
+template <class Traits, bool has_contacts>
+bool Edge_events<Traits, has_contacts>::is_blocked(const Process& process,
+                                                   const Candidate& candidate) {
+  const auto exact = [&]() -> const Time& { return process.edges->time(process.edges->top()); };
+  const auto is_face_blocked = [&](Face_handle face) {
+    return waits_before(face, process, candidate.entry.bounds, exact);
+  };
+  for (const Edge& side : {candidate.edge.here, candidate.edge.there}) {
+    const auto& [face, i] = side;
+    if (is_face_blocked(face) || is_face_blocked(face->neighbor(Triangulation::cw(i))) ||
+        is_face_blocked(face->neighbor(Triangulation::ccw(i)))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <class Traits, bool has_contacts>
+template <class Function>
+void Edge_events<Traits, has_contacts>::for_each_surrounding_face(const Candidate& candidate,
+                                                                  const Function& function) const {
+  for (const Edge& side : {candidate.edge.here, candidate.edge.there}) {
+    const auto& [face, i] = side;
+    function(face->neighbor(Triangulation::cw(i)));
+    function(face->neighbor(Triangulation::ccw(i)));
+  }
+}
+
+template <class Traits, bool has_contacts>
+bool Edge_events<Traits, has_contacts>::owns_star(const Process& process, Point_id id) const {
+  const auto owns = [&](Point_id point) {
+    return schedule_.division().owns(process.number, process.level, point);
+  };
+  bool result = owns(id);
+  if (!result) return false;
+  for_each_face_at(topology_.triangulation(), topology_.vertex(id), [&](Face_handle face, int i) {
+    result = result && owns(face->vertex(Triangulation::ccw(i))->point().id());
+  });
+  return result;
+}
+
+// Of points with weights some are hidden instead, and of the flat triangles at the hull some only
+// touch it, and some take a reconstruction; see Decisions.
+template <class Traits, bool has_contacts>
+bool Edge_events<Traits, has_contacts>::is_flip(Candidate& candidate) const {
+  auto& [entry, edge, moment] = candidate;
+  if (hides_points(edge.here.first) || hides_points(edge.there.first)) return false;
+  if (entry.kind == Entry_kind::flip) {
+    const bool may_touch =
+        Types::is_weighted && !topology_.are_weights_equal() && !entry.changes_sign;
+    return !may_touch && is_convex(candidate);
+  }
+  const auto now = [this, &moment = moment]() -> const Time& { return log_.time(moment); };
+  return Decisions<Traits>(certification_).decide(entry, edge, moment.bounds, now).action ==
+         Action::flip;
+}
+
+// Whether the quadrilateral of an edge is certainly strictly convex just before and just after its
+// in-circle certificate fails. Without weights it always is.
+template <class Traits, bool has_contacts>
+bool Edge_events<Traits, has_contacts>::is_convex(const Candidate& candidate) const {
+  if constexpr (Types::is_weighted) {
+    if (topology_.are_weights_equal()) return true;
+    const auto is_left_turn = [&](const Point_2& p, const Point_2& q, const Point_2& r) {
+      return certification_.traits().certain_turn(p, q, r, candidate.moment.bounds) ==
+             CGAL::LEFT_TURN;
+    };
+    const auto& [face, i] = candidate.edge.here;
+    const auto& [neighbor, j] = candidate.edge.there;
+    const Point_2& p = face->vertex(Triangulation::cw(i))->point();
+    const Point_2& q = face->vertex(Triangulation::ccw(i))->point();
+    return is_left_turn(neighbor->vertex(j)->point(), p, face->vertex(i)->point()) &&
+           is_left_turn(face->vertex(i)->point(), q, neighbor->vertex(j)->point());
+  }
+  return true;
+}
+
+// ---- a flip ----
+
+template <class Traits, bool has_contacts>
+auto Edge_events<Traits, has_contacts>::execute(Process& process, Candidate& candidate) -> Record& {
+  auto& [entry, edge, moment] = candidate;
+  process.edges->pop();
+  auto outer = topology_.outer_edges(edge);
+  for (const auto& [here, there] : outer) {
+    prefetch(there.first->vertex(there.second));
+    queue().prefetch(there.first->event(there.second));
+  }
+  Record& record = log_.start_flip(*process.log, edge);
+  for (const auto& [here, there] : outer) discard(process, here.first->event(here.second));
+  // Nothing throws from here to the flip.
+  const auto number = log_.add_key(*process.log, moment.bounds, event_kind_of(entry.kind));
+  record.face->set_stamp(number);
+  record.neighbor->set_stamp(number);
+  const Two_sided_edge added = topology_.flip(edge, outer);
+  const auto now = [this, &moment = moment]() -> const Time& { return log_.time(moment); };
+  const Double_interval bounds = moment.exact ? moment.exact->interval() : moment.bounds;
+  certification_.certify_after_flip(added, outer, bounds, now, process.certificates,
+                                    Put_certificate{*this, process});
+  return record;
+}
+
+template <class Traits, bool has_contacts>
+void Edge_events<Traits, has_contacts>::keep_time(Record& record, Candidate& candidate) const {
+  auto& [entry, edge, moment] = candidate;
+  if (entry.kind != Entry_kind::flip) log_.time(moment);
+  if (moment.exact) record.exact = std::make_unique<Time>(std::move(*moment.exact));
+}
+
+// Then the surroundings are what they were just before it.
+template <class Traits, bool has_contacts>
+void Edge_events<Traits, has_contacts>::roll_back(Process& process, Record& record) {
+  const auto erase = [this](Face_handle face, int k) {
+    if (face->event(k) != no_event) queue().erase(face->event(k));
+  };
+  const int i = record.i;
+  const int j = record.j;
+  for (int k = 0; k < 3; ++k) erase(record.face, k);
+  erase(record.neighbor, j);
+  erase(record.neighbor, Triangulation::cw(j));
+  log_.roll_back(record);
+  const Two_sided_edge edge = {Edge(record.face, i), Edge(record.neighbor, j)};
+  const auto outer = topology_.outer_edges(edge);
+  certify_again(process, std::array{edge, outer[0], outer[1], outer[2], outer[3]});
+}
+
+// What fails first after a quadrilateral was born does so whenever one looks. From a later time on
+// one would not see what fails at that time.
+template <class Traits, bool has_contacts>
+void Edge_events<Traits, has_contacts>::certify_again(Process& process,
+                                                      std::span<const Two_sided_edge> edges) {
+  for (const Two_sided_edge& edge : edges) certify(process, {&edge, 1}, birth(edge));
+}
+
+// When a quadrilateral was born, or the present time, at which the window begins, if that is later.
+template <class Traits, bool has_contacts>
+auto Edge_events<Traits, has_contacts>::birth(const Two_sided_edge& edge) -> const Time& {
+  const Time* result = &schedule_.current_time();
+  for (const Face_handle face : {edge.here.first, edge.there.first}) {
+    if (!log_.is_of_window(face->stamp())) continue;
+    const Time& last = log_.time(log_.key(face->stamp()));
+    if (last > *result) result = &last;
+  }
+  return *result;
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_TRIANGULATION_EDGE_EVENTS_IMPL_H

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What executes the events of a node of the tree of regions in a window of time.
+#ifndef KINETRI_SRC_TRIANGULATION_LOGICAL_PROCESS_H
+#define KINETRI_SRC_TRIANGULATION_LOGICAL_PROCESS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "kinetri/impl/triangulation/schedule.h"
+#include "triangulation/window_log.h"
+
+namespace kinetri::detail {
+
+/// The state of one node, a region or a union of regions, which one thread writes: where its
+/// entries are, its log, and counts.
+///
+/// Invariant: what it executes is in the part `from` of each queue; its records are in `log`.
+template <class Traits, bool has_contacts>
+struct alignas(64) Logical_process {
+  std::size_t number = 0;  ///< of the node
+  unsigned level = 0;      ///< of the node; regions are 0
+  bool is_root = false;
+  std::size_t from = 0;                                     ///< the part of its entries
+  typename Schedule<Traits>::Queue::Part* edges = nullptr;  ///< that part of the queue of edges
+  Queue_handle first_handle = 0;                            ///< of the part, as the queue names it
+  /// New entries whose bounds begin at or before this go to the part `from`; others to where they
+  /// belong between two windows. All of a region do; none of a union that does not execute now.
+  double due_until = -std::numeric_limits<double>::infinity();
+  typename Window_log<Traits, has_contacts>::Node* log = nullptr;  ///< of its events
+  std::size_t most_events = 0;  ///< that it may have in a window, if there are numbers
+  std::size_t capacity = 0;     ///< how many it may have in this window
+  Certificate_counters certificates = {};
+  Triangulation_counters counters = {};
+  std::uint64_t rolled_back = 0;  ///< events
+
+  bool is_region() const { return level == 0; }
+  /// Whether it may execute another event in this window.
+  bool has_room() const { return log->records.size() < capacity; }
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_TRIANGULATION_LOGICAL_PROCESS_H

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A window of time, executed by optimistic parallel discrete-event simulation: region by region,
+// each region in its own order, by several threads; then, in unions of two regions, of four, and so
+// on, the events that concern several regions; and then all are reported in the order of time. What
+// has come too early is rolled back. docs/PARALLEL.md has the terms, the contract and the
+// invariants; docs/MATH.md, section 17, proves that the result is that of the sequential loop.
+#ifndef KINETRI_SRC_TRIANGULATION_OPTIMISTIC_WINDOW_H
+#define KINETRI_SRC_TRIANGULATION_OPTIMISTIC_WINDOW_H
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "kinetri/impl/triangulation/kinetic_core.h"
+#include "kinetri/impl/triangulation/region_effort.h"
+#include "triangulation/edge_events.h"
+#include "triangulation/region_options.h"
+
+namespace kinetri::detail {
+
+/// Points without contacts. The other model is Contact_events of simulation/contact_events.h, which
+/// has the functions that Optimistic_window and Region_run call if contacts exist.
+template <class Traits>
+struct No_contacts {
+  static constexpr bool exist = false;
+  using Core = Kinetic_core<Traits>;
+
+  No_contacts(Core& /*core*/, Edge_events<Traits, false>& /*edges*/,
+              Window_log<Traits, false>& /*log*/) {}
+  static Core& kinetic(Core& core) { return core; }
+};
+
+/// The processes of the nodes of the tree of regions, and the windows that they execute. Flips and
+/// contacts are *events* of one kind: Edge_events and Contact_events have the same functions, and
+/// their entries are executed, deferred and rolled back by the same code.
+///
+/// Owns the processes, their log, and where the window is truncated. Invariant: between two windows
+/// the log is empty, no entry is in a part of a window, and the triangulation, the queues and the
+/// present time are those of the sequential loop after the same events.
+template <class Traits, class Contacts>
+class Optimistic_window {
+ public:
+  static constexpr bool has_contacts = Contacts::exist;
+  using Types = Topology<Traits>;
+  using Time = typename Types::Time;
+  using Edges = Edge_events<Traits, has_contacts>;
+  using Log = Window_log<Traits, has_contacts>;
+  using Process = Logical_process<Traits, has_contacts>;
+
+  /// The core and the options must outlive this object.
+  Optimistic_window(typename Contacts::Core& core, const Region_options& options);
+  Optimistic_window(const Optimistic_window&) = delete;
+  Optimistic_window& operator=(const Optimistic_window&) = delete;
+
+  Contacts& contacts() { return contacts_; }
+  const Contacts& contacts() const { return contacts_; }
+  Edges& edges() { return edges_; }
+  std::vector<Process>& processes() { return processes_; }
+  const Region_counters& counters() const { return counters_; }
+
+  /// Takes up the nodes of the division, of which all execute about so many events in a window.
+  /// Versions of its windows are in the faces.
+  void take_up_division(double events);
+  /// Whether the versions of a node may not be enough for a window.
+  bool are_versions_spent() const;
+  /// All versions have been cleared.
+  void start_versions() { log_.start_numbers(); }
+
+  /// Executes the events up to `end`, up to a tie, or up to an event that is for the sequential
+  /// loop, and reports them. Returns whether it has reached the end. If an observer throws, all has
+  /// been executed and counted. If memory is missing, the state is that before the window, or after
+  /// its events if they have been reported. Precondition: there are versions.
+  bool run(double end);
+  /// Where the last window was truncated, if it was.
+  const std::optional<Time>& truncated() const { return truncated_; }
+  /// How many events the last window has reported, and its work but for what is serial.
+  std::size_t reported() const { return reported_; }
+  const Window_work& work() const { return work_; }
+
+  /// Calls work(), which makes a window or the parts of queues. If that throws, which is for want
+  /// of memory, the state is that before the window.
+  template <class Work>
+  void or_go_back(const Work& work);
+  /// Counts the certificates that a process has made, and those discarded.
+  void count_certificates(Process& process);
+  /// To be called before several threads change parts of the queues.
+  void forget_first() {
+    for_each_kind([](auto& events) { events.queue().forget_first(); });
+  }
+  /// Calls `function` with the events of edges, and with those of contacts, if these exist.
+  template <class Function>
+  void for_each_kind(const Function& function) {
+    function(edges_);
+    if constexpr (has_contacts) function(contacts_);
+  }
+
+ private:
+  using Triangulation = typename Types::Triangulation;
+  using Face_handle = typename Types::Face_handle;
+  using Stamp = typename Log::Stamp;
+  using Moment = typename Log::Moment;
+  using Record = typename Log::Record;
+  using Key = typename Log::Key;
+
+  // For which several threads make what is then reported; and for one thread of these.
+  static constexpr std::ptrdiff_t events_at_once = 16'384;
+  static constexpr std::size_t events_of_thread = 1024;
+
+  Region_division& division() { return schedule_.division(); }
+  template <class Vector, class Work>
+  void for_each(Vector& elements, const Work& work) const {
+    call_for_each(options_, elements, work);
+  }
+
+  double execute(double end);
+  double gather_due(double end);
+  template <class Events>
+  double gather_due(Events& events, Process& process, double end);
+  void run(Process& process, double end);
+  void take_deferred(const Process& process);
+  template <class Events>
+  bool settle(Events& events, Process& process, const Time& last);
+  bool settle_edges_of_region(Process& process, const Time& last);
+  bool is_contact_first(const Process& process, bool is_edge_due);
+  template <class Events>
+  bool execute_first(Events& events, Process& process);
+  bool may_execute(Process& process, typename Edges::Candidate& flip);
+  bool execute(Process& process, typename Edges::Candidate& flip);
+  template <class Candidate>
+  bool may_execute(Process& process, Candidate& contact) {
+    return contacts_.may_execute(process, contact);
+  }
+  template <class Candidate>
+  bool execute(Process& process, Candidate& contact) {
+    return contacts_.execute(process, contact);
+  }
+  template <class Events, class Candidate>
+  void roll_back_later(Events& events, Process& process, Candidate& candidate);
+  void roll_back(Process& process, Stamp number);
+  void roll_back_last(Process& process, Stamp number);
+  void start_anew();
+
+  void put_in_order();
+  void truncate();
+  Window_work work_of_processes() const;
+  void close();
+  void report();
+  void report(const Key& key);
+  void count_events();
+  void count_from(typename std::vector<Key>::const_iterator next);
+  void count_and_clear();
+
+  Topology<Traits>& topology_;
+  Schedule<Traits>& schedule_;
+  Event_reporter<Traits>& reporter_;
+  Updates<Traits>& updates_;
+  const Region_options& options_;
+  const std::size_t threads_;
+  Log log_;
+  Edges edges_;
+  [[no_unique_address]] Contacts contacts_;
+  std::vector<Process> processes_;  // of the nodes, by their numbers
+  std::optional<Time> truncated_;
+  std::size_t reported_ = 0;
+  Window_work work_ = {};
+  Region_counters counters_;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_TRIANGULATION_OPTIMISTIC_WINDOW_H

@@ -1,0 +1,574 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of Optimistic_window.
+#ifndef KINETRI_SRC_TRIANGULATION_OPTIMISTIC_WINDOW_IMPL_H
+#define KINETRI_SRC_TRIANGULATION_OPTIMISTIC_WINDOW_IMPL_H
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/parallel.h"
+#include "triangulation/edge_events_impl.h"
+#include "triangulation/optimistic_window.h"
+#include "triangulation/window_log_impl.h"
+
+namespace kinetri::detail {
+
+template <class Traits, class Contacts>
+Optimistic_window<Traits, Contacts>::Optimistic_window(typename Contacts::Core& core,
+                                                       const Region_options& options)
+    : topology_(Contacts::kinetic(core).topology),
+      schedule_(Contacts::kinetic(core).schedule),
+      reporter_(Contacts::kinetic(core).reporter),
+      updates_(Contacts::kinetic(core).updates),
+      options_(options),
+      threads_(usable_threads(options.threads)),
+      log_(topology_, Contacts::kinetic(core).certification, schedule_.division()),
+      edges_(Contacts::kinetic(core), log_),
+      contacts_(core, edges_, log_) {}
+
+// ---- processes ----
+
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::take_up_division(double events) {
+  log_.go_on_with_division();
+  processes_.resize(division().nodes());
+  const auto most = static_cast<double>(options_.most_flips);
+  for (std::size_t node = 0; node < processes_.size(); ++node) {
+    Process& process = processes_[node];
+    process.number = node;
+    process.level = division().level(node);
+    process.is_root = node + 1 == processes_.size();
+    process.from = process.is_region() ? node : division().due_part(node);
+    process.edges = &edges_.queue().part(process.from);
+    process.first_handle = edges_.queue().named(process.from, 0);
+    process.log = &log_.node(node);
+    const double share = 4 * division().share(node) * events;
+    process.most_events = static_cast<std::size_t>(std::min(share + 64, most));
+    if (process.is_region()) {
+      process.due_until = std::numeric_limits<double>::infinity();
+      // Somewhat more than its share of a window.
+      const auto expected = static_cast<std::size_t>(1.2 * share / 16) + 64;
+      process.log->records.reserve(std::min(expected, process.most_events));
+      process.log->keys.reserve(std::min(expected, process.most_events));
+    }
+  }
+  if constexpr (has_contacts) contacts_.take_up(processes_);
+}
+
+template <class Traits, class Contacts>
+bool Optimistic_window<Traits, Contacts>::are_versions_spent() const {
+  return std::ranges::any_of(processes_, [](const Process& process) {
+    return Log::are_numbers_spent(*process.log, process.most_events);
+  });
+}
+
+template <class Traits, class Contacts>
+template <class Work>
+void Optimistic_window<Traits, Contacts>::or_go_back(const Work& work) {
+  try {
+    work();
+  } catch (...) {
+    log_.roll_back_all();
+    start_anew();
+    throw;
+  }
+}
+
+// Forgets the window and the parts, and schedules everything from the present time on.
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::start_anew() {
+  processes_.clear();
+  log_.reset();
+  division().clear();
+  schedule_.queue().clear();
+  schedule_.schedule_all();
+  if constexpr (has_contacts) contacts_.start_anew();
+}
+
+// ---- the execution of a window ----
+
+template <class Traits, class Contacts>
+bool Optimistic_window<Traits, Contacts>::run(double end) {
+  ++counters_.windows;
+  truncated_.reset();
+  double reached = end;
+  const std::uint64_t cut_off_before = counters_.cut_off;
+  or_go_back([&] {
+    reached = execute(end);
+    put_in_order();
+  });
+  work_ = work_of_processes();
+  work_.undone += static_cast<double>(counters_.cut_off - cut_off_before);
+  close();
+  return !truncated_ && reached == end;
+}
+
+// Has the nodes execute the events of a window. Returns where it ends.
+template <class Traits, class Contacts>
+double Optimistic_window<Traits, Contacts>::execute(double end) {
+  updates_.show_current_time();  // made from motions of now, by one thread
+  forget_first();
+  if constexpr (has_contacts) contacts_.make_room();
+  for (Process& process : processes_) {
+    process.capacity = std::min(process.most_events, process.log->numbers - process.log->before);
+  }
+  end = gather_due(end);
+  for (unsigned level = 0; level <= processes_.back().level; ++level) {
+    std::vector<Process*> of_level;
+    for (Process& process : processes_) {
+      if (process.level == level) of_level.push_back(&process);
+    }
+    for_each(of_level, [&](Process* process) { run(*process, end); });
+  }
+  return end;
+}
+
+// Puts aside what is due in the window and concerns several regions. Returns where the window ends:
+// before the first entry there that is for the sequential loop.
+template <class Traits, class Contacts>
+double Optimistic_window<Traits, Contacts>::gather_due(double end) {
+  struct Gathering {
+    Process* process;
+    double end;
+  };
+  std::vector<Gathering> all;
+  for (Process& process : processes_) {
+    if (!process.is_region()) all.push_back({&process, end});
+  }
+  for_each(all, [&](Gathering& g) {
+    for_each_kind([&](auto& events) { g.end = gather_due(events, *g.process, g.end); });
+  });
+  if constexpr (has_contacts) {
+    for (const Gathering& g : all) {
+      contacts_.part(*g.process).for_each([&](const auto& entry) {
+        contacts_.note_blocked(*g.process, entry);
+      });
+    }
+  }
+  return std::ranges::min(all, {}, &Gathering::end).end;
+}
+
+// The same for one union of regions: has the certificates of its part checked again until it is
+// known which fail in the window.
+template <class Traits, class Contacts>
+template <class Events>
+double Optimistic_window<Traits, Contacts>::gather_due(Events& events, Process& process,
+                                                       double end) {
+  auto& part = events.queue().part(process.number);
+  const Time last(end);
+  const auto exact = [&]() -> const Time& { return last; };
+  while (!part.empty() && part.is_due(part.top(), {end, end}, exact)) {
+    const auto entry = part.top();
+    if (events.is_recheck(entry)) {
+      part.pop();
+      events.recheck(process, {&entry, 1});
+      continue;
+    }
+    events.queue().move_first(process.number, process.from);
+    if (events.is_for_loop(entry)) return std::min(end, entry.bounds.lower);
+  }
+  return end;
+}
+
+// Executes what is due in a node in the order of its queues: in a union, what none of the nodes
+// below has executed.
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::run(Process& process, double end) {
+  if (process.is_region()) {
+    // Somewhat later than the end, so that what is first then is known too.
+    const double soon = end + division().window_width / 16;
+    for_each_kind([&](auto& events) { events.part(process).expect(soon); });
+  } else {
+    process.due_until = end;
+    take_deferred(process);
+  }
+  const Time last(end);
+  bool goes_on = true;
+  while (goes_on) {
+    const bool is_edge_due =
+        process.is_region() ? settle_edges_of_region(process, last) : settle(edges_, process, last);
+    if constexpr (has_contacts) {
+      if (settle(contacts_, process, last) && is_contact_first(process, is_edge_due)) {
+        goes_on = execute_first(contacts_, process);
+        continue;
+      }
+    }
+    goes_on = is_edge_due && execute_first(edges_, process);
+  }
+  if (!process.is_region()) process.due_until = -std::numeric_limits<double>::infinity();
+}
+
+// Takes what the two nodes below a union have deferred.
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::take_deferred(const Process& process) {
+  for (std::size_t below = 0; below < process.number; ++below) {
+    if (division().above(below) != process.number) continue;
+    const std::size_t deferred = division().deferred_part(below);
+    for_each_kind([&](auto& events) {
+      while (!events.queue().part(deferred).empty()) {
+        events.queue().move_first(deferred, process.from);
+      }
+    });
+  }
+}
+
+// Has certificates checked again, one by one, until the first entry is known. Returns whether it is
+// due. (Beside an entry of a union may be one that is about an event later than this time.)
+template <class Traits, class Contacts>
+template <class Events>
+bool Optimistic_window<Traits, Contacts>::settle(Events& events, Process& process,
+                                                 const Time& last) {
+  auto& part = events.part(process);
+  const auto exact = [&]() -> const Time& { return last; };
+  while (!part.empty() && part.is_due(part.top(), last.interval(), exact)) {
+    if (!events.is_recheck(part.top())) return true;
+    const auto entry = part.pop();
+    events.recheck(process, {&entry, 1});
+  }
+  return false;
+}
+
+// The same by two, which costs less.
+template <class Traits, class Contacts>
+bool Optimistic_window<Traits, Contacts>::settle_edges_of_region(Process& process,
+                                                                 const Time& last) {
+  using Entry = typename Edges::Entry;
+  const auto exact = [&]() -> const Time& { return last; };
+  return process.edges->settle(
+      [&](const Entry& entry) { return process.edges->is_due(entry, last.interval(), exact); },
+      [&](std::span<const Entry> entries) { edges_.recheck(process, entries); });
+}
+
+// Whether the first contact of a process is before the first entry of its edges, if that is due.
+template <class Traits, class Contacts>
+bool Optimistic_window<Traits, Contacts>::is_contact_first(const Process& process,
+                                                           bool is_edge_due) {
+  if (!is_edge_due) return true;
+  auto& contacts = contacts_.part(process);
+  const auto& edge = process.edges->top();
+  const auto& contact = contacts.top();
+  if (contact.bounds.upper < edge.bounds.lower) return true;
+  if (contact.bounds.lower > edge.bounds.upper) return false;
+  return contacts.time(contact) < process.edges->time(edge);
+}
+
+// Executes the first entry of a process, or leaves it to the node above; the root truncates the
+// window instead, and returns false. After a rollback another entry may be first.
+template <class Traits, class Contacts>
+template <class Events>
+bool Optimistic_window<Traits, Contacts>::execute_first(Events& events, Process& process) {
+  const auto entry = events.part(process).top();
+  if (!events.is_for_loop(entry) && process.has_room()) {
+    auto candidate = events.candidate(process, entry);
+    if (may_execute(process, candidate)) {
+      if (!process.is_region()) {
+        roll_back_later(events, process, candidate);
+        // What comes back is later, but may begin with a certificate that is to be checked again
+        // before.
+        if (!events.is_first(process, candidate)) return true;
+      }
+      if (execute(process, candidate)) return true;
+    }
+  }
+  if (process.is_root) {
+    truncated_ = events.part(process).time_of(entry);
+    return false;
+  }
+  events.defer(process);
+  return true;
+}
+
+template <class Traits, class Contacts>
+bool Optimistic_window<Traits, Contacts>::may_execute(Process& process,
+                                                      typename Edges::Candidate& flip) {
+  if (!edges_.may_execute(process, flip)) return false;
+  if constexpr (has_contacts) return process.is_root || !contacts_.blocks(process, flip);
+  return true;
+}
+
+template <class Traits, class Contacts>
+bool Optimistic_window<Traits, Contacts>::execute(Process& process,
+                                                  typename Edges::Candidate& flip) {
+  for (const Face_handle face : {flip.edge.here.first, flip.edge.there.first}) {
+    KINETRI_ASSERT(process.is_region() || !log_.is_later(face->stamp(), flip.moment),
+                   "a flip at a face whose edge has an entry before it");
+  }
+  if constexpr (has_contacts) {
+    if (contacts_.keeps(flip.edge, flip.moment)) return false;
+  }
+  if (!edges_.is_flip(flip)) return false;
+  Record& record = edges_.execute(process, flip);
+  if constexpr (has_contacts) contacts_.follow_flip(process, record, flip.moment);
+  edges_.keep_time(record, flip);
+  return true;
+}
+
+// ---- rollback ----
+
+// Rolls back what is later in the surroundings of an event. Others may be there then.
+template <class Traits, class Contacts>
+template <class Events, class Candidate>
+void Optimistic_window<Traits, Contacts>::roll_back_later(Events& events, Process& process,
+                                                          Candidate& candidate) {
+  const auto find_later = [&] {
+    Stamp later = 0;
+    events.for_each_surrounding_face(candidate, [&](Face_handle face) {
+      if (later == 0 && log_.is_later(face->stamp(), candidate.moment)) later = face->stamp();
+    });
+    return later;
+  };
+  for (Stamp later = find_later(); later != 0; later = find_later()) roll_back(process, later);
+}
+
+// Rolls an event back: first those that were executed after it and conflict with it.
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::roll_back(Process& process, Stamp number) {
+  // The last event at a face or beside it.
+  const auto last_at = [&](Face_handle face) {
+    Stamp last = 0;
+    for (const Face_handle f : {face, face->neighbor(0), face->neighbor(1), face->neighbor(2)}) {
+      if (log_.is_of_window(f->stamp())) last = std::max(last, f->stamp());
+    }
+    return last;
+  };
+  std::vector<Stamp> waiting = {number};  // each for the one after it
+  while (!waiting.empty()) {
+    Stamp last = 0;
+    log_.for_each_written_face(log_.record(waiting.back()),
+                               [&](Face_handle face) { last = std::max(last, last_at(face)); });
+    if (last > waiting.back()) {
+      waiting.push_back(last);
+    } else {
+      roll_back_last(process, waiting.back());
+      waiting.pop_back();
+    }
+  }
+}
+
+// Rolls an event back that no other one after it conflicts with.
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::roll_back_last(Process& process, Stamp number) {
+  const Key& key = log_.key(number);
+  Record& record = log_.record(key);
+  ++process.rolled_back;
+  log_.node_of(number).has_rolled_back = true;
+  log_.for_each_written_face(record, [&](Face_handle face) {
+    KINETRI_ASSERT(face->stamp() == number, "the last event of its faces");
+  });
+  if constexpr (has_contacts) {
+    const Time& now = log_.time(key);  // made from motions of then
+    if (record.change) return contacts_.roll_back(process, record, now);
+    contacts_.unfollow_flip(process, record, now);
+  }
+  edges_.roll_back(process, record);
+}
+
+// ---- the order of time ----
+
+// Puts the events of the window in the order of time, but for those from the first time on that two
+// have in common, or from where it is truncated: these are rolled back.
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::put_in_order() {
+  log_.put_in_order(options_.flips_per_slice,
+                    [this](auto& slices, const auto& work) { this->for_each(slices, work); });
+  const std::vector<Key>& order = log_.order();
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    if (order[k - 1].bounds.upper < order[k].bounds.lower) continue;
+    if (log_.compare(order[k - 1], order[k]) != 0) continue;
+    const Time& tie = log_.time(order[k]);
+    if (!truncated_ || tie < *truncated_) truncated_ = tie;
+    break;
+  }
+  if (truncated_) truncate();
+  for (const Process& process : processes_) {
+    if (process.is_region()) continue;
+    for_each_kind([&](auto& events) { events.queue().move_home(process.from); });
+  }
+}
+
+// Rolls the events back from where the window is truncated.
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::truncate() {
+  ++counters_.cuts;
+  Process& root = processes_.back();
+  const std::uint64_t rolled_back = root.rolled_back;
+  Moment from = {{}, truncated_->interval(), *truncated_};
+  const auto first = std::ranges::partition_point(
+      log_.order(), [&](const Key& key) { return log_.compare(key, from) < 0; });
+  log_.order().erase(first, log_.order().end());
+  const auto roll_back_in = [&](Process& process) {
+    for (std::size_t k = process.log->records.size(); k-- > 0;) {
+      if (!process.log->records[k].is_rolled_back &&
+          log_.compare(process.log->keys[k], from) >= 0) {
+        roll_back(root, log_.stamp(*process.log, k));
+      }
+    }
+  };
+  std::for_each(processes_.rbegin(), processes_.rend(), roll_back_in);
+  counters_.cut_off += std::exchange(root.rolled_back, rolled_back) - rolled_back;
+}
+
+// What the processes have done in the window.
+template <class Traits, class Contacts>
+Window_work Optimistic_window<Traits, Contacts>::work_of_processes() const {
+  Window_work work;
+  work.reported = static_cast<double>(log_.order().size());
+  for (unsigned level = 0; level <= processes_.back().level; ++level) {
+    double most = 0;
+    double sum = 0;
+    for (const Process& process : processes_) {
+      if (process.level != level) continue;
+      const auto executed = static_cast<double>(process.log->records.size());
+      most = std::max(most, executed);
+      sum += executed;
+      work.undone += static_cast<double>(process.rolled_back);
+    }
+    work.executed += sum;
+    work.in_turn += std::max(most, sum / static_cast<double>(threads_));
+  }
+  return work;
+}
+
+// ---- the report ----
+
+// Reports the events of the window, and counts them. Throws what an observer throws, after that.
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::close() {
+  std::exception_ptr thrown;
+  try {
+    report();
+  } catch (...) {
+    thrown = std::current_exception();
+  }
+  reported_ = log_.order().size();
+  division().events += static_cast<double>(reported_);
+  try {
+    count_and_clear();
+  } catch (...) {
+    start_anew();
+    throw;
+  }
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+// Counts the events of the window and shows them to the observers, who get exact times: several
+// threads make those of some events, which are then reported.
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::report() {
+  if (log_.order().empty()) return;
+  count_events();
+  auto next = log_.order().cbegin();
+  const bool is_watched = !reporter_.observers().empty();
+  if (is_watched) log_.restore_motions();
+  reporter_.set_in_event(true);
+  try {
+    while (is_watched && next != log_.order().cend()) {
+      const auto end = next + std::min(events_at_once, log_.order().cend() - next);
+      auto blocks = blocks_of(std::span(next, end), events_of_thread);
+      for_each(blocks, [this](std::span<const Key> block) {
+        for (const Key& key : block) log_.time(key);
+      });
+      while (next != end) {
+        const Key& key = *next++;
+        report(key);
+        log_.record(key).exact.reset();
+      }
+    }
+  } catch (...) {
+    for (const Key& key : log_.order()) log_.go_through(key);
+    count_from(next);
+    throw;
+  }
+  count_from(next);
+}
+
+// Counts an event and shows it to the observers.
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::report(const Key& key) {
+  Event event;
+  if constexpr (has_contacts) {
+    if (Log::is_contact(key)) event = contacts_.event(key);
+  }
+  if (!Log::is_contact(key)) {
+    const std::array<Point_id, 4>& corners = log_.record(key).corners;
+    event =
+        flip_event(key.kind, {edge_ids(corners[0], corners[1]), edge_ids(corners[2], corners[3])});
+  }
+  schedule_.set_current_time(log_.time(key));
+  event.time = schedule_.current_time();
+  event.number = reporter_.counters().number_of_events();
+  reporter_.count_event(key.kind);
+  auto& observers = reporter_.observers();
+  observers.call([&](Event_observer& observer) { observer.before_event(event); });
+  log_.go_through(key);
+  observers.call([&](Event_observer& observer) { observer.after_event(event); });
+  if (!Log::is_contact(key)) return;
+  // Each change of points ends with the edges that it has changed, here none.
+  observers.call([&](Event_observer& observer) { observer.after_rebuild(event.time, {}); });
+}
+
+// Counts what the events of the window have in common.
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::count_events() {
+  Triangulation_counters& counters = reporter_.counters();
+  counters.flat_hulls += static_cast<std::uint64_t>(
+      std::ranges::count(log_.order(), Event_kind::hull_insert, &Key::kind));
+  const auto flips = static_cast<std::uint64_t>(
+      std::ranges::count_if(log_.order(), [](const Key& key) { return !Log::is_contact(key); }));
+  counters.instants += flips;
+  counters.largest_instant = std::max<std::uint64_t>(counters.largest_instant, flips > 0 ? 1 : 0);
+  if constexpr (has_contacts) contacts_.count(log_.order().size() - flips);
+}
+
+// Counts events that no observer is told of.
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::count_from(
+    typename std::vector<Key>::const_iterator next) {
+  reporter_.set_in_event(false);
+  if (next == log_.order().cend()) return;  // the present time is that of the last one
+  for (; next != log_.order().cend(); ++next) reporter_.count_event(next->kind);
+  const Key& last = log_.order().back();
+  Record& record = log_.record(last);
+  // With contacts, what it was made from may be in a record, which does not stay.
+  if (has_contacts || record.exact) {
+    log_.time(last);
+    schedule_.set_current_time(std::move(*record.exact));
+  } else {
+    schedule_.set_current_time(log_.certificate_points(last), last.bounds);
+  }
+}
+
+// Counts what the processes have done in the window, and forgets their events.
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::count_and_clear() {
+  if constexpr (has_contacts) contacts_.end_window();
+  for (Process& process : processes_) {
+    (process.is_root       ? counters_.by_rest
+     : process.is_region() ? counters_.by_region
+                           : counters_.by_union) += process.log->records.size();
+    counters_.undone += std::exchange(process.rolled_back, 0);
+    count_certificates(process);
+  }
+  for_each(processes_, [this](Process& process) { log_.clear(*process.log); });
+}
+
+template <class Traits, class Contacts>
+void Optimistic_window<Traits, Contacts>::count_certificates(Process& process) {
+  schedule_.certificate_counters() += std::exchange(process.certificates, {});
+  reporter_.counters().rechecks += process.counters.rechecks;
+  for (std::size_t k = 0; k < event_kinds; ++k) {
+    reporter_.counters().discarded[k] += process.counters.discarded[k];
+  }
+  process.counters = {};
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_TRIANGULATION_OPTIMISTIC_WINDOW_IMPL_H
