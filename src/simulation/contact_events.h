@@ -97,6 +97,9 @@ class Contact_events {
 
   Queue& queue() { return schedule_.queue(); }  ///< of all entries
   Part& part(const Process& process) { return *of(process).part; }
+  Queue_handle handle(const Entry& entry) const {
+    return schedule_.policy().handle(entry.subject());
+  }
   /// Whether it is a contact whose certificate is to be checked again.
   static bool is_recheck(const Entry& entry) { return is_contact(entry.kind) && !entry.is_event; }
   /// Whether what an entry says is for the sequential loop.
@@ -110,8 +113,6 @@ class Contact_events {
   void take_up(std::span<const Process> processes);
   /// Certifies a contact anew whose entry, which says when, has left its part.
   void recheck(Process& process, std::span<const Entry> entries);
-  /// Leaves the first entry of the process to the node above.
-  void defer(Process& process);
   /// Notes that an entry waits for a node above. This saves rollbacks, and decides nothing.
   void note_blocked(Process& process, const Entry& entry);
 
@@ -124,11 +125,6 @@ class Contact_events {
   /// Calls `function` with the faces at the points, and those beside them.
   template <class Function>
   void for_each_surrounding_face(const Candidate& candidate, const Function& function) const;
-  /// Whether the entry is still the first one of the process.
-  bool is_first(const Process& process, const Candidate& candidate) {
-    const auto handle = [this](const Entry& e) { return schedule_.policy().handle(e.subject()); };
-    return handle(part(process).top()) == handle(candidate.entry);
-  }
   /// Executes a contact. Returns false, with the triangulation as it was, if it is for a node above
   /// or the sequential loop.
   bool execute(Process& process, Candidate& candidate);

@@ -37,13 +37,6 @@ void Contact_events<Traits>::recheck(Process& process, std::span<const Entry> en
 }
 
 template <class Traits>
-void Contact_events<Traits>::defer(Process& process) {
-  note_blocked(process, part(process).top());
-  queue().move_first(process.from,
-                     kinetic(core_).schedule.division().deferred_part(process.number));
-}
-
-template <class Traits>
 void Contact_events<Traits>::note_blocked(Process& process, const Entry& entry) {
   for (const Point_id id : Watch::points(entry)) {
     if (id == no_point) continue;
@@ -146,19 +139,14 @@ bool Contact_events<Traits>::is_blocked(Process& process, const Candidate& candi
   return result;
 }
 
-// Whether an entry waits in another part than that of the process, one of a window, and is not
-// later than what has these bounds, and the time exact().
+// Whether the entry of a handle, if it is one, is in a part of a window and waits.
 template <class Traits>
 template <class Exact>
 inline bool Contact_events<Traits>::waits_before(Queue_handle handle, const Process& process,
                                                  const Double_interval& bounds,
                                                  const Exact& exact) {
-  if (handle == no_event || handle < queue().named(states_.size(), 0)) return false;
-  const Part& in = queue().part(queue().part_of_handle(handle));
-  if (&in == of(process).part) return false;
-  const Entry& other = queue()[handle];
-  if (other.bounds.lower > bounds.upper) return false;
-  return other.bounds.upper < bounds.lower || in.time_of(other) <= exact();
+  return handle != no_event && handle >= queue().named(states_.size(), 0) &&
+         detail::waits_before(queue(), handle, of(process).part, bounds, exact);
 }
 
 template <class Traits>

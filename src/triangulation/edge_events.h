@@ -53,6 +53,9 @@ class Edge_events {
 
   Queue& queue() { return schedule_.queue(); }
   Part& part(const Process& process) const { return *process.edges; }
+  Queue_handle handle(const Entry& entry) const {
+    return schedule_.policy().handle(entry.subject());
+  }
   static bool is_recheck(const Entry& entry) { return entry.kind == Entry_kind::recheck; }
   /// Whether what an entry says is for the sequential loop.
   static bool is_for_loop(const Entry& entry) {
@@ -67,10 +70,6 @@ class Edge_events {
                                  Entry_kind kind, Certificate&& known);
   /// Takes the entry of an edge out of the queue, if there is one.
   void discard(Process& process, Queue_handle handle);
-  /// Leaves the first entry of the process to the node above.
-  void defer(const Process& process) {
-    queue().move_first(process.from, schedule_.division().deferred_part(process.number));
-  }
   /// Whether an entry at an edge of a face waits in another part than that of the process, one of a
   /// window, and is not later than what has these bounds, and the time exact().
   template <class Exact>
@@ -86,11 +85,6 @@ class Edge_events {
   /// Calls `function` with the faces beside those of the edge.
   template <class Function>
   void for_each_surrounding_face(const Candidate& candidate, const Function& function) const;
-  /// Whether the entry is still the first one of the process.
-  bool is_first(const Process& process, const Candidate& candidate) const {
-    const auto handle = [this](const Entry& e) { return schedule_.policy().handle(e.subject()); };
-    return handle(process.edges->top()) == handle(candidate.entry);
-  }
   /// Whether the sequential loop flips the edge, and does nothing else.
   bool is_flip(Candidate& candidate) const;
   /// Flips the edge of the first entry of the process, as Updates::flip does, and keeps what is

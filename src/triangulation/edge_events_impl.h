@@ -86,12 +86,8 @@ inline bool Edge_events<Traits, has_contacts>::waits_before(Face_handle face,
     return false;
   }
   const auto waits = [&](Queue_handle handle) {
-    if (!is_of_window(handle)) return false;
-    const Part& part = queue().part(queue().part_of_handle(handle));
-    if (&part == process.edges) return false;
-    const Entry& other = queue()[handle];
-    if (other.bounds.lower > bounds.upper) return false;
-    return other.bounds.upper < bounds.lower || part.time_of(other) <= exact();
+    return is_of_window(handle) &&
+           detail::waits_before(queue(), handle, process.edges, bounds, exact);
   };
   return waits(face->event(0)) || waits(face->event(1)) || waits(face->event(2));
 }

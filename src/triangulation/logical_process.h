@@ -40,6 +40,18 @@ struct alignas(64) Logical_process {
   bool has_room() const { return log->records.size() < capacity; }
 };
 
+/// Whether the entry of a handle waits in another part than `own`, and is not later than what has
+/// these bounds, and the time exact().
+template <class Queue, class Exact>
+bool waits_before(const Queue& queue, Queue_handle handle, const typename Queue::Part* own,
+                  const Double_interval& bounds, const Exact& exact) {
+  const typename Queue::Part& part = queue.part(queue.part_of_handle(handle));
+  if (&part == own) return false;
+  const auto& entry = queue[handle];
+  if (entry.bounds.lower > bounds.upper) return false;
+  return entry.bounds.upper < bounds.lower || part.time_of(entry) <= exact();
+}
+
 }  // namespace kinetri::detail
 
 #endif  // KINETRI_SRC_TRIANGULATION_LOGICAL_PROCESS_H

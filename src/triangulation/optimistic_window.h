@@ -11,12 +11,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "kinetri/impl/triangulation/kinetic_core.h"
 #include "kinetri/impl/triangulation/region_effort.h"
 #include "triangulation/edge_events.h"
 #include "triangulation/region_options.h"
+#include "triangulation/window_reporter.h"
 
 namespace kinetri::detail {
 
@@ -97,16 +99,14 @@ class Optimistic_window {
   }
 
  private:
-  using Triangulation = typename Types::Triangulation;
   using Face_handle = typename Types::Face_handle;
   using Stamp = typename Log::Stamp;
   using Moment = typename Log::Moment;
   using Record = typename Log::Record;
   using Key = typename Log::Key;
 
-  // For which several threads make what is then reported; and for one thread of these.
-  static constexpr std::ptrdiff_t events_at_once = 16'384;
-  static constexpr std::size_t events_of_thread = 1024;
+  template <class Events>
+  static constexpr bool is_of_contacts = std::is_same_v<Events, Contacts>;
 
   Region_division& division() { return schedule_.division(); }
   template <class Vector, class Work>
@@ -126,16 +126,7 @@ class Optimistic_window {
   bool is_contact_first(const Process& process, bool is_edge_due);
   template <class Events>
   bool execute_first(Events& events, Process& process);
-  bool may_execute(Process& process, typename Edges::Candidate& flip);
-  bool execute(Process& process, typename Edges::Candidate& flip);
-  template <class Candidate>
-  bool may_execute(Process& process, Candidate& contact) {
-    return contacts_.may_execute(process, contact);
-  }
-  template <class Candidate>
-  bool execute(Process& process, Candidate& contact) {
-    return contacts_.execute(process, contact);
-  }
+  bool flip(Process& process, typename Edges::Candidate& candidate);
   template <class Events, class Candidate>
   void roll_back_later(Events& events, Process& process, Candidate& candidate);
   void roll_back(Process& process, Stamp number);
@@ -146,21 +137,16 @@ class Optimistic_window {
   void truncate();
   Window_work work_of_processes() const;
   void close();
-  void report();
-  void report(const Key& key);
-  void count_events();
-  void count_from(typename std::vector<Key>::const_iterator next);
   void count_and_clear();
 
-  Topology<Traits>& topology_;
+  Kinetic_core<Traits>& core_;
   Schedule<Traits>& schedule_;
-  Event_reporter<Traits>& reporter_;
-  Updates<Traits>& updates_;
   const Region_options& options_;
   const std::size_t threads_;
   Log log_;
   Edges edges_;
   [[no_unique_address]] Contacts contacts_;
+  Window_reporter<Traits, Contacts> reporter_;
   std::vector<Process> processes_;  // of the nodes, by their numbers
   std::optional<Time> truncated_;
   std::size_t reported_ = 0;

@@ -5,7 +5,6 @@
 #define KINETRI_SRC_TRIANGULATION_OPTIMISTIC_WINDOW_IMPL_H
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <limits>
 #include <span>
@@ -23,15 +22,14 @@ namespace kinetri::detail {
 template <class Traits, class Contacts>
 Optimistic_window<Traits, Contacts>::Optimistic_window(typename Contacts::Core& core,
                                                        const Region_options& options)
-    : topology_(Contacts::kinetic(core).topology),
-      schedule_(Contacts::kinetic(core).schedule),
-      reporter_(Contacts::kinetic(core).reporter),
-      updates_(Contacts::kinetic(core).updates),
+    : core_(Contacts::kinetic(core)),
+      schedule_(core_.schedule),
       options_(options),
       threads_(usable_threads(options.threads)),
-      log_(topology_, Contacts::kinetic(core).certification, schedule_.division()),
-      edges_(Contacts::kinetic(core), log_),
-      contacts_(core, edges_, log_) {}
+      log_(core_.topology, core_.certification, schedule_.division()),
+      edges_(core_, log_),
+      contacts_(core, edges_, log_),
+      reporter_(core_, options_, log_, contacts_) {}
 
 // ---- processes ----
 
@@ -113,7 +111,7 @@ bool Optimistic_window<Traits, Contacts>::run(double end) {
 // Has the nodes execute the events of a window. Returns where it ends.
 template <class Traits, class Contacts>
 double Optimistic_window<Traits, Contacts>::execute(double end) {
-  updates_.show_current_time();  // made from motions of now, by one thread
+  core_.updates.show_current_time();  // made from motions of now, by one thread
   forget_first();
   if constexpr (has_contacts) contacts_.make_room();
   for (Process& process : processes_) {
@@ -260,53 +258,55 @@ bool Optimistic_window<Traits, Contacts>::is_contact_first(const Process& proces
 }
 
 // Executes the first entry of a process, or leaves it to the node above; the root truncates the
-// window instead, and returns false. After a rollback another entry may be first.
+// window instead, and returns false. After a rollback another entry may be first: what comes back
+// is later, but may begin with a certificate that is to be checked again before.
 template <class Traits, class Contacts>
 template <class Events>
 bool Optimistic_window<Traits, Contacts>::execute_first(Events& events, Process& process) {
-  const auto entry = events.part(process).top();
+  auto& part = events.part(process);
+  const auto entry = part.top();
   if (!events.is_for_loop(entry) && process.has_room()) {
     auto candidate = events.candidate(process, entry);
-    if (may_execute(process, candidate)) {
+    bool may_execute = events.may_execute(process, candidate);
+    if constexpr (has_contacts && !is_of_contacts<Events>) {
+      may_execute = may_execute && (process.is_root || !contacts_.blocks(process, candidate));
+    }
+    if (may_execute) {
       if (!process.is_region()) {
         roll_back_later(events, process, candidate);
-        // What comes back is later, but may begin with a certificate that is to be checked again
-        // before.
-        if (!events.is_first(process, candidate)) return true;
+        if (events.handle(part.top()) != events.handle(entry)) return true;
       }
-      if (execute(process, candidate)) return true;
+      if constexpr (is_of_contacts<Events>) {
+        if (contacts_.execute(process, candidate)) return true;
+      } else {
+        if (flip(process, candidate)) return true;
+      }
     }
   }
   if (process.is_root) {
-    truncated_ = events.part(process).time_of(entry);
+    truncated_ = part.time_of(entry);
     return false;
   }
-  events.defer(process);
+  if constexpr (is_of_contacts<Events>) events.note_blocked(process, entry);
+  events.queue().move_first(process.from, division().deferred_part(process.number));
   return true;
 }
 
+// Flips an edge, if that is what the sequential loop does, and nothing else.
 template <class Traits, class Contacts>
-bool Optimistic_window<Traits, Contacts>::may_execute(Process& process,
-                                                      typename Edges::Candidate& flip) {
-  if (!edges_.may_execute(process, flip)) return false;
-  if constexpr (has_contacts) return process.is_root || !contacts_.blocks(process, flip);
-  return true;
-}
-
-template <class Traits, class Contacts>
-bool Optimistic_window<Traits, Contacts>::execute(Process& process,
-                                                  typename Edges::Candidate& flip) {
-  for (const Face_handle face : {flip.edge.here.first, flip.edge.there.first}) {
-    KINETRI_ASSERT(process.is_region() || !log_.is_later(face->stamp(), flip.moment),
+bool Optimistic_window<Traits, Contacts>::flip(Process& process,
+                                               typename Edges::Candidate& candidate) {
+  for (const Face_handle face : {candidate.edge.here.first, candidate.edge.there.first}) {
+    KINETRI_ASSERT(process.is_region() || !log_.is_later(face->stamp(), candidate.moment),
                    "a flip at a face whose edge has an entry before it");
   }
   if constexpr (has_contacts) {
-    if (contacts_.keeps(flip.edge, flip.moment)) return false;
+    if (contacts_.keeps(candidate.edge, candidate.moment)) return false;
   }
-  if (!edges_.is_flip(flip)) return false;
-  Record& record = edges_.execute(process, flip);
-  if constexpr (has_contacts) contacts_.follow_flip(process, record, flip.moment);
-  edges_.keep_time(record, flip);
+  if (!edges_.is_flip(candidate)) return false;
+  Record& record = edges_.execute(process, candidate);
+  if constexpr (has_contacts) contacts_.follow_flip(process, record, candidate.moment);
+  edges_.keep_time(record, candidate);
   return true;
 }
 
@@ -436,14 +436,14 @@ Window_work Optimistic_window<Traits, Contacts>::work_of_processes() const {
   return work;
 }
 
-// ---- the report ----
+// ---- the end of a window ----
 
 // Reports the events of the window, and counts them. Throws what an observer throws, after that.
 template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::close() {
   std::exception_ptr thrown;
   try {
-    report();
+    reporter_.report();
   } catch (...) {
     thrown = std::current_exception();
   }
@@ -456,93 +456,6 @@ void Optimistic_window<Traits, Contacts>::close() {
     throw;
   }
   if (thrown) std::rethrow_exception(thrown);
-}
-
-// Counts the events of the window and shows them to the observers, who get exact times: several
-// threads make those of some events, which are then reported.
-template <class Traits, class Contacts>
-void Optimistic_window<Traits, Contacts>::report() {
-  if (log_.order().empty()) return;
-  count_events();
-  auto next = log_.order().cbegin();
-  const bool is_watched = !reporter_.observers().empty();
-  if (is_watched) log_.restore_motions();
-  reporter_.set_in_event(true);
-  try {
-    while (is_watched && next != log_.order().cend()) {
-      const auto end = next + std::min(events_at_once, log_.order().cend() - next);
-      auto blocks = blocks_of(std::span(next, end), events_of_thread);
-      for_each(blocks, [this](std::span<const Key> block) {
-        for (const Key& key : block) log_.time(key);
-      });
-      while (next != end) {
-        const Key& key = *next++;
-        report(key);
-        log_.record(key).exact.reset();
-      }
-    }
-  } catch (...) {
-    for (const Key& key : log_.order()) log_.go_through(key);
-    count_from(next);
-    throw;
-  }
-  count_from(next);
-}
-
-// Counts an event and shows it to the observers.
-template <class Traits, class Contacts>
-void Optimistic_window<Traits, Contacts>::report(const Key& key) {
-  Event event;
-  if constexpr (has_contacts) {
-    if (Log::is_contact(key)) event = contacts_.event(key);
-  }
-  if (!Log::is_contact(key)) {
-    const std::array<Point_id, 4>& corners = log_.record(key).corners;
-    event =
-        flip_event(key.kind, {edge_ids(corners[0], corners[1]), edge_ids(corners[2], corners[3])});
-  }
-  schedule_.set_current_time(log_.time(key));
-  event.time = schedule_.current_time();
-  event.number = reporter_.counters().number_of_events();
-  reporter_.count_event(key.kind);
-  auto& observers = reporter_.observers();
-  observers.call([&](Event_observer& observer) { observer.before_event(event); });
-  log_.go_through(key);
-  observers.call([&](Event_observer& observer) { observer.after_event(event); });
-  if (!Log::is_contact(key)) return;
-  // Each change of points ends with the edges that it has changed, here none.
-  observers.call([&](Event_observer& observer) { observer.after_rebuild(event.time, {}); });
-}
-
-// Counts what the events of the window have in common.
-template <class Traits, class Contacts>
-void Optimistic_window<Traits, Contacts>::count_events() {
-  Triangulation_counters& counters = reporter_.counters();
-  counters.flat_hulls += static_cast<std::uint64_t>(
-      std::ranges::count(log_.order(), Event_kind::hull_insert, &Key::kind));
-  const auto flips = static_cast<std::uint64_t>(
-      std::ranges::count_if(log_.order(), [](const Key& key) { return !Log::is_contact(key); }));
-  counters.instants += flips;
-  counters.largest_instant = std::max<std::uint64_t>(counters.largest_instant, flips > 0 ? 1 : 0);
-  if constexpr (has_contacts) contacts_.count(log_.order().size() - flips);
-}
-
-// Counts events that no observer is told of.
-template <class Traits, class Contacts>
-void Optimistic_window<Traits, Contacts>::count_from(
-    typename std::vector<Key>::const_iterator next) {
-  reporter_.set_in_event(false);
-  if (next == log_.order().cend()) return;  // the present time is that of the last one
-  for (; next != log_.order().cend(); ++next) reporter_.count_event(next->kind);
-  const Key& last = log_.order().back();
-  Record& record = log_.record(last);
-  // With contacts, what it was made from may be in a record, which does not stay.
-  if (has_contacts || record.exact) {
-    log_.time(last);
-    schedule_.set_current_time(std::move(*record.exact));
-  } else {
-    schedule_.set_current_time(log_.certificate_points(last), last.bounds);
-  }
 }
 
 // Counts what the processes have done in the window, and forgets their events.
@@ -561,10 +474,11 @@ void Optimistic_window<Traits, Contacts>::count_and_clear() {
 
 template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::count_certificates(Process& process) {
+  Triangulation_counters& counters = core_.counters;
   schedule_.certificate_counters() += std::exchange(process.certificates, {});
-  reporter_.counters().rechecks += process.counters.rechecks;
+  counters.rechecks += process.counters.rechecks;
   for (std::size_t k = 0; k < event_kinds; ++k) {
-    reporter_.counters().discarded[k] += process.counters.discarded[k];
+    counters.discarded[k] += process.counters.discarded[k];
   }
   process.counters = {};
 }

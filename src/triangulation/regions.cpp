@@ -14,6 +14,7 @@
 #include "kinetri/impl/triangulation/kinetic_core_impl.h"
 #include "kinetri/impl/triangulation/parallel.h"
 #include "triangulation/regions_impl.h"
+#include "triangulation/subdomains.h"
 
 namespace kinetri::detail {
 

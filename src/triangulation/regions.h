@@ -15,7 +15,6 @@
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 #include "triangulation/optimistic_window.h"
 #include "triangulation/region_options.h"
-#include "triangulation/subdomains.h"
 
 namespace kinetri::detail {
 
@@ -93,7 +92,6 @@ class Region_run {
   Event_reporter<Traits>& reporter_;
   const Region_options options_;
   std::size_t regions_;
-  Subdomains<Traits> subdomains_;
   Window window_;
   std::uint64_t windows_before_ = 0;  // in other calls
   Region_pause pause_ = {};           // before the next window

@@ -13,7 +13,7 @@
 #include "kinetri/impl/triangulation/parallel.h"
 #include "triangulation/optimistic_window_impl.h"
 #include "triangulation/regions.h"
-#include "triangulation/subdomains_impl.h"
+#include "triangulation/subdomains.h"
 
 namespace kinetri::detail {
 
@@ -26,7 +26,6 @@ Region_run<Traits, Contacts>::Region_run(typename Contacts::Core& core,
       reporter_(core_.reporter),
       options_(options),
       regions_(number_of_regions(options, topology_.number_of_points())),
-      subdomains_(core_, options_),
       window_(core, options_) {
   bool is_in_use = false;
   window_.for_each_kind([&](auto& events) { is_in_use |= events.queue().is_divided(); });
@@ -172,7 +171,7 @@ bool Region_run<Traits, Contacts>::begin_window([[maybe_unused]] double begin) {
     division().effort.spend(cost_of_division());
   }
   if (window_.are_versions_spent()) {
-    window_.or_go_back([this] { subdomains_.clear_versions(); });
+    window_.or_go_back([this] { clear_versions(topology_, options_); });
     window_.start_versions();
   }
   return true;
@@ -213,7 +212,7 @@ void Region_run<Traits, Contacts>::adapt_width(bool is_whole, bool is_full) {
 
 template <class Traits, class Contacts>
 void Region_run<Traits, Contacts>::divide() {
-  subdomains_.choose(regions_);
+  choose_regions(core_, options_, regions_);
   distribute(division().parts());
   window_.take_up_division(events_in_window());
 }
@@ -227,7 +226,7 @@ void Region_run<Traits, Contacts>::join() {
 // The sequential loop may have put one of two queues into one part: where it has built all anew.
 template <class Traits, class Contacts>
 void Region_run<Traits, Contacts>::distribute(std::size_t parts) {
-  subdomains_.distribute(parts);
+  distribute_edges(core_, options_, parts);
   if constexpr (has_contacts) {
     window_.contacts().divide(parts, [this](auto& elements, const auto& work) {
       call_for_each(options_, elements, work);

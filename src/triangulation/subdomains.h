@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Regions, the subdomains of the plane that threads take: which points are in which, and the parts
-// of the queue of edges that follow from that.
+// Regions, the subdomains that threads take: which points are in which, and the parts of the queue
+// of edges that follow from that. The division is kept by the schedule, between two runs too.
 #ifndef KINETRI_SRC_TRIANGULATION_SUBDOMAINS_H
 #define KINETRI_SRC_TRIANGULATION_SUBDOMAINS_H
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
 
+#include "kinetri/impl/kinetic/rounded_places.h"
+#include "kinetri/impl/triangulation/kd_cells.h"
 #include "kinetri/impl/triangulation/kinetic_core.h"
+#include "kinetri/impl/triangulation/parallel.h"
+#include "kinetri/impl/triangulation/prefetch.h"
 #include "triangulation/region_options.h"
 
 namespace kinetri::detail {
@@ -15,36 +24,89 @@ namespace kinetri::detail {
 /// How many regions so many points are divided into.
 std::size_t number_of_regions(const Region_options& options, std::size_t points);
 
-/// Divides the points of a triangulation among regions, the cells of a k-d tree of the places of
-/// some of them, and the entries of its queue among parts. The division itself is kept by the
-/// triangulation, between two runs too.
+/// Chooses the regions of all points anew: the cells of a k-d tree of the places of some of them.
+/// O(n).
 template <class Traits>
-class Subdomains {
- public:
-  /// The core and the options must outlive this object.
-  Subdomains(Kinetic_core<Traits>& core, const Region_options& options)
-      : topology_(core.topology), schedule_(core.schedule), options_(options) {}
+void choose_regions(Kinetic_core<Traits>& core, const Region_options& options,
+                    std::size_t regions) {
+  using Vertex_handle = typename Topology<Traits>::Vertex_handle;
+  const Topology<Traits>& topology = core.topology;
+  std::vector<Vertex_handle> vertices;
+  vertices.reserve(topology.number_of_points());
+  for (const Vertex_handle v : topology.triangulation().finite_vertex_handles()) {
+    vertices.push_back(v);
+  }
+  const double now = core.schedule.current_time().to_double();
+  const auto place_of = [now](Vertex_handle v) {
+    const auto finite = [](double x) { return std::isfinite(x) ? x : 0; };
+    const Vector_2 place = rounded_place(v->point().motion(), now);
+    return Vector_2{finite(place.x), finite(place.y)};
+  };
+  std::vector<Vector_2> sample;
+  const std::size_t step = Kd_cells::sample_step(vertices.size(), regions);
+  for (std::size_t k = 0; k < vertices.size(); k += step) sample.push_back(place_of(vertices[k]));
+  const Kd_cells cells(std::move(sample), regions);
+  Region_division& division = core.schedule.division();
+  std::vector<std::uint16_t>& owners = division.owners;
+  owners.assign(topology.vertices().size(), Region_division::no_region);
+  auto blocks = blocks_of(std::span(std::as_const(vertices)));
+  call_for_each(options, blocks, [&](std::span<const Vertex_handle> block) {
+    for (const Vertex_handle v : block) {
+      owners[v->point().id()] = static_cast<std::uint16_t>(cells.cell_of(place_of(v)));
+    }
+  });
+  division.regions = regions;
+  const std::size_t nodes = division.nodes();
+  division.flips.assign(nodes, 0);
+  std::vector<double> shares;
+  for (std::size_t node = 0; node < nodes; ++node) shares.push_back(division.share(node));
+  division.numbers = Flip_numbers(shares, options.stamp_bits);
+  division.events = 0;
+}
 
-  /// Chooses the regions of all points anew. O(n).
-  void choose(std::size_t regions);
-  /// Distributes the entries over so many parts, as the division says, and clears the versions of
-  /// faces. O(n).
-  void distribute(std::size_t parts);
-  /// Clears the versions of faces. O(n).
-  void clear_versions();
-
- private:
+/// Distributes the entries of edges over so many parts, as the division says, and clears the
+/// versions of faces. O(n).
+template <class Traits>
+void distribute_edges(Kinetic_core<Traits>& core, const Region_options& options,
+                      std::size_t parts) {
   using Types = Topology<Traits>;
   using Edge = typename Types::Edge;
   using Face_handle = typename Types::Face_handle;
-  using Vertex_handle = typename Types::Vertex_handle;
+  const Topology<Traits>& topology = core.topology;
+  const std::vector<Face_handle> faces = topology.faces();
+  using Subject = typename Schedule<Traits>::Subject;
+  const auto for_each_subject = [&](std::span<const Face_handle> block, const auto& function) {
+    // What is far away in memory is asked for in time.
+    for (std::size_t k = 0; k < block.size(); ++k) {
+      if (k + 12 < block.size()) prefetch(block[k + 12]);
+      if (k + 6 < block.size()) prefetch_around(block[k + 6]);
+      block[k]->set_stamp(0);
+      topology.for_each_own_edge(block[k], [&](const Edge& edge) {
+        if (edge.first->event(edge.second) == no_event) return;
+        function(Subject{topology.chosen_side(topology.two_sided(edge)).here});
+      });
+      if constexpr (Types::is_weighted) {
+        for (const auto hidden : block[k]->vertex_list()) {
+          if (hidden->event() != no_event) function(Subject{Edge(block[k], 0), hidden});
+        }
+      }
+    }
+  };
+  core.schedule.queue().distribute(
+      parts, blocks_of(std::span(std::as_const(faces))), for_each_subject,
+      [&options](auto& elements, const auto& work) { call_for_each(options, elements, work); });
+}
 
-  void choose_owners(std::size_t regions);
-
-  Topology<Traits>& topology_;
-  Schedule<Traits>& schedule_;
-  const Region_options& options_;
-};
+/// Clears the versions of faces. O(n).
+template <class Traits>
+void clear_versions(const Topology<Traits>& topology, const Region_options& options) {
+  using Face_handle = typename Topology<Traits>::Face_handle;
+  const std::vector<Face_handle> faces = topology.faces();
+  auto blocks = blocks_of(std::span(std::as_const(faces)));
+  call_for_each(options, blocks, [](std::span<const Face_handle> block) {
+    for (const Face_handle face : block) face->set_stamp(0);
+  });
+}
 
 }  // namespace kinetri::detail
 

@@ -157,14 +157,11 @@ class Divided_scheduler {
     for (const auto& part : parts_) part->for_each(function);
   }
   bool is_valid() const {
-    if (!first_.is_valid() ||
-        !std::ranges::all_of(parts_, [](const auto& part) { return part->is_valid(); })) {
-      return false;
-    }
     for (std::size_t match = 1; is_first_known() && match < parts_.size(); ++match) {
       if (winners_[match] != winner(match, made)) return false;
     }
-    return true;
+    return first_.is_valid() &&
+           std::ranges::all_of(parts_, [](const auto& part) { return part->is_valid(); });
   }
 
   template <class... Parts>
