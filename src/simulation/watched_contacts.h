@@ -132,11 +132,12 @@ class Watched_contacts {
   Contact_records& records_;
   Contact_schedule<Traits>& schedule_;
   Overlap_tracker<Traits>& tracker_;
-  std::uint32_t scheduled_ = 0;                // changes before the window
-  std::vector<Edge_ids> passes_ = {};          // put aside
-  std::unordered_set<Point_id> passing_ = {};  // their points
-  bool have_areas_ = false;                    // whether all radii are positive
-  std::optional<std::uint64_t> changes_ = {};  // how many there had been when that was so
+  std::uint32_t scheduled_ = 0;                      // changes before the window
+  std::vector<std::pair<Entry, Time>> moving_ = {};  // changes, while queues are divided
+  std::vector<Edge_ids> passes_ = {};                // put aside
+  std::unordered_set<Point_id> passing_ = {};        // their points
+  bool have_areas_ = false;                          // whether all radii are positive
+  std::optional<std::uint64_t> changes_ = {};        // how many there had been when that was so
 };
 
 }  // namespace kinetri::detail

@@ -43,7 +43,9 @@ void Watched_contacts<Traits>::divide(std::size_t count, const In_parallel& in_p
   }
   Block& of_changes = blocks.emplace_back(Block{ids, ids});
   queue().for_each([&](const Entry& entry) {
-    if (!is_contact(entry.kind)) of_changes.changes.push_back(entry.subject());
+    if (is_contact(entry.kind)) return;
+    of_changes.changes.push_back(entry.subject());
+    if (is_change(entry.kind)) moving_.emplace_back(entry, queue().time_of(entry));
   });
   const auto for_each_subject = [this](const Block& block, const auto& function) {
     for (Point_id id = block.first; id < block.last; ++id) {
@@ -57,6 +59,7 @@ void Watched_contacts<Traits>::divide(std::size_t count, const In_parallel& in_p
     for (const Subject& change : block.changes) function(change);
   };
   queue().distribute(count, blocks, for_each_subject, in_parallel);
+  moving_.clear();
 }
 template <class Traits>
 auto Watched_contacts<Traits>::pair(const Edge_ids& pair) -> Entry {
@@ -258,8 +261,12 @@ void Watched_contacts<Traits>::end_window() {
 
 template <class Traits>
 void Watched_contacts<Traits>::start_anew() {
-  // By number: one that was being moved to another part may be in both.
+  // By number: one that was being moved to another part may be in both, or in none.
   std::map<Point_id, std::pair<Entry, Time>> changes;
+  for (const auto& [entry, time] : moving_) {
+    changes.try_emplace(entry.point_b, entry, time);
+  }
+  moving_.clear();
   for (std::size_t p = 0; p < queue().number_of_parts(); ++p) {
     const Part& part = queue().part(p);
     part.for_each([&](const Entry& entry) {

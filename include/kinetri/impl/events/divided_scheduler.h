@@ -55,20 +55,108 @@ class Divided_scheduler {
   /// Whether there are several parts.
   bool is_divided() const noexcept { return !parts_.empty(); }
 
-  /// Distributes the entries over `count` parts, at most 65536; handles are others then. Only those
-  /// that belong elsewhere move where there are so many parts already. `blocks` are entries that
-  /// one thread moves: for_each_subject(block, function) calls function(subject) with what each of
-  /// them is about, in the same order each time. in_parallel(vector, work) calls work with each
-  /// element of a vector, by several threads if that helps. O(n). Until it is done, entries that
-  /// move take half as much memory again. If it throws, the scheduler can only be cleared.
+  /// Distributes the entries over `count` parts, at most 65536; handles are others then. `blocks`
+  /// are entries that one thread moves: for_each_subject(block, function) calls function(subject)
+  /// with what each of them is about, in the same order each time. in_parallel(vector, work) calls
+  /// work with each element of a vector, by several threads if that helps. O(n). Until it is done,
+  /// entries take half as much memory again. If it throws, the scheduler can only be cleared.
   template <class Block, class For_each_subject, class In_parallel>
   void distribute(std::size_t count, const std::vector<Block>& blocks,
                   const For_each_subject& for_each_subject, const In_parallel& in_parallel) {
-    if (count == number_of_parts()) {
-      if (is_divided()) redistribute(blocks, for_each_subject, in_parallel);
+    if (count == 1 && !is_divided()) return;
+    const Queue_counters before = counters();
+    forget_first();
+    if (is_divided()) {
+      in_parallel(parts_, [](const std::unique_ptr<Part>& part) { part->forget_order(); });
     } else {
-      divide(count, blocks, for_each_subject, in_parallel);
+      first_.forget_order();
     }
+    struct Share {
+      const Block* block;
+      std::vector<Queue_handle> next;                               // of each part
+      std::size_t first = 0;                                        // of its entries among all
+      std::vector<std::uint16_t> parts;                             // of each of them
+      std::vector<std::pair<std::size_t, Algebraic_number>> times;  // of few: their numbers
+    };
+    std::vector<Share> shares;
+    for (const Block& block : blocks) {
+      shares.push_back({&block, std::vector<Queue_handle>(count, 0), 0, {}, {}});
+    }
+    in_parallel(shares, [&](Share& share) {
+      for_each_subject(*share.block, [&](const auto& subject) {
+        const std::size_t part = count == 1 ? 0 : policy_.part_of(subject);
+        share.parts.push_back(static_cast<std::uint16_t>(part));
+        ++share.next[part];
+      });
+    });
+    std::size_t number = 0;
+    for (Share& share : shares) share.first = std::exchange(number, number + share.parts.size());
+    // All in one piece, which goes back to the system when it is freed.
+    std::vector<Double_interval> bounds(number);
+    std::vector<typename Entry::Kept> kept(number);
+    in_parallel(shares, [&](Share& share) {
+      std::vector<Queue_handle> handles;
+      handles.reserve(share.parts.size());
+      for_each_subject(*share.block,
+                       [&](const auto& subject) { handles.push_back(policy_.handle(subject)); });
+      constexpr std::size_t ahead = 8;
+      for (std::size_t k = 0; k < handles.size(); ++k) {
+        if (k + ahead < handles.size()) prefetch(handles[k + ahead]);
+        const Entry& entry = (*this)[handles[k]];
+        bounds[share.first + k] = entry.bounds;
+        kept[share.first + k] = entry.kept();
+        if (entry.time == Time_pool::none) continue;
+        share.times.emplace_back(k, part(part_of_handle(handles[k])).time_of(entry));
+      }
+    });
+    // The memory of the entries is free again before they are made anew.
+    first_.clear();
+    in_parallel(parts_, [](std::unique_ptr<Part>& part) { part.reset(); });
+    parts_.clear();
+    struct Made {
+      std::unique_ptr<Part> part;
+      Queue_handle size = 0;
+    };
+    std::vector<Made> made(count);
+    for (std::size_t p = 0; p < count; ++p) {
+      if (count > 1) made[p].part = std::make_unique<Part>(policy_);
+      for (Share& share : shares) made[p].size += std::exchange(share.next[p], made[p].size);
+    }
+    in_parallel(made, [&](const Made& m) { (count == 1 ? first_ : *m.part).begin_assign(m.size); });
+    const unsigned shift = shift_of(count);
+    std::mutex times_are_kept;
+    in_parallel(shares, [&](Share& share) {
+      std::size_t k = 0;
+      auto time = share.times.begin();
+      for_each_subject(*share.block, [&](const auto& subject) {
+        const std::size_t to = share.parts[k];
+        const Queue_handle local_handle = share.next[to]++;
+        std::unique_ptr<Algebraic_number> exact;
+        if (time != share.times.end() && time->first == k) {
+          exact = std::make_unique<Algebraic_number>(std::move((time++)->second));
+        }
+        Part& part = count == 1 ? first_ : *made[to].part;
+        const std::size_t n = share.first + k;
+        part.assign_entry(local_handle, Entry(subject, bounds[n], kept[n]), std::move(exact),
+                          times_are_kept);
+        policy_.set_handle(subject, named(to, local_handle, shift));
+        ++k;
+      });
+      Share done = std::move(share);
+    });
+    for (Made& m : made) {
+      if (count > 1) parts_.push_back(std::move(m.part));
+    }
+    shift_ = shift;
+    if (count == 1) {
+      first_.end_assign();
+    } else {
+      in_parallel(parts_, [](const std::unique_ptr<Part>& part) {
+        part->end_assign();
+        part->count_as({});
+      });
+    }
+    first_.count_as(before);
   }
 
   /// How many parts there are; at least one.
@@ -219,165 +307,6 @@ class Divided_scheduler {
   }
 
  private:
-  // Distributes all entries over another number of parts.
-  template <class Block, class For_each_subject, class In_parallel>
-  void divide(std::size_t count, const std::vector<Block>& blocks,
-              const For_each_subject& for_each_subject, const In_parallel& in_parallel) {
-    const Queue_counters before = counters();
-    forget_first();
-    if (is_divided()) {
-      in_parallel(parts_, [](const std::unique_ptr<Part>& part) { part->forget_order(); });
-    } else {
-      first_.forget_order();
-    }
-    struct Share {
-      const Block* block;
-      std::vector<Queue_handle> next;                               // of each part
-      std::size_t first = 0;                                        // of its entries among all
-      std::vector<std::uint16_t> parts;                             // of each of them
-      std::vector<std::pair<std::size_t, Algebraic_number>> times;  // of few: their numbers
-    };
-    std::vector<Share> shares;
-    for (const Block& block : blocks) {
-      shares.push_back({&block, std::vector<Queue_handle>(count, 0), 0, {}, {}});
-    }
-    in_parallel(shares, [&](Share& share) {
-      for_each_subject(*share.block, [&](const auto& subject) {
-        const std::size_t part = count == 1 ? 0 : policy_.part_of(subject);
-        share.parts.push_back(static_cast<std::uint16_t>(part));
-        ++share.next[part];
-      });
-    });
-    std::size_t number = 0;
-    for (Share& share : shares) share.first = std::exchange(number, number + share.parts.size());
-    // All in one piece, which goes back to the system when it is freed.
-    std::vector<Double_interval> bounds(number);
-    std::vector<typename Entry::Kept> kept(number);
-    in_parallel(shares, [&](Share& share) {
-      std::vector<Queue_handle> handles;
-      handles.reserve(share.parts.size());
-      for_each_subject(*share.block,
-                       [&](const auto& subject) { handles.push_back(policy_.handle(subject)); });
-      constexpr std::size_t ahead = 8;
-      for (std::size_t k = 0; k < handles.size(); ++k) {
-        if (k + ahead < handles.size()) prefetch(handles[k + ahead]);
-        const Entry& entry = (*this)[handles[k]];
-        bounds[share.first + k] = entry.bounds;
-        kept[share.first + k] = entry.kept();
-        if (entry.time == Time_pool::none) continue;
-        share.times.emplace_back(k, part(part_of_handle(handles[k])).time_of(entry));
-      }
-    });
-    // The memory of the entries is free again before they are made anew.
-    first_.clear();
-    in_parallel(parts_, [](std::unique_ptr<Part>& part) { part.reset(); });
-    parts_.clear();
-    struct Made {
-      std::unique_ptr<Part> part;
-      Queue_handle size = 0;
-    };
-    std::vector<Made> made(count);
-    for (std::size_t p = 0; p < count; ++p) {
-      if (count > 1) made[p].part = std::make_unique<Part>(policy_);
-      for (Share& share : shares) made[p].size += std::exchange(share.next[p], made[p].size);
-    }
-    in_parallel(made, [&](const Made& m) { (count == 1 ? first_ : *m.part).begin_assign(m.size); });
-    const unsigned shift = shift_of(count);
-    std::mutex times_are_kept;
-    in_parallel(shares, [&](Share& share) {
-      std::size_t k = 0;
-      auto time = share.times.begin();
-      for_each_subject(*share.block, [&](const auto& subject) {
-        const std::size_t to = share.parts[k];
-        const Queue_handle local_handle = share.next[to]++;
-        std::unique_ptr<Algebraic_number> exact;
-        if (time != share.times.end() && time->first == k) {
-          exact = std::make_unique<Algebraic_number>(std::move((time++)->second));
-        }
-        Part& part = count == 1 ? first_ : *made[to].part;
-        const std::size_t n = share.first + k;
-        part.assign_entry(local_handle, Entry(subject, bounds[n], kept[n]), std::move(exact),
-                          times_are_kept);
-        policy_.set_handle(subject, named(to, local_handle, shift));
-        ++k;
-      });
-      Share done = std::move(share);
-    });
-    for (Made& m : made) {
-      if (count > 1) parts_.push_back(std::move(m.part));
-    }
-    shift_ = shift;
-    if (count == 1) {
-      first_.end_assign();
-    } else {
-      in_parallel(parts_, [](const std::unique_ptr<Part>& part) {
-        part->end_assign();
-        part->count_as({});
-      });
-    }
-    first_.count_as(before);
-  }
-
-  // Moves the entries that belong in other parts now, since `part_of` of the policy has changed.
-  template <class Block, class For_each_subject, class In_parallel>
-  void redistribute(const std::vector<Block>& blocks, const For_each_subject& for_each_subject,
-                    const In_parallel& in_parallel) {
-    struct Moved {
-      Queue_handle handle;  // before
-      std::size_t to;
-      Entry entry = {};
-      std::unique_ptr<Algebraic_number> exact = {};
-    };
-    forget_first();
-    struct Share {
-      std::size_t number;  // of a block or a part
-      std::vector<Moved> moved = {};
-    };
-    std::vector<Share> from_blocks;
-    for (std::size_t b = 0; b < blocks.size(); ++b) from_blocks.push_back({b});
-    in_parallel(from_blocks, [&](Share& share) {
-      for_each_subject(blocks[share.number], [&](const auto& subject) {
-        const Queue_handle handle = policy_.handle(subject);
-        const std::size_t to = policy_.part_of(subject);
-        if (to != part_of_handle(handle)) share.moved.push_back({handle, to});
-      });
-    });
-    const auto dealt = [&](std::vector<Share>& shares, const auto& part_of_moved) {
-      std::vector<Share> result;
-      for (std::size_t p = 0; p < parts_.size(); ++p) result.push_back({p});
-      for (Share& share : shares) {
-        for (Moved& m : share.moved) result[part_of_moved(m)].moved.push_back(std::move(m));
-        share = {};
-      }
-      return result;
-    };
-    std::vector<Share> from_parts =
-        dealt(from_blocks, [this](const Moved& m) { return part_of_handle(m.handle); });
-    in_parallel(from_parts, [this](Share& share) {
-      Part& part = *parts_[share.number];
-      const Queue_counters before = part.counters();
-      for (Moved& m : share.moved) {
-        const Entry& entry = part[local(m.handle)];
-        if (entry.time != Time_pool::none) {
-          m.exact = std::make_unique<Algebraic_number>(part.time_of(entry));
-        }
-        m.entry = part.erase(local(m.handle));
-      }
-      part.count_as(before);
-    });
-    std::vector<Share> to_parts = dealt(from_parts, [](const Moved& m) { return m.to; });
-    in_parallel(to_parts, [this](Share& share) {
-      Part& part = *parts_[share.number];
-      const Queue_counters before = part.counters();
-      for (Moved& m : share.moved) {
-        const Queue_handle handle =
-            m.exact ? part.push(m.entry, std::move(*m.exact)) : part.emplace(m.entry);
-        policy_.set_handle(m.entry.subject(), named(share.number, handle));
-      }
-      part.count_as(before);
-    });
-  }
-
   // What is done where there are several parts: not inlined, so that one part costs no more.
   template <class Is_due, class Recheck>
   bool settle_parts(const Is_due& is_due, const Recheck& recheck) {
