@@ -24,6 +24,7 @@ bool Watched_contacts<Traits>::can_run(const Core& core) {
          !core.kinetic().reporter.observers().any_of(
              [](const Event_observer& observer) { return observer.looks_at_triangulation(); });
 }
+
 // ---- the queue ----
 
 template <class Traits>
@@ -61,6 +62,7 @@ void Watched_contacts<Traits>::divide(std::size_t count, const In_parallel& in_p
   queue().distribute(count, blocks, for_each_subject, in_parallel);
   moving_.clear();
 }
+
 template <class Traits>
 auto Watched_contacts<Traits>::pair(const Edge_ids& pair) -> Entry {
   Entry result;
@@ -70,6 +72,7 @@ auto Watched_contacts<Traits>::pair(const Edge_ids& pair) -> Entry {
   result.is_edge = true;
   return result;
 }
+
 template <class Traits>
 template <class Function>
 void Watched_contacts<Traits>::for_each_handle(Point_id id, const Function& function) const {
@@ -79,6 +82,7 @@ void Watched_contacts<Traits>::for_each_handle(Point_id id, const Function& func
   if (!has_pairs()) return;
   for (const auto& partner : contacts->partners) function(partner.event);
 }
+
 // ---- contacts ----
 
 template <class Traits>
@@ -99,6 +103,7 @@ auto Watched_contacts<Traits>::changes(const Entry& entry, const Time& now) cons
   if (std::ranges::any_of(result, [](const Change& change) { return !change.motion; })) return {};
   return result;
 }
+
 template <class Traits>
 auto Watched_contacts<Traits>::certificate(const Entry& entry, const Time& after,
                                            Certificate_counters& counters) const
@@ -113,6 +118,7 @@ auto Watched_contacts<Traits>::certificate(const Entry& entry, const Time& after
   counters.count(result.second);
   return result;
 }
+
 template <class Traits>
 template <class Put>
 void Watched_contacts<Traits>::for_each_contact(Points points, const Time& now,
@@ -133,6 +139,7 @@ void Watched_contacts<Traits>::for_each_contact(Points points, const Time& now,
     });
   }
 }
+
 template <class Traits>
 bool Watched_contacts<Traits>::certify(const Pair& points, Points changed, const Time& now,
                                        Certificate_counters& counters,
@@ -170,10 +177,12 @@ bool Watched_contacts<Traits>::certify(const Pair& points, Points changed, const
   }
   return may_go_on && are_neighbors;
 }
+
 template <class Traits>
 bool Watched_contacts<Traits>::do_meet(Point_id a, Point_id b, const Time& now) const {
   return geometry_.may_touch(a, b, geometry_.traits(), now);
 }
+
 // Whether the centre of a disc is in another one.
 template <class Traits>
 bool Watched_contacts<Traits>::is_centre_in(Point_id id, Point_id other, const Time& now) const {
@@ -182,6 +191,7 @@ bool Watched_contacts<Traits>::is_centre_in(Point_id id, Point_id other, const T
   return geometry_.traits().do_touch(typename Traits::Point_2(centre, id), geometry_.point(other),
                                      core_.setup.diameter(), now);
 }
+
 // ---- windows ----
 
 template <class Traits>
@@ -198,6 +208,7 @@ bool Watched_contacts<Traits>::begin_window(double begin) {
   put_passes_back();
   return false;
 }
+
 // Whether all radii are positive, unless for a moment. Only changes that are no contacts make one
 // 0.
 template <class Traits>
@@ -218,6 +229,7 @@ bool Watched_contacts<Traits>::have_areas() {
   }
   return have_areas_;
 }
+
 // Forgets the overlaps that are over at a time up to which nothing happens. Returns whether all of
 // them are.
 template <class Traits>
@@ -236,6 +248,7 @@ bool Watched_contacts<Traits>::drop_overlaps(const Time& time) {
   }
   return true;
 }
+
 template <class Traits>
 void Watched_contacts<Traits>::put_passes_back() {
   for (const auto& [a, b] : passes_) {
@@ -244,6 +257,7 @@ void Watched_contacts<Traits>::put_passes_back() {
   passes_.clear();
   passing_.clear();
 }
+
 template <class Traits>
 void Watched_contacts<Traits>::end_contact(const Pair& points) {
   const auto [a, b] = points;

@@ -18,7 +18,7 @@ template <class Traits>
 struct Contact_runs {
   using Core = Simulation_core<Traits>;  ///< of the simulation
 
-  /// Whether contacts can be executed in windows of time; see Contact_turns::can_run.
+  /// Whether contacts can be executed in windows of time; see Watched_contacts::can_run.
   static bool can_run(const Core& core);
   /// As advance_to of the simulation, with the same result; see Region_run::advance_to.
   static std::size_t advance_to(Core& core, const Algebraic_number& until,

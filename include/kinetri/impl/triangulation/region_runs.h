@@ -21,7 +21,7 @@ inline constexpr bool has_region_runs = std::is_same_v<Traits, Linear_kinetic_tr
                                         std::is_same_v<Traits, Disc_kinetic_traits_2> ||
                                         std::is_same_v<Traits, Polynomial_disc_kinetic_traits_2>;
 
-/// Whether a run by regions may be faster than the plain loop: of so many points, with so many
+/// Whether a run by regions may be faster than the sequential loop: of so many points, with so many
 /// threads (0: those of oneTBB's arena) of those that oneTBB has here.
 bool may_pay_by_regions(std::size_t points, std::size_t threads);
 
