@@ -64,7 +64,8 @@ class Divided_scheduler {
   void distribute(std::size_t count, const std::vector<Block>& blocks,
                   const For_each_subject& for_each_subject, const In_parallel& in_parallel) {
     if (count == 1 && !is_divided()) return;
-    const Queue_counters before = counters();
+    Queue_counters before = counters();
+    if (count == number_of_parts()) before.peak = first_.counters().peak;  // no moment of its own
     forget_first();
     if (is_divided()) {
       in_parallel(parts_, [](const std::unique_ptr<Part>& part) { part->forget_order(); });
