@@ -27,6 +27,7 @@ struct Mode {
   double until = 10;  // unless another time is given
 };
 
+const std::string batches_mode = "batches";
 const std::string discs_mode = "discs";
 const std::string contacts_mode = "contacts";
 const std::string lines_mode = "lines";
@@ -41,6 +42,8 @@ const std::map<std::string, Mode> modes = {
      {measure_accelerated, "time per event of accelerated points, beside straight ones"}},
     {"certificates",
      {measure_certificates, "certificates of contacts and distances, with filters and without"}},
+    {batches_mode,
+     {measure_batches, "other motions of many points at once, with two threads beside one", 5}},
     {"changes", {measure_changes, "time to insert, erase and turn a point, beside CGAL's insert"}},
     {"encounters", {measure_encounters, "all pairs in range of each other, against the run alone"}},
     {lines_mode, {measure_lines, "starts of points on a line, on a circle, on a lattice"}},
@@ -100,7 +103,8 @@ int main(int argc, char** argv) {
       command.add_option("--scenario", setup.scenario, "what moves, and how (uniform)")
           ->transform(CLI::CheckedTransformer(scenarios()));
     }
-    const std::string usual_points = mode_name == lines_mode     ? "262144"
+    const std::string usual_points = mode_name == batches_mode   ? "100000"
+                                     : mode_name == lines_mode   ? "262144"
                                      : mode_name == threads_mode ? "52900"
                                                                  : "1000";
     const CLI::Option* points =

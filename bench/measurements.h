@@ -91,6 +91,11 @@ nlohmann::json measure_lattice_row(const Setup& setup);
 /// rebuild for each frame, and than moving each vertex of a static triangulation.
 nlohmann::json measure_frames(const Setup& setup);
 
+/// Seconds of other motions of every tenth point at once, five times on the way to `until`, with
+/// one thread and with two, in turn. Throws std::runtime_error if the results differ, or if there
+/// are too few points and events for two threads to share that.
+nlohmann::json measure_batches(const Setup& setup);
+
 /// Nanoseconds for each insertion, erasure and turn of a point at one time, and for CGAL's
 /// insertion and removal in a static triangulation of the same points, in turn.
 nlohmann::json measure_changes(const Setup& setup);
