@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/contact_events.h"
 
-#include "kinetri/impl/simulation/contact_runs.h"
-#include "kinetri/impl/simulation/simulation_core_impl.h"
 #include "kinetri/impl/triangulation/kinetic_core_impl.h"
 #include "simulation/contact_events_impl.h"
+#include "simulation/contact_runs.h"
+#include "simulation/simulation_core_impl.h"
 #include "triangulation/regions_impl.h"
 
 namespace kinetri::detail {

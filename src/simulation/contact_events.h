@@ -17,6 +17,7 @@
 
 #include "kinetri/base/ids.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "simulation/simulation_core.h"
 #include "simulation/watched_contacts.h"
 #include "triangulation/edge_events.h"
 #include "triangulation/regions.h"
@@ -227,7 +228,7 @@ class Contact_events {
 /// A run of a simulation by regions.
 template <class Traits>
 auto region_run_of(Simulation_2<Traits>& simulation, const Region_options& options = {}) {
-  return Region_run<Traits, Contact_events<Traits>>(Core_access::core(simulation), options);
+  return Region_run<Traits, Contact_events<Traits>>(*Core_access::core(simulation), options);
 }
 
 }  // namespace kinetri::detail

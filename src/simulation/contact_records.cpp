@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/impl/simulation/contact_records.h"
+#include "simulation/contact_records.h"
 
 namespace kinetri::detail {
 

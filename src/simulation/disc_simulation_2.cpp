@@ -3,7 +3,7 @@
 // Simulation_2 of discs of any size, apart from that of points for the time that it takes to
 // compile.
 #include "kinetri/simulation/simulation_2.h"
-#include "kinetri/simulation/simulation_2_impl.h"
+#include "simulation/simulation_2_impl.h"
 
 namespace kinetri {
 

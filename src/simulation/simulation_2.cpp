@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/simulation/simulation_2.h"
 
-#include "kinetri/simulation/simulation_2_impl.h"
+#include "simulation/simulation_2_impl.h"
 
 namespace kinetri {
 

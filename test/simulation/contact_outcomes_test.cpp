@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/impl/simulation/contact_outcomes.h"
+#include "simulation/contact_outcomes.h"
 
 #include <gtest/gtest.h>
 

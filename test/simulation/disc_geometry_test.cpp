@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/impl/simulation/disc_geometry.h"
+#include "simulation/disc_geometry.h"
 
 #include <gtest/gtest.h>
 

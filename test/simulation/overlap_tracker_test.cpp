@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/impl/simulation/overlap_tracker.h"
+#include "simulation/overlap_tracker.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 //
 // What the options of a simulation mean, to the last bit; simulation_2_test.cpp has what is wrong
 // with options.
-#include "kinetri/impl/simulation/simulation_setup.h"
+#include "simulation/simulation_setup.h"
 
 #include <gtest/gtest.h>
 

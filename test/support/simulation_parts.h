@@ -7,9 +7,9 @@
 #include <set>
 #include <vector>
 
-#include "kinetri/impl/simulation/overlap_tracker_impl.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 #include "kinetri/triangulation/kinetic_regular_triangulation_2.h"
+#include "simulation/overlap_tracker_impl.h"
 #include "support/discs.h"
 
 namespace kinetri::test {

@@ -85,7 +85,7 @@ MUTATIONS = (
      f"{{{{std::nextafter(place_rounded_correctly(position.x, old_velocity.x, epoch, t), {INFINITY})"),
     ("growth ignored in exact weights", KINETIC + "scaled_coordinates.h", "radius(disc.radius, disc.growth, disc.epoch)", "radius(disc.radius, 0.0, disc.epoch)"),
     ("every 50th row of the log left out", "src/io/event_log.cpp", "  out_ << line;", "  if (event.number % 50 != 49) out_ << line;"),
-    ("wall: velocity not turned around", "include/kinetri/impl/simulation/contact_outcomes.h", "component = -component;", "component = +component;"),
+    ("wall: velocity not turned around", "src/simulation/contact_outcomes.h", "component = -component;", "component = +component;"),
     ("every 50th event left out", DETAIL + "event_loop_impl.h", "      return updates_.flip(edge, event_kind_of(failure.kind));",
      "      static int executed = 0;\n      if (++executed % 50 == 0) return Types::set_event(edge, no_event);\n"
      "      return updates_.flip(edge, event_kind_of(failure.kind));"),

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -29,7 +30,6 @@
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
 #include "kinetri/impl/base/flag_while.h"
-#include "kinetri/impl/simulation/simulation_core.h"
 #include "kinetri/kinetic/contact_kinetic_traits_2.h"
 #include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/simulation/overlap_observer.h"
@@ -40,10 +40,17 @@
 
 namespace kinetri {
 
-/// The simulation. Points have the common radius of the options; motions that have a radius
-/// (HasWeight) are discs of that radius, which may differ and grow, and the triangulation is the
-/// regular one. At each time first the triangulation's own events are executed, then contacts
-/// with walls, by point id, then those of discs, by ids, then changes that were scheduled.
+namespace detail {
+template <class Traits>
+struct Simulation_core;
+enum class Contact_kind : std::uint8_t;
+}  // namespace detail
+
+/// The simulation, compiled into the library for its own traits. Points have the common radius of
+/// the options; motions that have a radius (HasWeight) are discs of that radius, which may differ
+/// and grow, and the triangulation is the regular one. At each time first the triangulation's own
+/// events are executed, then contacts with walls, by point id, then those of discs, by ids, then
+/// changes that were scheduled.
 ///
 /// A reflection or response gives a point a new motion whose place is that of the old one at the
 /// binary64 number nearest to the time, rounded (see `with_velocity_at`); where that would be
@@ -89,20 +96,21 @@ class Simulation_2 {
     return Simulation_2(Restoration(), snapshot, std::move(response), traits);
   }
 
+  ~Simulation_2();
   Simulation_2(const Simulation_2&) = delete;
   Simulation_2& operator=(const Simulation_2&) = delete;
 
   // ---- the present ----
 
   /// The triangulation, to look at. Time advances here.
-  const Triangulation& triangulation() const { return core_.triangulation; }
+  const Triangulation& triangulation() const;
   /// The time just after which the triangulation is Delaunay now.
-  const Time& current_time() const { return core_.triangulation.current_time(); }
+  const Time& current_time() const { return triangulation().current_time(); }
   /// The box and the discs, as given to the constructor or held by the snapshot, with the present
   /// masses.
-  const Simulation_options& options() const { return core_.setup.options(); }
+  const Simulation_options& options() const;
   /// The mass of a point: as given, or 1.
-  double mass(Point_id id) const { return core_.setup.mass(id); }
+  double mass(Point_id id) const;
 
   /// The whole state but the response and the observers, to be restored later or elsewhere; see
   /// Simulation_snapshot. O(n). Precondition: not within an event or an instant: not called by an
@@ -117,16 +125,10 @@ class Simulation_2 {
   /// contact, and cannot go on. Throws Negative_radius_error instead of
   /// passing the time at which a radius that shrinks is 0; change that motion then, or erase the
   /// point, to go on.
-  std::size_t step() {
-    const detail::Flag_while changing = start_change();
-    return core_.step(nullptr);
-  }
+  std::size_t step();
 
   /// As step(), but only if the next event is at or before `until`; else nothing happens.
-  std::size_t step(const Time& until) {
-    const detail::Flag_while changing = start_change();
-    return core_.step(&until);
-  }
+  std::size_t step(const Time& until);
 
   /// Goes to `time`: every event at or before it has happened. Returns the number of events. The
   /// result, exceptions included, is that of step(time) until there is none, and then of time
@@ -146,10 +148,7 @@ class Simulation_2 {
   /// (Simulation_options::response_is_pure). One thread does everything with log_contact or
   /// erase_both, and while discs overlap that collide. The result is the same. An error that an
   /// observer throws then leaves the simulation as it is some events later.
-  void set_threads(std::size_t most) {
-    core_.threads = most;
-    core_.triangulation.set_threads(most);
-  }
+  void set_threads(std::size_t most);
 
   // ---- changing points ----
 
@@ -199,11 +198,8 @@ class Simulation_2 {
   /// collision; the motions change between `before_event` and `after_event`.
   /// The queue of contacts follows the edges when all events of the triangulation at one time have
   /// happened, so within an event it is that of before.
-  void add_observer(Observer& observer) {
-    check_may_change();
-    core_.triangulation.add_observer(observer);
-  }
-  void remove_observer(Observer& observer) { core_.triangulation.remove_observer(observer); }
+  void add_observer(Observer& observer);
+  void remove_observer(Observer& observer);
   /// @}
 
   /// The points whose discs overlap that of the point just after the current time, exactly; sorted.
@@ -215,13 +211,8 @@ class Simulation_2 {
   /// @{
   /// Has the observer told of changes of points; it must outlive this object or be removed, which
   /// it may do when it is called.
-  void add_overlap_observer(Overlap_observer& observer) {
-    check_may_change();
-    core_.loop.overlap_observers().add(observer);
-  }
-  void remove_overlap_observer(Overlap_observer& observer) {
-    core_.loop.overlap_observers().remove(observer);
-  }
+  void add_overlap_observer(Overlap_observer& observer);
+  void remove_overlap_observer(Overlap_observer& observer);
   /// @}
 
   /// Counts of contacts since the start, those of the snapshot included; of the queue since this
@@ -230,10 +221,10 @@ class Simulation_2 {
   /// The present number of entries in the queue of contacts and scheduled changes, which is apart
   /// from that of the triangulation: contacts, and times up to which there certainly is none; at
   /// most one for each point, one for each edge, and one for each change. O(1).
-  std::size_t queue_size() const noexcept { return core_.schedule.queue().size(); }
+  std::size_t queue_size() const noexcept;
   /// How many contacts of discs, since this object was made, have left both discs their motions: of
   /// log_contact all, of other responses those whose discs pass through each other. O(1).
-  std::uint64_t number_of_passes() const noexcept { return core_.loop.number_of_passes(); }
+  std::uint64_t number_of_passes() const noexcept;
   /// Counts of certificates, those of topology and of contacts together.
   Certificate_counters certificate_counters() const;
 
@@ -268,7 +259,7 @@ class Simulation_2 {
   void schedule(const Time& time, detail::Contact_kind kind, Point_id id,
                 const std::optional<Motion>& motion);
 
-  detail::Simulation_core<Traits> core_;
+  std::unique_ptr<detail::Simulation_core<Traits>> core_;
   bool is_changing_ = false;  // a function that changes this runs
 };
 

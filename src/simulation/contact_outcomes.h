@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a contact does to its points. Nothing here changes anything.
-#ifndef KINETRI_IMPL_SIMULATION_CONTACT_OUTCOMES_H
-#define KINETRI_IMPL_SIMULATION_CONTACT_OUTCOMES_H
+#ifndef KINETRI_SRC_SIMULATION_CONTACT_OUTCOMES_H
+#define KINETRI_SRC_SIMULATION_CONTACT_OUTCOMES_H
 
 #include <array>
 #include <functional>
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/simulation/disc_geometry.h"
+#include "simulation/disc_geometry.h"
 
 namespace kinetri::detail {
 
@@ -177,4 +177,4 @@ void Simulation_types<Traits>::Contact_outcomes::refuse_press(Point_id id, const
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_CONTACT_OUTCOMES_H
+#endif  // KINETRI_SRC_SIMULATION_CONTACT_OUTCOMES_H

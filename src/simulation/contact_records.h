@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a simulation knows of each point: its entries in the queue, and its overlaps.
-#ifndef KINETRI_IMPL_SIMULATION_CONTACT_RECORDS_H
-#define KINETRI_IMPL_SIMULATION_CONTACT_RECORDS_H
+#ifndef KINETRI_SRC_SIMULATION_CONTACT_RECORDS_H
+#define KINETRI_SRC_SIMULATION_CONTACT_RECORDS_H
 
 #include <algorithm>
 #include <cstddef>
@@ -12,7 +12,7 @@
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
 #include "kinetri/impl/events/queue_handle.h"
-#include "kinetri/impl/simulation/simulation_entry.h"
+#include "simulation/simulation_entry.h"
 
 namespace kinetri::detail {
 
@@ -116,4 +116,4 @@ class Contact_records {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_CONTACT_RECORDS_H
+#endif  // KINETRI_SRC_SIMULATION_CONTACT_RECORDS_H

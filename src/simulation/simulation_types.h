@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The types that the parts of a simulation have in common.
-#ifndef KINETRI_IMPL_SIMULATION_SIMULATION_TYPES_H
-#define KINETRI_IMPL_SIMULATION_SIMULATION_TYPES_H
+#ifndef KINETRI_SRC_SIMULATION_SIMULATION_TYPES_H
+#define KINETRI_SRC_SIMULATION_SIMULATION_TYPES_H
 
 #include <optional>
 
-#include "kinetri/impl/simulation/simulation_entry.h"
 #include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
+#include "simulation/simulation_entry.h"
 
 namespace kinetri::detail {
+
+template <class Traits>
+struct Simulation_core;
 
 /// The types of the traits and of the triangulation, and the parts that a simulation is made of, as
 /// in Kinetic_types.
@@ -41,8 +44,9 @@ struct Simulation_types {
   class Overlap_tracker;
   class Contact_outcomes;
   class Contact_loop;
-  struct Simulation_core;
   class Simulation_auditor;
+
+  using Simulation_core = detail::Simulation_core<Traits>;  ///< all of them
 };
 
 // The parts that others use.
@@ -53,10 +57,8 @@ using Contact_schedule = typename Simulation_types<Traits>::Contact_schedule;
 template <class Traits>
 using Overlap_tracker = typename Simulation_types<Traits>::Overlap_tracker;
 template <class Traits>
-using Simulation_core = typename Simulation_types<Traits>::Simulation_core;
-template <class Traits>
 using Simulation_auditor = typename Simulation_types<Traits>::Simulation_auditor;
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_SIMULATION_TYPES_H
+#endif  // KINETRI_SRC_SIMULATION_SIMULATION_TYPES_H

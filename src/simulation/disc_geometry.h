@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Where the discs of a simulation are, and which are beside which. Nothing here changes anything.
-#ifndef KINETRI_IMPL_SIMULATION_DISC_GEOMETRY_H
-#define KINETRI_IMPL_SIMULATION_DISC_GEOMETRY_H
+#ifndef KINETRI_SRC_SIMULATION_DISC_GEOMETRY_H
+#define KINETRI_SRC_SIMULATION_DISC_GEOMETRY_H
 
 #include <algorithm>
 #include <span>
 #include <vector>
 
-#include "kinetri/impl/simulation/simulation_setup.h"
+#include "simulation/simulation_setup.h"
 
 namespace kinetri::detail {
 
@@ -108,4 +108,4 @@ class Simulation_types<Traits>::Disc_geometry {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_DISC_GEOMETRY_H
+#endif  // KINETRI_SRC_SIMULATION_DISC_GEOMETRY_H

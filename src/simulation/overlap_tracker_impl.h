@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Overlap_tracker.
-#ifndef KINETRI_IMPL_SIMULATION_OVERLAP_TRACKER_IMPL_H
-#define KINETRI_IMPL_SIMULATION_OVERLAP_TRACKER_IMPL_H
+#ifndef KINETRI_SRC_SIMULATION_OVERLAP_TRACKER_IMPL_H
+#define KINETRI_SRC_SIMULATION_OVERLAP_TRACKER_IMPL_H
 
 #include <algorithm>
 #include <utility>
 
-#include "kinetri/impl/simulation/contact_schedule_impl.h"
-#include "kinetri/impl/simulation/overlap_tracker.h"
+#include "simulation/contact_schedule_impl.h"
+#include "simulation/overlap_tracker.h"
 
 namespace kinetri::detail {
 
@@ -496,4 +496,4 @@ void Simulation_types<Traits>::Overlap_tracker::find_overlaps_of_seeds(Points po
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_OVERLAP_TRACKER_IMPL_H
+#endif  // KINETRI_SRC_SIMULATION_OVERLAP_TRACKER_IMPL_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The schedule of a simulation: the queue of contacts and of changes to come.
-#ifndef KINETRI_IMPL_SIMULATION_CONTACT_SCHEDULE_H
-#define KINETRI_IMPL_SIMULATION_CONTACT_SCHEDULE_H
+#ifndef KINETRI_SRC_SIMULATION_CONTACT_SCHEDULE_H
+#define KINETRI_SRC_SIMULATION_CONTACT_SCHEDULE_H
 
 #include <cstddef>
 #include <cstdint>
@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "kinetri/impl/events/divided_scheduler.h"
-#include "kinetri/impl/simulation/contact_records.h"
-#include "kinetri/impl/simulation/disc_geometry.h"
 #include "kinetri/impl/triangulation/region_division.h"
+#include "simulation/contact_records.h"
+#include "simulation/disc_geometry.h"
 
 namespace kinetri::detail {
 
@@ -154,4 +154,4 @@ class Simulation_types<Traits>::Contact_schedule {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_CONTACT_SCHEDULE_H
+#endif  // KINETRI_SRC_SIMULATION_CONTACT_SCHEDULE_H

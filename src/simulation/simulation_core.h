@@ -2,21 +2,21 @@
 //
 // The parts of a simulation, each of which owns its state, in the order in which they know each
 // other.
-#ifndef KINETRI_IMPL_SIMULATION_SIMULATION_CORE_H
-#define KINETRI_IMPL_SIMULATION_SIMULATION_CORE_H
+#ifndef KINETRI_SRC_SIMULATION_SIMULATION_CORE_H
+#define KINETRI_SRC_SIMULATION_SIMULATION_CORE_H
 
 #include <cstddef>
 #include <functional>
 #include <utility>
 
-#include "kinetri/impl/simulation/contact_loop.h"
-#include "kinetri/impl/simulation/contact_outcomes.h"
-#include "kinetri/impl/simulation/contact_records.h"
-#include "kinetri/impl/simulation/contact_schedule.h"
-#include "kinetri/impl/simulation/disc_geometry.h"
-#include "kinetri/impl/simulation/overlap_tracker.h"
-#include "kinetri/impl/simulation/simulation_setup.h"
 #include "kinetri/simulation/simulation_options.h"
+#include "simulation/contact_loop.h"
+#include "simulation/contact_outcomes.h"
+#include "simulation/contact_records.h"
+#include "simulation/contact_schedule.h"
+#include "simulation/disc_geometry.h"
+#include "simulation/overlap_tracker.h"
+#include "simulation/simulation_setup.h"
 
 namespace kinetri::detail {
 
@@ -31,7 +31,12 @@ namespace kinetri::detail {
 /// | outcomes | | the queue; it changes nothing |
 /// | loop | what is left within an instant | |
 template <class Traits>
-struct Simulation_types<Traits>::Simulation_core {
+struct Simulation_core {
+  using Types = Simulation_types<Traits>;
+  using Triangulation = typename Types::Triangulation;
+  using Kinetic_core = typename Types::Kinetic_core;
+  using Time = Algebraic_number;
+
   /// With the arguments of the constructor of the triangulation, or one that is restored.
   template <class Make_triangulation>
   Simulation_core(const Traits& traits, const Simulation_options& options,
@@ -64,14 +69,15 @@ struct Simulation_types<Traits>::Simulation_core {
   void join_parts();
 
   Contact_counters counters;  ///< but for those of the queue
-  Simulation_setup setup;
+  typename Types::Simulation_setup setup;
   Triangulation triangulation;
-  Disc_geometry geometry{setup, triangulation};
+  Disc_geometry<Traits> geometry{setup, triangulation};
   Contact_records records;
-  Contact_schedule schedule{geometry, records, kinetic().schedule.division(), counters};
-  Overlap_tracker tracker{geometry, records, schedule};
-  Contact_outcomes outcomes{geometry};
-  Contact_loop loop{kinetic(), setup, geometry, records, schedule, tracker, outcomes, counters};
+  Contact_schedule<Traits> schedule{geometry, records, kinetic().schedule.division(), counters};
+  Overlap_tracker<Traits> tracker{geometry, records, schedule};
+  typename Types::Contact_outcomes outcomes{geometry};
+  typename Types::Contact_loop loop{kinetic(), setup,   geometry, records,
+                                    schedule,  tracker, outcomes, counters};
   std::size_t threads = 1;  ///< that advance_to may use
 
  private:
@@ -86,7 +92,7 @@ struct Simulation_types<Traits>::Simulation_core {
   declaration class Simulation_types<Traits>::Contact_schedule; \
   declaration class Simulation_types<Traits>::Contact_outcomes; \
   declaration class Simulation_types<Traits>::Contact_loop;     \
-  declaration struct Simulation_types<Traits>::Simulation_core
+  declaration struct Simulation_core<Traits>
 KINETRI_SIMULATION_PARTS(extern template, Linear_kinetic_traits_2);
 KINETRI_SIMULATION_PARTS(extern template, Polynomial_kinetic_traits_2);
 KINETRI_SIMULATION_PARTS(extern template, Disc_kinetic_traits_2);
@@ -94,4 +100,4 @@ KINETRI_SIMULATION_PARTS(extern template, Polynomial_disc_kinetic_traits_2);
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_SIMULATION_CORE_H
+#endif  // KINETRI_SRC_SIMULATION_SIMULATION_CORE_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a simulation is given: traits, box, discs, masses; and which motions that allows.
-#ifndef KINETRI_IMPL_SIMULATION_SIMULATION_SETUP_H
-#define KINETRI_IMPL_SIMULATION_SIMULATION_SETUP_H
+#ifndef KINETRI_SRC_SIMULATION_SIMULATION_SETUP_H
+#define KINETRI_SRC_SIMULATION_SIMULATION_SETUP_H
 
 #include <array>
 #include <cmath>
@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/simulation/disc_numbers.h"
-#include "kinetri/impl/simulation/shortest_text.h"
-#include "kinetri/impl/simulation/simulation_types.h"
 #include "kinetri/kinetic/contact_kinetic_traits_2.h"
 #include "kinetri/simulation/simulation_errors.h"
 #include "kinetri/simulation/simulation_options.h"
+#include "simulation/disc_numbers.h"
+#include "simulation/shortest_text.h"
+#include "simulation/simulation_types.h"
 
 namespace kinetri::detail {
 
@@ -133,4 +133,4 @@ void Simulation_types<Traits>::Simulation_setup::check_radius(const Point_2& p,
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_SIMULATION_SETUP_H
+#endif  // KINETRI_SRC_SIMULATION_SIMULATION_SETUP_H

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The audit of a simulation: what Simulation_2::audit checks.
-#ifndef KINETRI_IMPL_SIMULATION_SIMULATION_AUDITOR_H
-#define KINETRI_IMPL_SIMULATION_SIMULATION_AUDITOR_H
+#ifndef KINETRI_SRC_SIMULATION_SIMULATION_AUDITOR_H
+#define KINETRI_SRC_SIMULATION_SIMULATION_AUDITOR_H
 
 #include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "kinetri/impl/simulation/simulation_core.h"
 #include "kinetri/triangulation/audit.h"
+#include "simulation/simulation_core.h"
 
 namespace kinetri::detail {
 
@@ -159,4 +159,4 @@ Audit_report Simulation_types<Traits>::Simulation_auditor::run(Audit_level level
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_SIMULATION_AUDITOR_H
+#endif  // KINETRI_SRC_SIMULATION_SIMULATION_AUDITOR_H

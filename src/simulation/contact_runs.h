@@ -2,14 +2,14 @@
 //
 // Runs by regions of a simulation, contacts and all, as the simulation sees them. They are defined
 // in src/simulation/contact_events.cpp, for the library's own traits.
-#ifndef KINETRI_IMPL_SIMULATION_CONTACT_RUNS_H
-#define KINETRI_IMPL_SIMULATION_CONTACT_RUNS_H
+#ifndef KINETRI_SRC_SIMULATION_CONTACT_RUNS_H
+#define KINETRI_SRC_SIMULATION_CONTACT_RUNS_H
 
 #include <cstddef>
 #include <functional>
 
-#include "kinetri/impl/simulation/simulation_core.h"
 #include "kinetri/impl/triangulation/region_runs.h"
+#include "simulation/simulation_core.h"
 
 namespace kinetri::detail {
 
@@ -29,4 +29,4 @@ struct Contact_runs {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_CONTACT_RUNS_H
+#endif  // KINETRI_SRC_SIMULATION_CONTACT_RUNS_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The growth and the mass of a disc, whether its motion has a radius or not.
-#ifndef KINETRI_IMPL_SIMULATION_DISC_NUMBERS_H
-#define KINETRI_IMPL_SIMULATION_DISC_NUMBERS_H
+#ifndef KINETRI_SRC_SIMULATION_DISC_NUMBERS_H
+#define KINETRI_SRC_SIMULATION_DISC_NUMBERS_H
 
 #include <cmath>
 #include <string>
@@ -39,4 +39,4 @@ inline std::string mass_problem(Point_id id, double mass) {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_DISC_NUMBERS_H
+#endif  // KINETRI_SRC_SIMULATION_DISC_NUMBERS_H

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Disc_geometry.
-#ifndef KINETRI_IMPL_SIMULATION_DISC_GEOMETRY_IMPL_H
-#define KINETRI_IMPL_SIMULATION_DISC_GEOMETRY_IMPL_H
+#ifndef KINETRI_SRC_SIMULATION_DISC_GEOMETRY_IMPL_H
+#define KINETRI_SRC_SIMULATION_DISC_GEOMETRY_IMPL_H
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/impl/simulation/disc_boxes.h"
-#include "kinetri/impl/simulation/disc_geometry.h"
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/impl/triangulation/parallel.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
+#include "simulation/disc_geometry.h"
 
 namespace kinetri::detail {
 
@@ -287,4 +287,4 @@ void Simulation_types<Traits>::Disc_geometry::for_each_exact_overlap(const Trait
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_DISC_GEOMETRY_IMPL_H
+#endif  // KINETRI_SRC_SIMULATION_DISC_GEOMETRY_IMPL_H

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Contact_schedule.
-#ifndef KINETRI_IMPL_SIMULATION_CONTACT_SCHEDULE_IMPL_H
-#define KINETRI_IMPL_SIMULATION_CONTACT_SCHEDULE_IMPL_H
+#ifndef KINETRI_SRC_SIMULATION_CONTACT_SCHEDULE_IMPL_H
+#define KINETRI_SRC_SIMULATION_CONTACT_SCHEDULE_IMPL_H
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/simulation/contact_schedule.h"
-#include "kinetri/impl/simulation/disc_geometry_impl.h"
 #include "kinetri/impl/triangulation/parallel.h"
+#include "simulation/contact_schedule.h"
+#include "simulation/disc_geometry_impl.h"
 
 namespace kinetri::detail {
 
@@ -340,4 +340,4 @@ auto Simulation_types<Traits>::Contact_schedule::take_motion(const Entry& change
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_CONTACT_SCHEDULE_IMPL_H
+#endif  // KINETRI_SRC_SIMULATION_CONTACT_SCHEDULE_IMPL_H

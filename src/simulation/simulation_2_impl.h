@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Simulation_2. Include this only if the class is instantiated for a kinetic traits
-// class of your own; it is compiled into the library for the library's own traits.
-#ifndef KINETRI_SIMULATION_SIMULATION_2_IMPL_H
-#define KINETRI_SIMULATION_SIMULATION_2_IMPL_H
+// Definitions of Simulation_2.
+#ifndef KINETRI_SRC_SIMULATION_SIMULATION_2_IMPL_H
+#define KINETRI_SRC_SIMULATION_SIMULATION_2_IMPL_H
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/simulation/disc_numbers.h"
-#include "kinetri/impl/simulation/simulation_auditor.h"
-#include "kinetri/impl/simulation/simulation_core_impl.h"
 #include "kinetri/impl/triangulation/point_problems.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "simulation/disc_numbers.h"
+#include "simulation/simulation_auditor.h"
+#include "simulation/simulation_core_impl.h"
 
 namespace kinetri {
 
@@ -25,16 +25,37 @@ template <ContactKineticTraits_2 Traits>
 Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
                                    const Simulation_options& options, const Time& start,
                                    const Traits& traits)
-    : core_(traits, options, [&] { return Triangulation(motions, start, traits); }) {
-  KINETRI_PRECONDITION(core_.setup.problem().empty(), core_.setup.problem());
+    : core_(std::make_unique<detail::Simulation_core<Traits>>(
+          traits, options, [&] { return Triangulation(motions, start, traits); })) {
+  KINETRI_PRECONDITION(core_->setup.problem().empty(), core_->setup.problem());
   KINETRI_PRECONDITION(options.masses.empty() || options.masses.size() == motions.size(),
                        "masses, but not one for each point");
   for (Point_id id = 0; id < motions.size(); ++id) {
-    core_.setup.check_place(core_.geometry.point(id), current_time());
+    core_->setup.check_place(core_->geometry.point(id), current_time());
   }
-  core_.start();
-  if (options.refuses_overlaps) core_.loop.refuse_overlaps();
-  core_.schedule_all();
+  core_->start();
+  if (options.refuses_overlaps) core_->loop.refuse_overlaps();
+  core_->schedule_all();
+}
+
+template <ContactKineticTraits_2 Traits>
+Simulation_2<Traits>::~Simulation_2() = default;
+
+// ---- the present ----
+
+template <ContactKineticTraits_2 Traits>
+auto Simulation_2<Traits>::triangulation() const -> const Triangulation& {
+  return core_->triangulation;
+}
+
+template <ContactKineticTraits_2 Traits>
+const Simulation_options& Simulation_2<Traits>::options() const {
+  return core_->setup.options();
+}
+
+template <ContactKineticTraits_2 Traits>
+double Simulation_2<Traits>::mass(Point_id id) const {
+  return core_->setup.mass(id);
 }
 
 // ---- snapshots ----
@@ -42,23 +63,23 @@ Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
 template <ContactKineticTraits_2 Traits>
 auto Simulation_2<Traits>::snapshot() const -> Snapshot {
   KINETRI_PRECONDITION(
-      !core_.loop.is_within_instant(),
+      !core_->loop.is_within_instant(),
       "a snapshot within an instant; take it when advance_to or step has returned");
   using detail::Contact_kind;
   Snapshot result;
-  result.triangulation = core_.triangulation.snapshot();
+  result.triangulation = core_->triangulation.snapshot();
   result.options = options();
   result.options.response = nullptr;
-  result.has_response = core_.setup.has_response();
-  result.counters = core_.counters;
-  result.certificates = core_.schedule.certificate_counters();
-  for (Point_id a = 0; a < core_.records.size(); ++a) {
-    for (const detail::Disc_overlap& overlap : core_.records.overlaps(a)) {
+  result.has_response = core_->setup.has_response();
+  result.counters = core_->counters;
+  result.certificates = core_->schedule.certificate_counters();
+  for (Point_id a = 0; a < core_->records.size(); ++a) {
+    for (const detail::Disc_overlap& overlap : core_->records.overlaps(a)) {
       if (overlap.passes && a < overlap.id) result.in_contact.push_back({a, overlap.id});
     }
   }
   std::ranges::sort(result.in_contact);
-  const auto& queue = core_.schedule.queue();
+  const auto& queue = core_->schedule.queue();
   std::vector<detail::Contact_entry> changes;
   queue.for_each([&](const detail::Contact_entry& entry) {
     if (is_change(entry.kind)) changes.push_back(entry);
@@ -69,7 +90,7 @@ auto Simulation_2<Traits>::snapshot() const -> Snapshot {
                                 change.kind == Contact_kind::erase    ? Event_kind::erase
                                 : change.kind == Contact_kind::insert ? Event_kind::insert
                                                                       : Event_kind::trajectory,
-                                change.point_a, core_.schedule.motion_of(change)});
+                                change.point_a, core_->schedule.motion_of(change)});
   }
   return result;
 }
@@ -77,53 +98,54 @@ auto Simulation_2<Traits>::snapshot() const -> Snapshot {
 template <ContactKineticTraits_2 Traits>
 Simulation_2<Traits>::Simulation_2(Restoration /*restores*/, const Snapshot& snapshot,
                                    Collision_response response, const Traits& traits)
-    : core_(traits, snapshot.options,
-            [&] { return Triangulation::restore(snapshot.triangulation, traits); }) {
+    : core_(std::make_unique<detail::Simulation_core<Traits>>(traits, snapshot.options, [&] {
+        return Triangulation::restore(snapshot.triangulation, traits);
+      })) {
   KINETRI_PRECONDITION(
       !snapshot.has_response == !response,
       "a response where the snapshot's simulation had none, or none where it had one; pass one "
       "if and only if has_response is set");
-  core_.setup.set_response(std::move(response));
-  if (const std::string problem = core_.setup.problem(); !problem.empty()) {
+  core_->setup.set_response(std::move(response));
+  if (const std::string problem = core_->setup.problem(); !problem.empty()) {
     throw Snapshot_error("the snapshot's options cannot be used: " + problem);
   }
   if (options().masses.size() > triangulation().next_id()) {
     throw Snapshot_error("the snapshot has more masses than point ids");
   }
-  core_.schedule.certificate_counters() = snapshot.certificates;
-  core_.counters = snapshot.counters;
-  core_.counters.queue = {};
+  core_->schedule.certificate_counters() = snapshot.certificates;
+  core_->counters = snapshot.counters;
+  core_->counters.queue = {};
   restore_contacts(snapshot);
   restore_changes(snapshot);
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
-  core_.start();
+  core_->start();
   for (std::size_t i = 0; i < snapshot.in_contact.size(); ++i) {
     const auto [a, b] = snapshot.in_contact[i];
-    if (!core_.setup.has_response() || a >= b || !triangulation().contains(a) ||
+    if (!core_->setup.has_response() || a >= b || !triangulation().contains(a) ||
         !triangulation().contains(b) || (i > 0 && !(snapshot.in_contact[i - 1] < Edge_ids{a, b}))) {
       throw Snapshot_error("the snapshot has points " + std::to_string(a) + " and " +
                            std::to_string(b) +
                            " in contact; expected two points that are there, once, and a response");
     }
-    core_.records.start_overlap(a, b, core_.geometry.is_edge({a, b}));
-    core_.records.mark_passing(a, b, true);
+    core_->records.start_overlap(a, b, core_->geometry.is_edge({a, b}));
+    core_->records.mark_passing(a, b, true);
   }
-  for (const Point_id id : core_.geometry.present_points()) {
+  for (const Point_id id : core_->geometry.present_points()) {
     const auto refuse = [&](const Error& error) {
       throw Snapshot_error(std::string("the snapshot cannot be used: ") + error.what());
     };
     try {
-      core_.setup.check_place(core_.geometry.point(id), current_time());
+      core_->setup.check_place(core_->geometry.point(id), current_time());
     } catch (const Outside_box_error& error) {
       refuse(error);
     } catch (const Negative_radius_error& error) {
       refuse(error);
     }
   }
-  core_.schedule_all();
+  core_->schedule_all();
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -164,13 +186,25 @@ void Simulation_2<Traits>::check_may_change() const {
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::check_is_whole() const {
-  KINETRI_PRECONDITION(!core_.loop.is_within_contact() || is_changing_,
+  KINETRI_PRECONDITION(!core_->loop.is_within_contact() || is_changing_,
                        "an error has left the simulation within a contact; make another one, or "
                        "restore a snapshot");
-  if (!is_changing_) core_.kinetic().reporter.check_may_change();
+  if (!is_changing_) core_->kinetic().reporter.check_may_change();
 }
 
 // ---- time ----
+
+template <ContactKineticTraits_2 Traits>
+std::size_t Simulation_2<Traits>::step() {
+  const detail::Flag_while changing = start_change();
+  return core_->step(nullptr);
+}
+
+template <ContactKineticTraits_2 Traits>
+std::size_t Simulation_2<Traits>::step(const Time& until) {
+  const detail::Flag_while changing = start_change();
+  return core_->step(&until);
+}
 
 template <ContactKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::advance_to(const Time& time,
@@ -179,7 +213,13 @@ std::size_t Simulation_2<Traits>::advance_to(const Time& time,
   KINETRI_PRECONDITION(
       time >= current_time(),
       "the time to advance to is in the past; take the present one or a later one");
-  return core_.advance_to(time, may_go_on);
+  return core_->advance_to(time, may_go_on);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::set_threads(std::size_t most) {
+  core_->threads = most;
+  core_->triangulation.set_threads(most);
 }
 
 // ---- changes, now ----
@@ -189,8 +229,8 @@ Point_id Simulation_2<Traits>::insert(const Motion& motion, double mass) {
   const detail::Flag_while changing = start_change();
   const Point_id id = triangulation().next_id();
   KINETRI_PRECONDITION(detail::mass_problem(id, mass).empty(), detail::mass_problem(id, mass));
-  core_.loop.insert(motion, std::nullopt);
-  core_.setup.set_mass(id, mass);
+  core_->loop.insert(motion, std::nullopt);
+  core_->setup.set_mass(id, mass);
   return id;
 }
 
@@ -203,7 +243,7 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::set_motions(std::span<const Point_id> ids,
                                        std::span<const Motion> motions) {
   const detail::Flag_while changing = start_change();
-  core_.loop.set_motions(ids, motions);
+  core_->loop.set_motions(ids, motions);
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -215,15 +255,15 @@ void Simulation_2<Traits>::set_velocities(std::span<const Point_id> ids,
   motions.reserve(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
     KINETRI_PRECONDITION(triangulation().contains(ids[i]), detail::unknown_id_problem(ids[i]));
-    motions.push_back(core_.outcomes.with_velocity(ids[i], velocities[i], current_time()));
+    motions.push_back(core_->outcomes.with_velocity(ids[i], velocities[i], current_time()));
   }
-  core_.loop.set_motions(ids, motions);
+  core_->loop.set_motions(ids, motions);
 }
 
 template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::erase(Point_id id) {
   const detail::Flag_while changing = start_change();
-  core_.loop.erase(id);
+  core_->loop.erase(id);
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -231,7 +271,7 @@ void Simulation_2<Traits>::set_mass(Point_id id, double mass) {
   const detail::Flag_while changing = start_change();
   KINETRI_PRECONDITION(triangulation().contains(id), detail::unknown_id_problem(id));
   KINETRI_PRECONDITION(detail::mass_problem(id, mass).empty(), detail::mass_problem(id, mass));
-  core_.setup.set_mass(id, mass);
+  core_->setup.set_mass(id, mass);
 }
 
 // ---- changes, scheduled ----
@@ -246,7 +286,7 @@ void Simulation_2<Traits>::schedule(const Time& time, detail::Contact_kind kind,
                        "no point has the id " + std::to_string(id) +
                            "; take one that insert or schedule_insert gave");
   KINETRI_PRECONDITION(!motion || is_finite(*motion), detail::not_finite_problem(id));
-  core_.schedule.schedule_change(time, kind, id, motion);
+  core_->schedule.schedule_change(time, kind, id, motion);
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -255,9 +295,9 @@ Point_id Simulation_2<Traits>::schedule_insert(const Time& time, const Motion& m
   const Point_id id = triangulation().next_id();
   KINETRI_PRECONDITION(detail::mass_problem(id, mass).empty(), detail::mass_problem(id, mass));
   check_is_whole();
-  core_.kinetic().topology.give_ids(1);
+  core_->kinetic().topology.give_ids(1);
   schedule(time, detail::Contact_kind::insert, id, motion);
-  core_.setup.set_mass(id, mass);
+  core_->setup.set_mass(id, mass);
   return id;
 }
 
@@ -274,16 +314,48 @@ void Simulation_2<Traits>::schedule_erase(const Time& time, Point_id id) {
 // ---- watching ----
 
 template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::add_observer(Observer& observer) {
+  check_may_change();
+  core_->triangulation.add_observer(observer);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::remove_observer(Observer& observer) {
+  core_->triangulation.remove_observer(observer);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::add_overlap_observer(Overlap_observer& observer) {
+  check_may_change();
+  core_->loop.overlap_observers().add(observer);
+}
+
+template <ContactKineticTraits_2 Traits>
+void Simulation_2<Traits>::remove_overlap_observer(Overlap_observer& observer) {
+  core_->loop.overlap_observers().remove(observer);
+}
+
+template <ContactKineticTraits_2 Traits>
+std::size_t Simulation_2<Traits>::queue_size() const noexcept {
+  return core_->schedule.queue().size();
+}
+
+template <ContactKineticTraits_2 Traits>
+std::uint64_t Simulation_2<Traits>::number_of_passes() const noexcept {
+  return core_->loop.number_of_passes();
+}
+
+template <ContactKineticTraits_2 Traits>
 std::vector<Point_id> Simulation_2<Traits>::overlapping_discs(Point_id id) const {
-  KINETRI_PRECONDITION(core_.setup.has_response(),
+  KINETRI_PRECONDITION(core_->setup.has_response(),
                        "overlaps are followed only with a response; log_contact changes nothing");
   KINETRI_PRECONDITION(triangulation().contains(id), detail::unknown_id_problem(id));
-  const detail::Disc_geometry<Traits>& geometry = core_.geometry;
+  const detail::Disc_geometry<Traits>& geometry = core_->geometry;
   const Traits exact = geometry.traits().exact();
   std::vector<Point_id> result;
-  for (const detail::Disc_overlap& overlap : core_.records.overlaps(id)) {
+  for (const detail::Disc_overlap& overlap : core_->records.overlaps(id)) {
     if (geometry.contains(overlap.id) && geometry.may_touch(id, overlap.id) &&
-        exact.may_overlap(geometry.point(id), geometry.point(overlap.id), core_.setup.diameter(),
+        exact.may_overlap(geometry.point(id), geometry.point(overlap.id), core_->setup.diameter(),
                           current_time())) {
       result.push_back(overlap.id);
     }
@@ -294,22 +366,22 @@ std::vector<Point_id> Simulation_2<Traits>::overlapping_discs(Point_id id) const
 
 template <ContactKineticTraits_2 Traits>
 Contact_counters Simulation_2<Traits>::contact_counters() const {
-  Contact_counters result = core_.counters;
-  result.queue = core_.schedule.queue().counters();
+  Contact_counters result = core_->counters;
+  result.queue = core_->schedule.queue().counters();
   return result;
 }
 
 template <ContactKineticTraits_2 Traits>
 Certificate_counters Simulation_2<Traits>::certificate_counters() const {
   Certificate_counters result = triangulation().certificate_counters();
-  return result += core_.schedule.certificate_counters();
+  return result += core_->schedule.certificate_counters();
 }
 
 template <ContactKineticTraits_2 Traits>
 Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
-  return detail::Simulation_auditor<Traits>(core_).run(level);
+  return detail::Simulation_auditor<Traits>(*core_).run(level);
 }
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SIMULATION_SIMULATION_2_IMPL_H
+#endif  // KINETRI_SRC_SIMULATION_SIMULATION_2_IMPL_H

@@ -25,14 +25,14 @@
 //
 // All such v are found (Disc_geometry::discs_about); q is one of them, or overlaps one of them.
 // Radii that are 0 need more: see find_overlaps_of_seeds and let_pass.
-#ifndef KINETRI_IMPL_SIMULATION_OVERLAP_TRACKER_H
-#define KINETRI_IMPL_SIMULATION_OVERLAP_TRACKER_H
+#ifndef KINETRI_SRC_SIMULATION_OVERLAP_TRACKER_H
+#define KINETRI_SRC_SIMULATION_OVERLAP_TRACKER_H
 
 #include <span>
 #include <vector>
 
-#include "kinetri/impl/simulation/contact_schedule.h"
 #include "kinetri/impl/triangulation/event_reporter.h"
+#include "simulation/contact_schedule.h"
 
 namespace kinetri::detail {
 
@@ -131,4 +131,4 @@ class Simulation_types<Traits>::Overlap_tracker {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_OVERLAP_TRACKER_H
+#endif  // KINETRI_SRC_SIMULATION_OVERLAP_TRACKER_H

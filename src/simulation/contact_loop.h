@@ -2,8 +2,8 @@
 //
 // The events of a simulation, in the order of time: those of its triangulation, contacts, and
 // changes that were scheduled.
-#ifndef KINETRI_IMPL_SIMULATION_CONTACT_LOOP_H
-#define KINETRI_IMPL_SIMULATION_CONTACT_LOOP_H
+#ifndef KINETRI_SRC_SIMULATION_CONTACT_LOOP_H
+#define KINETRI_SRC_SIMULATION_CONTACT_LOOP_H
 
 #include <cstddef>
 #include <cstdint>
@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "kinetri/impl/events/observer_list.h"
-#include "kinetri/impl/simulation/contact_outcomes.h"
-#include "kinetri/impl/simulation/overlap_tracker.h"
 #include "kinetri/simulation/overlap_observer.h"
+#include "simulation/contact_outcomes.h"
+#include "simulation/overlap_tracker.h"
 
 namespace kinetri::detail {
 
@@ -107,4 +107,4 @@ class Simulation_types<Traits>::Contact_loop {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_CONTACT_LOOP_H
+#endif  // KINETRI_SRC_SIMULATION_CONTACT_LOOP_H

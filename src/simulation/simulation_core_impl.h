@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Simulation_core.
-#ifndef KINETRI_IMPL_SIMULATION_SIMULATION_CORE_IMPL_H
-#define KINETRI_IMPL_SIMULATION_SIMULATION_CORE_IMPL_H
+#ifndef KINETRI_SRC_SIMULATION_SIMULATION_CORE_IMPL_H
+#define KINETRI_SRC_SIMULATION_SIMULATION_CORE_IMPL_H
 
-#include "kinetri/impl/simulation/contact_loop_impl.h"
-#include "kinetri/impl/simulation/contact_runs.h"
-#include "kinetri/impl/simulation/simulation_core.h"
+#include "simulation/contact_loop_impl.h"
+#include "simulation/contact_runs.h"
+#include "simulation/simulation_core.h"
 
 namespace kinetri::detail {
 
 template <class Traits>
-void Simulation_types<Traits>::Simulation_core::start() {
+void Simulation_core<Traits>::start() {
   records.make_room(geometry.number_of_ids());
   if (setup.has_response()) kinetic().reporter.keep_trail();
   tracker.find_all();
 }
 
 template <class Traits>
-std::size_t Simulation_types<Traits>::Simulation_core::advance_to(
-    const Time& time, const std::function<bool()>& may_go_on) {
+std::size_t Simulation_core<Traits>::advance_to(const Time& time,
+                                                const std::function<bool()>& may_go_on) {
   if constexpr (has_region_runs<Traits>) {
     if (may_run_by_regions()) return Contact_runs<Traits>::advance_to(*this, time, may_go_on);
   }
@@ -46,7 +46,7 @@ std::size_t Simulation_types<Traits>::Simulation_core::advance_to(
 // Whether what happens to the triangulation changes nothing in the queue. With a response, contacts
 // of edges come and go; an observer that looks on may schedule changes.
 template <class Traits>
-bool Simulation_types<Traits>::Simulation_core::can_run_triangulation() const {
+bool Simulation_core<Traits>::can_run_triangulation() const {
   return !setup.has_response() && !kinetic().reporter.observers().any_of([](const auto& observer) {
     return observer.looks_at_triangulation();
   });
@@ -54,7 +54,7 @@ bool Simulation_types<Traits>::Simulation_core::can_run_triangulation() const {
 
 // Whether a run by regions may execute contacts and be faster.
 template <class Traits>
-bool Simulation_types<Traits>::Simulation_core::may_run_by_regions() const {
+bool Simulation_core<Traits>::may_run_by_regions() const {
   if constexpr (has_region_runs<Traits>) {
     return (setup.has_box() || setup.has_response()) &&
            may_pay_by_regions(triangulation.number_of_points(), threads) &&
@@ -64,14 +64,14 @@ bool Simulation_types<Traits>::Simulation_core::may_run_by_regions() const {
 }
 
 template <class Traits>
-void Simulation_types<Traits>::Simulation_core::join_parts() {
+void Simulation_core<Traits>::join_parts() {
   join_contacts();
   kinetic().join_parts();
 }
 
 // The same, if runs by regions have executed contacts.
 template <class Traits>
-void Simulation_types<Traits>::Simulation_core::join_contacts() {
+void Simulation_core<Traits>::join_contacts() {
   if constexpr (has_region_runs<Traits>) {
     if (schedule.queue().is_divided()) Contact_runs<Traits>::join(*this);
   }
@@ -79,4 +79,4 @@ void Simulation_types<Traits>::Simulation_core::join_contacts() {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_SIMULATION_CORE_IMPL_H
+#endif  // KINETRI_SRC_SIMULATION_SIMULATION_CORE_IMPL_H

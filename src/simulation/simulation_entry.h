@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the queue of a simulation holds.
-#ifndef KINETRI_IMPL_SIMULATION_SIMULATION_ENTRY_H
-#define KINETRI_IMPL_SIMULATION_SIMULATION_ENTRY_H
+#ifndef KINETRI_SRC_SIMULATION_SIMULATION_ENTRY_H
+#define KINETRI_SRC_SIMULATION_SIMULATION_ENTRY_H
 
 #include <cstdint>
 
@@ -62,4 +62,4 @@ struct Contact_entry : Scheduled {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_SIMULATION_ENTRY_H
+#endif  // KINETRI_SRC_SIMULATION_SIMULATION_ENTRY_H

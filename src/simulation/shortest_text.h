@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Numbers in messages.
-#ifndef KINETRI_IMPL_SIMULATION_SHORTEST_TEXT_H
-#define KINETRI_IMPL_SIMULATION_SHORTEST_TEXT_H
+#ifndef KINETRI_SRC_SIMULATION_SHORTEST_TEXT_H
+#define KINETRI_SRC_SIMULATION_SHORTEST_TEXT_H
 
 #include <array>
 #include <charconv>
@@ -25,4 +25,4 @@ inline std::string text(const Algebraic_number& x) {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_SHORTEST_TEXT_H
+#endif  // KINETRI_SRC_SIMULATION_SHORTEST_TEXT_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Definitions of Contact_loop.
-#ifndef KINETRI_IMPL_SIMULATION_CONTACT_LOOP_IMPL_H
-#define KINETRI_IMPL_SIMULATION_CONTACT_LOOP_IMPL_H
+#ifndef KINETRI_SRC_SIMULATION_CONTACT_LOOP_IMPL_H
+#define KINETRI_SRC_SIMULATION_CONTACT_LOOP_IMPL_H
 
 #include <algorithm>
 #include <array>
@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/simulation/contact_loop.h"
-#include "kinetri/impl/simulation/overlap_tracker_impl.h"
 #include "kinetri/impl/triangulation/point_problems.h"
+#include "simulation/contact_loop.h"
+#include "simulation/overlap_tracker_impl.h"
 
 namespace kinetri::detail {
 
@@ -434,4 +434,4 @@ void Simulation_types<Traits>::Contact_loop::refuse(std::vector<Edge_ids> pairs)
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_CONTACT_LOOP_IMPL_H
+#endif  // KINETRI_SRC_SIMULATION_CONTACT_LOOP_IMPL_H
