@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "kinetri/impl/events/divided_scheduler.h"
-#include "kinetri/impl/triangulation/region_division.h"
 #include "simulation/contact_records.h"
 #include "simulation/disc_geometry.h"
+#include "triangulation/region_division.h"
 
 namespace kinetri::detail {
 

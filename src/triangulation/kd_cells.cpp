@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/impl/triangulation/kd_cells.h"
+#include "triangulation/kd_cells.h"
 
 #include <algorithm>
 #include <limits>

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "kinetri/impl/triangulation/kinetic_core.h"
-#include "kinetri/impl/triangulation/region_effort.h"
 #include "triangulation/edge_events.h"
+#include "triangulation/region_effort.h"
 #include "triangulation/region_options.h"
 #include "triangulation/window_reporter.h"
 

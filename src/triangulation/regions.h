@@ -10,10 +10,10 @@
 #include <functional>
 #include <span>
 
-#include "kinetri/impl/triangulation/region_effort.h"
 #include "kinetri/impl/triangulation/region_runs.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 #include "triangulation/optimistic_window.h"
+#include "triangulation/region_effort.h"
 #include "triangulation/region_options.h"
 
 namespace kinetri::detail {

@@ -17,9 +17,9 @@
 #include <vector>
 
 #include "kinetri/impl/triangulation/insertion_order.h"
-#include "kinetri/impl/triangulation/kd_cells.h"
 #include "kinetri/impl/triangulation/parallel.h"
 #include "kinetri/impl/triangulation/static_delaunay.h"
+#include "triangulation/kd_cells.h"
 
 namespace kinetri::detail {
 namespace {

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "kinetri/impl/triangulation/certification.h"
-#include "kinetri/impl/triangulation/region_division.h"
 #include "kinetri/impl/triangulation/topology.h"
+#include "triangulation/region_division.h"
 
 namespace kinetri::detail {
 

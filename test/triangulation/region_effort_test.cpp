@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The account of a run by regions, what it lets windows take, whatever they do; and pauses.
-#include "kinetri/impl/triangulation/region_effort.h"
+#include "triangulation/region_effort.h"
 
 #include <gtest/gtest.h>
 

@@ -285,7 +285,7 @@ void Kinetic_types<Traits>::Point_changes::make_turns(std::span<const Change> tu
   if constexpr (has_region_runs<Traits> && !is_weighted) {
     constexpr std::size_t turns_per_region = 8;  // fewer are made as fast one by one
     if (schedule_.queue().is_divided() &&
-        turns.size() >= turns_per_region * schedule_.division().regions) {
+        turns.size() >= turns_per_region * number_of_regions(schedule_.division())) {
       return Region_runs<Traits>::make_turns(core_, turns);
     }
   }

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -18,7 +19,6 @@
 #include "kinetri/impl/events/event_scheduler.h"
 #include "kinetri/impl/triangulation/certification.h"
 #include "kinetri/impl/triangulation/prefetch.h"
-#include "kinetri/impl/triangulation/region_division.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 
 namespace kinetri::detail {
@@ -38,6 +38,13 @@ inline Event_kind event_kind_of(Entry_kind failure) {
       return Event_kind::rebuild;
   }
 }
+
+/// Which region a vertex belongs to, for runs by regions: src/triangulation/region_division.h.
+struct Region_division;
+std::shared_ptr<Region_division> make_division();
+std::size_t number_of_regions(const Region_division& division);
+/// The lowest node that two vertices are in: the root if one of them is in no region.
+std::size_t node_of(const Region_division& division, Point_id a, Point_id b);
 
 /// What an entry is about: an edge or, if `hidden` is not null, a hidden point.
 template <class Traits>
@@ -172,8 +179,8 @@ class Kinetic_types<Traits>::Schedule {
   const Queue& queue() const { return queue_; }
   const Policy& policy() const { return policy_; }
   /// Of the vertices, while the queue is in parts.
-  Region_division& division() { return division_; }
-  const Region_division& division() const { return division_; }
+  Region_division& division() { return *division_; }
+  const Region_division& division() const { return *division_; }
   Certificate_counters& certificate_counters() { return certificate_counters_; }
   const Certificate_counters& certificate_counters() const { return certificate_counters_; }
 
@@ -262,7 +269,7 @@ class Kinetic_types<Traits>::Schedule {
   mutable std::optional<std::pair<Certificate_points, Double_interval>> pending_time_;
   Policy policy_{*this};
   Queue queue_{policy_};
-  Region_division division_;
+  std::shared_ptr<Region_division> division_ = make_division();
   Certificate_counters certificate_counters_;
 };
 

@@ -48,11 +48,11 @@ inline void Kinetic_types<Traits>::Schedule::Policy::prefetch_first(const Entry&
 // That of the lowest node that both ends of the edge are in; of the root for a hidden point.
 template <class Traits>
 inline std::size_t Kinetic_types<Traits>::Schedule::Policy::part_of(const Subject& subject) const {
-  const Region_division& division = schedule_.division_;
-  if (subject.is_hidden()) return division.nodes() - 1;
+  const Region_division& division = schedule_.division();
+  if (subject.is_hidden()) return node_of(division, no_point, no_point);
   const auto& [face, i] = subject.edge;
-  return division.node_of(face->vertex(Triangulation::cw(i))->point().id(),
-                          face->vertex(Triangulation::ccw(i))->point().id());
+  return node_of(division, face->vertex(Triangulation::cw(i))->point().id(),
+                 face->vertex(Triangulation::ccw(i))->point().id());
 }
 
 template <class Traits>

@@ -2,8 +2,8 @@
 //
 // Whether a run by regions pays: an account of the work of windows, in events; and pauses between
 // windows that are cut.
-#ifndef KINETRI_IMPL_TRIANGULATION_REGION_EFFORT_H
-#define KINETRI_IMPL_TRIANGULATION_REGION_EFFORT_H
+#ifndef KINETRI_SRC_TRIANGULATION_REGION_EFFORT_H
+#define KINETRI_SRC_TRIANGULATION_REGION_EFFORT_H
 
 #include <algorithm>
 #include <cstddef>
@@ -121,4 +121,4 @@ class Region_pause {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_REGION_EFFORT_H
+#endif  // KINETRI_SRC_TRIANGULATION_REGION_EFFORT_H

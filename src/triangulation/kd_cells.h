@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The plane cut into cells that hold about as many places each.
-#ifndef KINETRI_IMPL_TRIANGULATION_KD_CELLS_H
-#define KINETRI_IMPL_TRIANGULATION_KD_CELLS_H
+#ifndef KINETRI_SRC_TRIANGULATION_KD_CELLS_H
+#define KINETRI_SRC_TRIANGULATION_KD_CELLS_H
 
 #include <cstddef>
 #include <span>
@@ -59,4 +59,4 @@ class Kd_cells {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_KD_CELLS_H
+#endif  // KINETRI_SRC_TRIANGULATION_KD_CELLS_H

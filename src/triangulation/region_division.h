@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The division of vertices among regions, which a triangulation keeps between two runs by regions.
-#ifndef KINETRI_IMPL_TRIANGULATION_REGION_DIVISION_H
-#define KINETRI_IMPL_TRIANGULATION_REGION_DIVISION_H
+#ifndef KINETRI_SRC_TRIANGULATION_REGION_DIVISION_H
+#define KINETRI_SRC_TRIANGULATION_REGION_DIVISION_H
 
 #include <algorithm>
 #include <bit>
@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "kinetri/base/ids.h"
-#include "kinetri/impl/triangulation/region_effort.h"
+#include "triangulation/region_effort.h"
 
 namespace kinetri::detail {
 
@@ -131,4 +131,4 @@ struct Region_division {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_REGION_DIVISION_H
+#endif  // KINETRI_SRC_TRIANGULATION_REGION_DIVISION_H
