@@ -65,15 +65,16 @@ struct Kinetic_types<Traits>::Kinetic_core {
 };
 
 /// What the library has compiled of the parts for its own traits.
-#define KINETRI_KINETIC_PARTS(declaration, Traits)                                   \
-  declaration class Kinetic_types<Traits>::Topology;                                 \
-  declaration class Kinetic_types<Traits>::Schedule::Policy;                         \
-  declaration bool Kinetic_types<Traits>::Schedule::settle(const Algebraic_number*); \
-  declaration void Kinetic_types<Traits>::Schedule::schedule_all();                  \
-  declaration class Kinetic_types<Traits>::Event_reporter;                           \
-  declaration class Kinetic_types<Traits>::Decisions;                                \
-  declaration class Kinetic_types<Traits>::Event_loop;                               \
-  declaration class Kinetic_types<Traits>::Point_changes;                            \
+#define KINETRI_KINETIC_PARTS(declaration, Traits)                                           \
+  declaration class Kinetic_types<Traits>::Topology;                                         \
+  declaration class Kinetic_types<Traits>::Schedule::Policy;                                 \
+  declaration const Algebraic_number& Kinetic_types<Traits>::Schedule::current_time() const; \
+  declaration bool Kinetic_types<Traits>::Schedule::settle(const Algebraic_number*);         \
+  declaration void Kinetic_types<Traits>::Schedule::schedule_all();                          \
+  declaration class Kinetic_types<Traits>::Event_reporter;                                   \
+  declaration class Kinetic_types<Traits>::Decisions;                                        \
+  declaration class Kinetic_types<Traits>::Event_loop;                                       \
+  declaration class Kinetic_types<Traits>::Point_changes;                                    \
   declaration struct Kinetic_types<Traits>::Kinetic_core
 KINETRI_KINETIC_PARTS(extern template, Linear_kinetic_traits_2);
 KINETRI_KINETIC_PARTS(extern template, Polynomial_kinetic_traits_2);

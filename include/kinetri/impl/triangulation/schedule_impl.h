@@ -83,7 +83,7 @@ auto Kinetic_types<Traits>::Schedule::points(const Entry& entry) const -> Certif
 // ---- the present time ----
 
 template <class Traits>
-auto Kinetic_types<Traits>::Schedule::current_time() const -> const Time& {
+inline auto Kinetic_types<Traits>::Schedule::current_time() const -> const Time& {
   if (pending_time_) {
     current_time_ = certification_.failure_time(pending_time_->first, pending_time_->second);
     pending_time_.reset();
