@@ -10,21 +10,11 @@
 #ifndef KINETRI_OBSERVERS_ENCOUNTERS_H
 #define KINETRI_OBSERVERS_ENCOUNTERS_H
 
-#include <boost/container/deque.hpp>
-#include <boost/container/small_vector.hpp>
-#include <cstddef>
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
-#include <type_traits>
 #include <vector>
 
-#include "kinetri/impl/events/observer_list.h"
-#include "kinetri/impl/observers/departures.h"
 #include "kinetri/impl/observers/edge_follower.h"
-#include "kinetri/impl/observers/failure_queue.h"
-#include "kinetri/impl/observers/gap_of_pair.h"
 
 namespace kinetri {
 
@@ -60,8 +50,8 @@ class Encounter_observer {
 };
 
 namespace detail {
-template <class Traits>
-class Enlarged_discs;
+template <ContactKineticTraits_2 Traits>
+class Encounter_tracker;
 }  // namespace detail
 
 /// All encounters: of each pair the times at which its gap is at most `range`. The gap is the
@@ -116,134 +106,28 @@ class Encounters final : public Edge_follower<Traits> {
   /// @{
   /// Has the observer told of what happens from the next call of it on; it must outlive this object
   /// or be removed, which it may do when it is called.
-  void add_encounter_observer(Encounter_observer& observer) { observers_.add(observer); }
-  void remove_encounter_observer(Encounter_observer& observer) { observers_.remove(observer); }
+  void add_encounter_observer(Encounter_observer& observer);
+  void remove_encounter_observer(Encounter_observer& observer);
   /// @}
 
   /// Counts of the certificates made here.
-  const Certificate_counters& certificate_counters() const { return certificate_counters_; }
+  const Certificate_counters& certificate_counters() const;
   /// Counts of the entries of the queue.
-  const Queue_counters& queue_counters() const { return queue_.counters(); }
+  const Queue_counters& queue_counters() const;
 
  private:
-  static constexpr bool has_radii = HasWeight<Motion>;
-  using Disc = decltype(detail::disc_about(std::declval<Motion>(), 0.0));
-  using Disc_traits = Basic_kinetic_traits_2<Disc>;
-
-  // The beginning of the encounter of a pair, or its end.
-  struct Entry : detail::Failure {
-    bool is_end = false;
-    Edge_ids points = {no_point, no_point};
-  };
-  friend class detail::Failure_queue<Entry, Encounters>;
-
-  // The motions of two points in range, for some time.
-  struct Piece {
-    Motion p;
-    Motion q;
-    Time since;
-    Time until;
-    Double_interval least_gap = {};  // bounds of it
-  };
-
-  // The first one of some pieces in which their least gap is, and that gap.
-  struct Least_gap {
-    Piece piece;
-    detail::Gap_of_pair<Disc> gap;
-  };
-
-  // An encounter.
-  struct Record {
-    Edge_ids points;
-    Queue_handle end_event = no_event;
-    bool has_ended = false;
-    Time begin;
-    Time end = {};    // if it has ended
-    Time since = {};  // of the present motions
-    // Those that may have the least gap, in the order of time, up to `since` or the end. None when
-    // the least gap has been found after the end.
-    std::vector<Piece> pieces = {};
-    Time closest = {};
-    double distance = 0;
-    double gap = 0;
-  };
-
-  // A point that is in range of another one.
-  struct Near {
-    Point_id id;
-    std::uint32_t record;  // index
-  };
-  // A point that will come in range of another one.
-  struct Waiting {
-    Point_id id;
-    Queue_handle begin_event;
-  };
-  // Of each pair both points have one of these. Sorted by id; the first few beside each other in
-  // memory.
-  struct Partners {
-    boost::container::small_vector<Near, 8> near;
-    boost::container::small_vector<Waiting, 8> waiting;
-  };
+  using typename Edge_follower<Traits>::Changed_point;
 
   void start(double radius);
   void advance(const Time& time) override;
-  void before_change(
-      std::span<const Edge_ids> removed,
-      std::span<const typename Edge_follower<Traits>::Changed_point> points) override;
+  void before_change(std::span<const Edge_ids> removed,
+                     std::span<const Changed_point> points) override;
   void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
-              std::span<const typename Edge_follower<Traits>::Changed_point> points) override;
-
-  // Certificates.
-  template <class Function>
-  auto with_discs(const Point_2& p, const Point_2& q, Function function) const;
-  template <class Function>
-  auto with_discs(const Edge_ids& pair, Function function) const {
-    return with_discs(this->graph().point(pair[0]), this->graph().point(pair[1]), function);
-  }
-  Disc disc(const Motion& motion) const { return detail::disc_about(motion, radius_); }
-
-  // Candidates.
-  bool is_near(Point_id a, Point_id b) const;
-  void examine(Point_id a, Point_id b, const Time& after);
-  void examine_from(Point_id p, Point_id w, const Time& after);
-  void examine_to(Point_id w, Point_id q, const Time& after);
-  void examine_new_edge(const Edge_ids& edge, const Time& after);
-  void examine_new_near(const Edge_ids& pair, const Time& after);
-  void examine_new_motion(Point_id id, const Time& after);
-
-  // The queue.
-  Time failure_time(const Entry& entry) const;
-  bool precedes(const Entry& a, const Entry& b) const;
-  KINETRI_ALWAYS_INLINE void prefetch(const Entry& entry) const;
-  void wait(const Edge_ids& pair, Certificate certificate);
-  void stop_waiting(const Edge_ids& pair);
-  void discard_entries(Point_id id);
-  void schedule_end(Record& record, const Time& after);
-  void execute(const Time& time);
-
-  // Encounters.
-  void begin(const Entry& entry, const Time& time);
-  void end(std::size_t index, const Time& time, const Motion& p, const Motion& q);
-  void turn(Point_id id, const Time& time,
-            std::span<const typename Edge_follower<Traits>::Changed_point> changed);
-  void meet_for_a_moment(const Point_2& p, const Point_2& q, const Time& time);
-  void finish_piece(Record& record, const Time& time, const Motion& p, const Motion& q) const;
-  Least_gap least_gap(const std::vector<Piece>& pieces) const;
-  void keep_least_gap(Record& record, const std::vector<Piece>& pieces) const;
+              std::span<const Changed_point> points) override;
 
   double range_;
-  double radius_ = 0;  // of points that have no radius of their own
-  Disc_traits disc_traits_;
-  std::vector<Partners> partners_;  // by id
-  detail::Failure_queue<Entry, Encounters> queue_{*this};
-  using Large_blocks =
-      boost::container::deque_options<boost::container::block_bytes<1U << 16>>::type;
-  boost::container::deque<Record, void, Large_blocks> records_;
-  detail::Departures<Point_2> departures_;
-  // If has_radii. Not shared, but of a type that is incomplete here.
-  std::shared_ptr<detail::Enlarged_discs<Traits>> enlarged_discs_;
-  detail::Observer_list<Encounter_observer> observers_;
-  Certificate_counters certificate_counters_;
+  // Not shared, but of a type that is incomplete here.
+  std::shared_ptr<detail::Encounter_tracker<Traits>> tracker_;
 };
 
 extern template class Encounters<Linear_kinetic_traits_2>;

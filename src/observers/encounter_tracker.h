@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which points are in range of each other, and which are candidates to be: those are certified
+// apart once for each motion, and wait in a queue if they will come in range.
+#ifndef KINETRI_SRC_OBSERVERS_ENCOUNTER_TRACKER_H
+#define KINETRI_SRC_OBSERVERS_ENCOUNTER_TRACKER_H
+
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <cstdint>
+#include <memory>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "kinetri/impl/events/observer_list.h"
+#include "kinetri/impl/observers/departures.h"
+#include "kinetri/impl/observers/failure_queue.h"
+#include "kinetri/observers/encounters.h"
+#include "observers/encounter_records.h"
+#include "observers/enlarged_discs.h"
+#include "observers/later_time_in_range.h"
+
+namespace kinetri::detail {
+
+/// Invariant, of the graph at the last time that has been told: each pair in range has a record,
+/// and an entry in the queue if that ends; each other candidate has one if it will come in range.
+template <ContactKineticTraits_2 Traits>
+class Encounter_tracker {
+ public:
+  using Motion = typename Traits::Motion;
+  using Point_2 = typename Traits::Point_2;
+  using Time = Algebraic_number;
+  using Graph = Neighbor_graph<Traits>;
+  using Records = Encounter_records<Motion>;
+  using Record = typename Records::Record;
+
+  /// The graph and the traits must outlive this object. `radius` is that of points that have none
+  /// of their own.
+  Encounter_tracker(const Graph& graph, const Traits& traits, double range, double radius,
+                    const Time& now)
+      : graph_(graph),
+        traits_(traits),
+        range_(range),
+        radius_(radius),
+        partners_(graph.next_id()),
+        records_(radius) {
+    if constexpr (has_radii) {
+      enlarged_discs_ = std::make_unique<Enlarged_discs<Traits>>(graph, range, now);
+      for (Point_id id = 0; id < partners_.size(); ++id) {
+        if (graph.contains(id)) examine_new_motion(id, now);
+      }
+    } else {
+      for (Point_id id = 0; id < partners_.size(); ++id) {
+        if (!graph.contains(id)) continue;
+        for (const Point_id other : graph.neighbors(id)) {
+          if (id < other) examine(id, other, now);
+        }
+      }
+    }
+    execute(now);
+  }
+  Encounter_tracker(const Encounter_tracker&) = delete;
+  Encounter_tracker& operator=(const Encounter_tracker&) = delete;
+
+  // ---- what Edge_follower tells ----
+
+  void advance(const Time& time) {
+    if constexpr (has_radii) {
+      // Those that come in range by `time` have overlapped here before.
+      for (const auto& [points, since] : enlarged_discs_->advance_to(time)) {
+        examine(points[0], points[1], since);
+      }
+    }
+    execute(time);
+  }
+
+  void before_change(const auto& points) {
+    for (const auto& point : points) {
+      if (point.before) discard_entries(point.id);
+    }
+  }
+
+  void change(const Time& time, std::span<const Edge_ids> added, const auto& points) {
+    if (partners_.size() < graph_.next_id()) partners_.resize(graph_.next_id());
+    for (const auto& point : points) turn(point.id, time, points);
+    departures_.change(time, points, graph_, range_, radius_,
+                       [&](const auto& p, const auto& q) { meet_for_a_moment(p, q, time); });
+    if constexpr (has_radii) {
+      if (!points.empty()) enlarged_discs_->change(points, graph_);
+    } else {
+      for (const Edge_ids& edge : added) examine_new_edge(edge, time);
+    }
+    for (const auto& point : points) {
+      if (graph_.contains(point.id)) examine_new_motion(point.id, time);
+    }
+    execute(time);
+  }
+
+  // ---- answers ----
+
+  std::vector<Encounter> encounters(const Time& now) { return records_.encounters(graph_, now); }
+  std::vector<Point_id> in_range(Point_id id) const {
+    std::vector<Point_id> result;
+    for (const Near& near : partners_[id].near) result.push_back(near.id);
+    return result;
+  }
+  Observer_list<Encounter_observer>& observers() { return observers_; }
+  const Certificate_counters& certificate_counters() const { return certificate_counters_; }
+  const Queue_counters& queue_counters() const { return queue_.counters(); }
+
+ private:
+  static constexpr bool has_radii = HasWeight<Motion>;
+  using Disc_traits = Basic_kinetic_traits_2<typename Records::Disc>;
+
+  // The beginning of the encounter of a pair, or its end.
+  struct Entry : Failure {
+    bool is_end = false;
+    Edge_ids points = {no_point, no_point};
+  };
+  using Queue = Failure_queue<Entry, Encounter_tracker>;
+  friend Queue;
+
+  // A point that is in range of another one.
+  struct Near {
+    Point_id id;
+    std::uint32_t record;  // index
+  };
+  // A point that will come in range of another one.
+  struct Waiting {
+    Point_id id;
+    Queue_handle begin_event;
+  };
+  // Of each pair both points have one of these. Sorted by id; the first few beside each other in
+  // memory.
+  struct Partners {
+    boost::container::small_vector<Near, 8> near;
+    boost::container::small_vector<Waiting, 8> waiting;
+  };
+
+  // The place of `id` in a sequence that is sorted by id.
+  static auto place(auto& sorted, Point_id id) {
+    return std::lower_bound(sorted.begin(), sorted.end(), id,
+                            [](const auto& item, Point_id other) { return item.id < other; });
+  }
+  static bool is_among(const auto& sorted, Point_id id) {
+    const auto item = place(sorted, id);
+    return item != sorted.end() && item->id == id;
+  }
+  static void remove_from(auto& sorted, Point_id id) { sorted.erase(place(sorted, id)); }
+
+  // ---- certificates ----
+
+  // Calls `function` with traits and the two points; with discs if the points have a common radius,
+  // since the sum of that and the range may be no binary64 number.
+  template <class Function>
+  auto with_discs(const Point_2& p, const Point_2& q, Function function) const {
+    if constexpr (!has_radii) {
+      if (radius_ != 0) {
+        using Moving_disc = typename Disc_traits::Point_2;
+        return function(disc_traits_, Moving_disc(disc_about(p.motion(), radius_), p.id()),
+                        Moving_disc(disc_about(q.motion(), radius_), q.id()));
+      }
+    }
+    return function(traits_, p, q);
+  }
+  template <class Function>
+  auto with_discs(const Edge_ids& pair, Function function) const {
+    return with_discs(graph_.point(pair[0]), graph_.point(pair[1]), function);
+  }
+
+  // ---- candidates ----
+
+  bool is_near(Point_id a, Point_id b) const { return is_among(partners_[a].near, b); }
+
+  // Lets a pair wait that is a candidate, if it is not known that it is or will be in range and if
+  // it will be. Looks for what is known at `a`. Precondition: `after` is not before the last change
+  // of a motion of the two.
+  void examine(Point_id a, Point_id b, const Time& after) {
+    if (is_near(a, b) || is_among(partners_[a].waiting, b)) return;
+    const Edge_ids pair = edge_ids(a, b);
+    Certificate certificate =
+        with_discs(pair, [&](const auto& traits, const auto& p, const auto& q) {
+          return traits.apart_certificate(p, q, range_, after);
+        });
+    certificate_counters_.count(certificate);
+    wait(pair, std::move(certificate));
+  }
+
+  // Of paths p w q, in which w is in range of both ends and wq is an edge: a pair has such a path
+  // from either end, and that from the smaller id is enough. Here w is in range of p, and q any
+  // neighbor of w.
+  void examine_from(Point_id p, Point_id w, const Time& after) {
+    for (const Point_id q : graph_.neighbors(w)) {
+      if (p < q && is_near(w, q)) examine(p, q, after);
+    }
+  }
+
+  // The same, where w is in range of q, its neighbor, and p any point in range of w.
+  void examine_to(Point_id w, Point_id q, const Time& after) {
+    for (const Near& near : partners_[w].near) {
+      if (near.id < q) examine(q, near.id, after);
+    }
+  }
+
+  void examine_new_edge(const Edge_ids& edge, const Time& after) {
+    const auto [a, b] = edge;
+    examine(a, b, after);
+    if (!is_near(a, b)) return;
+    examine_to(a, b, after);
+    examine_to(b, a, after);
+  }
+
+  void examine_new_near(const Edge_ids& pair, const Time& after) {
+    const auto [a, b] = pair;
+    examine_from(a, b, after);
+    examine_from(b, a, after);
+    if (!graph_.is_edge(pair)) return;
+    examine_to(a, b, after);
+    examine_to(b, a, after);
+  }
+
+  void examine_new_motion(Point_id id, const Time& after) {
+    if constexpr (has_radii) {
+      for (const Point_id other : enlarged_discs_->overlapping(id)) examine(id, other, after);
+    } else {
+      for (const Point_id other : graph_.neighbors(id)) {
+        examine(id, other, after);
+        if (is_near(id, other)) examine_to(other, id, after);
+      }
+      for (const Near& near : partners_[id].near) examine_from(id, near.id, after);
+    }
+  }
+
+  // ---- the queue ----
+
+  Time failure_time(const Entry& entry) const {
+    return with_discs(entry.points, [&](const auto& traits, const auto& p, const auto& q) {
+      return traits.contact_failure(p, q, range_, entry.bounds);
+    });
+  }
+  // What begins is before what ends: both are in range at that time.
+  bool precedes(const Entry& a, const Entry& b) const {
+    return std::tuple(a.is_end, !a.is_recheck, a.points) <
+           std::tuple(b.is_end, !b.is_recheck, b.points);
+  }
+  KINETRI_ALWAYS_INLINE void prefetch(const Entry& entry) const {
+    for (const Point_id id : entry.points) {
+      graph_.prefetch(id);
+      prefetch_object(partners_[id]);
+    }
+  }
+
+  // Has a pair wait for the failure of the certificate that it is apart, if there is one.
+  void wait(const Edge_ids& pair, Certificate certificate) {
+    Entry entry;
+    entry.points = pair;
+    const Queue_handle event = queue_.push(entry, std::move(certificate));
+    if (event == no_event) return;
+    for (const auto& [id, other] : {std::pair(pair[0], pair[1]), std::pair(pair[1], pair[0])}) {
+      auto& waiting = partners_[id].waiting;
+      waiting.insert(place(waiting, other), {other, event});
+    }
+  }
+
+  void stop_waiting(const Edge_ids& pair) {
+    remove_from(partners_[pair[0]].waiting, pair[1]);
+    remove_from(partners_[pair[1]].waiting, pair[0]);
+  }
+
+  // The point will have another motion, or will have gone.
+  void discard_entries(Point_id id) {
+    for (const auto& [other, event] : partners_[id].waiting) {
+      remove_from(partners_[other].waiting, id);
+      queue_.erase(event);
+    }
+    partners_[id].waiting.clear();
+    for (const Near& near : partners_[id].near) {
+      queue_.erase(std::exchange(records_[near.record].end_event, no_event));
+    }
+  }
+
+  void schedule_end(Record& record, const Time& after) {
+    Certificate certificate =
+        with_discs(record.points, [&](const auto& traits, const auto& p, const auto& q) {
+          return traits.near_certificate(p, q, range_, after);
+        });
+    certificate_counters_.count(certificate);
+    Entry entry;
+    entry.is_end = true;
+    entry.points = record.points;
+    record.end_event = queue_.push(entry, std::move(certificate));
+  }
+
+  // Executes what is due. Where several pairs come in range at one time, one makes another one a
+  // candidate, which then waits up to the same time. What ends at `time` itself is not due: the two
+  // are in range still, and may get motions at that time with which they remain so.
+  void execute(const Time& time) {
+    const auto waits = [](const Entry& entry) { return entry.is_end; };
+    while (const auto due = queue_.take_due(time, waits)) {
+      const auto& [entry, entry_time] = *due;
+      const auto [a, b] = entry.points;
+      if (entry.is_end) {
+        const std::uint32_t record = place(partners_[a].near, b)->record;
+        if (entry.is_recheck) {
+          schedule_end(records_[record], entry_time);
+          continue;
+        }
+        records_[record].end_event = no_event;
+        const Point_2& p = graph_.point(a);
+        const Point_2& q = graph_.point(b);
+        end(record, entry_time, p.motion(), q.motion());
+        Certificate next = with_discs(
+            p, q, [this, &at = entry_time](const auto& traits, const auto& of_p, const auto& of_q) {
+              return traits.next_apart_certificate(of_p, of_q, range_, at);
+            });
+        certificate_counters_.count(next);
+        wait(entry.points, std::move(next));
+      } else {
+        stop_waiting(entry.points);
+        if (entry.is_recheck) {
+          examine(a, b, entry_time);
+        } else {
+          begin(entry, entry_time);
+        }
+      }
+    }
+  }
+
+  // ---- encounters ----
+
+  void begin(const Entry& entry, const Time& time) {
+    const Edge_ids& pair = entry.points;
+    const auto [a, b] = pair;
+    const std::uint32_t index = records_.begin(pair, time);
+    auto& near_a = partners_[a].near;
+    auto& near_b = partners_[b].near;
+    // With which the two will be examined.
+    if constexpr (!has_radii) {
+      for (const auto* const near_one : {&near_a, &near_b}) {
+        for (const Near& near : *near_one) {
+          graph_.prefetch(near.id);
+          prefetch_address(&partners_[near.id].waiting);
+        }
+      }
+    }
+    near_a.insert(place(near_a, b), {b, index});
+    near_b.insert(place(near_b, a), {a, index});
+    // Near the beginning itself no filter could decide when it ends.
+    schedule_end(records_[index],
+                 entry.changes_sign
+                     ? Time(with_discs(pair,
+                                       [&](const auto& traits, const auto& p, const auto& q) {
+                                         return later_time_in_range(traits, p, q, range_,
+                                                                    entry.bounds.upper);
+                                       }))
+                     : time);
+    observers_.call([&](Encounter_observer& observer) { observer.begins(pair, time); });
+    if constexpr (!has_radii) examine_new_near(pair, time);
+  }
+
+  // The motions are those up to `time`. Precondition: the record has no entry in the queue.
+  void end(std::uint32_t index, const Time& time, const Motion& p, const Motion& q) {
+    Record& record = records_[index];
+    const auto [a, b] = record.points;
+    remove_from(partners_[a].near, b);
+    remove_from(partners_[b].near, a);
+    records_.end(record, time, p, q);
+    observers_.call([&](Encounter_observer& observer) { observer.ends(record.points, time); });
+  }
+
+  // The point has got another motion, or has gone, as have the other ones that have changed.
+  void turn(Point_id id, const Time& time, const auto& changed) {
+    const auto before = [&](Point_id other) -> const Point_2* {
+      const auto point = place(changed, other);
+      return point != changed.end() && point->id == other ? &*point->before : nullptr;
+    };
+    const std::vector<Near> partners(partners_[id].near.begin(), partners_[id].near.end());
+    for (const auto& [other, index] : partners) {
+      const Point_2* const other_before = before(other);
+      if (other < id && other_before != nullptr) continue;  // done before
+      Record& record = records_[index];
+      const auto motion_before = [&](Point_id point) -> const Motion& {
+        const Point_2* const changed_point = point == id ? before(id) : other_before;
+        return (changed_point == nullptr ? graph_.point(point) : *changed_point).motion();
+      };
+      const Motion& p = motion_before(record.points[0]);
+      const Motion& q = motion_before(record.points[1]);
+      const bool goes_on =
+          graph_.contains(id) && graph_.contains(other) &&
+          with_discs(record.points, [&](const auto& traits, const auto& of_p, const auto& of_q) {
+            return traits.do_touch(of_p, of_q, range_, time);
+          });
+      if (!goes_on) {
+        end(index, time, p, q);
+        continue;
+      }
+      records_.begin_piece(record, time, p, q);
+      schedule_end(record, time);
+    }
+  }
+
+  // Of a point that has gone at the time, and one that comes then.
+  void meet_for_a_moment(const Point_2& p, const Point_2& q, const Time& time) {
+    if (p.id() > q.id()) return meet_for_a_moment(q, p, time);
+    const bool is_in_range =
+        with_discs(p, q, [&](const auto& traits, const auto& a, const auto& b) {
+          return traits.do_touch(a, b, range_, time);
+        });
+    if (!is_in_range) return;
+    Record& record = records_[records_.begin({p.id(), q.id()}, time)];
+    records_.end(record, time, p.motion(), q.motion());
+    observers_.call([&](Encounter_observer& observer) { observer.begins(record.points, time); });
+    observers_.call([&](Encounter_observer& observer) { observer.ends(record.points, time); });
+  }
+
+  const Graph& graph_;
+  const Traits& traits_;
+  double range_;
+  double radius_;
+  Disc_traits disc_traits_;
+  std::vector<Partners> partners_;  // by id
+  Queue queue_{*this};
+  Records records_;
+  Departures<Point_2> departures_;
+  std::unique_ptr<Enlarged_discs<Traits>> enlarged_discs_;  // if has_radii
+  Observer_list<Encounter_observer> observers_;
+  Certificate_counters certificate_counters_;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_OBSERVERS_ENCOUNTER_TRACKER_H
