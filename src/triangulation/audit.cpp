@@ -9,14 +9,12 @@
 
 namespace kinetri {
 
-template Audit_report Kinetic_triangulation_2<Linear_kinetic_traits_2>::audit(
-    Audit_level level) const;
-template Audit_report Kinetic_triangulation_2<Polynomial_kinetic_traits_2>::audit(
-    Audit_level level) const;
-template Audit_report Kinetic_triangulation_2<Disc_kinetic_traits_2>::audit(
-    Audit_level level) const;
-template Audit_report Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>::audit(
-    Audit_level level) const;
+namespace detail {
+template Audit_report audit(const Kinetic_core<Linear_kinetic_traits_2>&, Audit_level);
+template Audit_report audit(const Kinetic_core<Polynomial_kinetic_traits_2>&, Audit_level);
+template Audit_report audit(const Kinetic_core<Disc_kinetic_traits_2>&, Audit_level);
+template Audit_report audit(const Kinetic_core<Polynomial_disc_kinetic_traits_2>&, Audit_level);
+}  // namespace detail
 
 bool detail::is_passed(const Audit_report& report, bool verbose) {
   if (verbose) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of the audits of Kinetic_triangulation_2. The geometric levels judge the
+// The audits of Kinetic_triangulation_2. The geometric levels judge the
 // exact positions at a rational time by CGAL's static predicates and share no formula with the
 // certificates. What these leave open, where points are cocircular, is compared with what CGAL
 // builds anew of the points just after the present time, by the predicates of the traits.
@@ -25,9 +25,7 @@
 #include "kinetri/impl/triangulation/insertion_order.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
-namespace kinetri {
-
-namespace detail {
+namespace kinetri::detail {
 
 inline std::string edge_name(const Edge_ids& ids) {
   if (ids[1] == no_point) return "edge from " + std::to_string(ids[0]) + " to infinity";
@@ -361,9 +359,9 @@ void Auditor<Traits>::check_reference() {
   auto points = topology_.points();
   const auto after = certification_.traits().exact().instantaneous_traits(
       {schedule_.current_time(), Time_side::after});
-  detail::sort_for_insertion(points, after);
+  sort_for_insertion(points, after);
   Triangulation reference(after);
-  detail::insert_in_order(reference, points, std::identity(), [](const auto&, const auto&) {});
+  insert_in_order(reference, points, std::identity(), [](const auto&, const auto&) {});
   std::vector<Edge_ids> edges;
   for (const Edge& edge : reference.finite_edges()) edges.push_back(Types::ids_of(edge));
   std::ranges::sort(edges);
@@ -452,13 +450,12 @@ void Auditor<Traits>::check_entry(const std::string& name, Queue_handle handle,
   }
 }
 
-}  // namespace detail
-
-template <KineticTraits_2 Traits>
-Audit_report Kinetic_triangulation_2<Traits>::audit(Audit_level level) const {
-  return detail::Auditor<Traits>(core_).run(level);
+/// As Kinetic_triangulation_2::audit.
+template <class Traits>
+Audit_report audit(const Kinetic_core<Traits>& core, Audit_level level) {
+  return Auditor<Traits>(core).run(level);
 }
 
-}  // namespace kinetri
+}  // namespace kinetri::detail
 
 #endif  // KINETRI_TRIANGULATION_AUDIT_IMPL_H

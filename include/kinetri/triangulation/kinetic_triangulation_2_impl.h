@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_triangulation_2 but for its audits. Include this, and audit_impl.h, only
-// if you instantiate the class for your own kinetic traits class; it is compiled into the library
-// for the library's own traits.
+// Definitions of Kinetic_triangulation_2. Include this, and audit_impl.h for its audits, only if
+// you instantiate the class for your own kinetic traits class; it is compiled into the library for
+// the library's own traits.
 #ifndef KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_IMPL_H
 #define KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_IMPL_H
 
@@ -15,6 +15,14 @@
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
+
+namespace detail {
+
+/// As Kinetic_triangulation_2::audit. audit_impl.h defines it.
+template <class Traits>
+Audit_report audit(const Kinetic_core<Traits>& core, Audit_level level);
+
+}  // namespace detail
 
 // ---- construction ----
 
@@ -248,6 +256,11 @@ void Kinetic_triangulation_2<Traits>::erase(std::span<const Point_id> ids) {
     changes.push_back({id, std::nullopt});
   }
   core_.changes.change_all(Event_kind::erase, std::move(changes));
+}
+
+template <KineticTraits_2 Traits>
+Audit_report Kinetic_triangulation_2<Traits>::audit(Audit_level level) const {
+  return detail::audit<Traits>(core_, level);
 }
 
 }  // namespace kinetri
