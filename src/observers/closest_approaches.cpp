@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/observers/departures.h"
 #include "kinetri/impl/triangulation/incident.h"
+#include "observers/departures.h"
 
 namespace kinetri {
 template <HasLinearMotion Traits>

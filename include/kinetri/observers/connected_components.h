@@ -7,15 +7,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "kinetri/impl/observers/departures.h"
 #include "kinetri/impl/observers/dynamic_connectivity.h"
 #include "kinetri/impl/observers/edge_follower.h"
-#include "kinetri/impl/observers/failure_queue.h"
 
 namespace kinetri {
 
@@ -54,6 +52,11 @@ struct Time_interval {
   Algebraic_number begin;  ///< the first one
   Algebraic_number end;    ///< the last one; not before `begin`
 };
+
+namespace detail {
+template <ContactKineticTraits_2 Traits>
+class Component_tracker;
+}  // namespace detail
 
 /// An observer that keeps the connected components of the graph in which two points are linked
 /// while they are at most `range` apart, and tells every merge and split with its exact time.
@@ -118,64 +121,20 @@ class Connected_components : public Edge_follower<Traits> {
 
  private:
   using typename Edge_follower<Traits>::Changed_point;
-  using Kind = Component_event_kind;
-
-  // In the order in which they are executed at one time.
-  enum class Entry_kind : std::uint8_t { begin, end };
-
-  // The time at which a link begins or ends.
-  struct Entry : detail::Failure {
-    Edge_ids edge = {no_point, no_point};
-    Entry_kind kind = Entry_kind::begin;
-  };
-  friend class detail::Failure_queue<Entry, Connected_components>;
-
-  struct Watched_pair {
-    Edge_ids points;
-    std::optional<Time> since = std::nullopt;  // if they are connected
-    std::vector<Time_interval> intervals = {};
-  };
-
-  // An edge that has an entry.
-  struct Scheduled_edge {
-    Point_id other;  // the greater id
-    Queue_handle event;
-  };
-
-  // Which entries of the last time are due.
-  enum class Due : std::uint8_t { begins, all };
+  using Tracker = detail::Component_tracker<Traits>;
 
   void start();
-  void look();
+  const Time& now() const;
+  const Tracker& present();
   void advance(const Time& time) override;
   void before_change(std::span<const Edge_ids> removed,
                      std::span<const Changed_point> points) override;
   void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
               std::span<const Changed_point> points) override;
-  void execute_until(const Time& time, Due due);
-  void execute(const Entry& entry, const Time& time);
-
-  bool is_linked(const Edge_ids& edge) const { return connectivity_.is_edge(edge); }
-  void link(const Edge_ids& edge, const Time& time);
-  void cut(const Edge_ids& edge, const Time& time);
-  void report(Kind kind, const Time& time, const Edge_ids& points = {no_point, no_point},
-              const std::array<std::size_t, 2>& sizes = {0, 0});
-  void look_at_watched(const Time& time);
-  std::vector<Edge_ids> edges_of(std::span<const Changed_point> points) const;
-
-  Time failure_time(const Entry& entry) const;
-  bool precedes(const Entry& a, const Entry& b) const;
-  void schedule(const Edge_ids& edge, const Time& time);
-  void push(const Edge_ids& edge, Entry_kind kind, Certificate certificate);
-  Queue_handle forget(const Edge_ids& edge);
 
   double range_;
-  Dynamic_connectivity connectivity_;
-  std::vector<Component_event> events_;
-  std::vector<Watched_pair> watched_;
-  detail::Failure_queue<Entry, Connected_components> queue_{*this};
-  std::vector<std::vector<Scheduled_edge>> scheduled_;  // by the smaller id
-  detail::Departures<typename Traits::Point_2> departures_;
+  // Not shared, but of a type that is incomplete here.
+  std::shared_ptr<Tracker> tracker_;
 };
 
 extern template class Connected_components<Linear_kinetic_traits_2>;

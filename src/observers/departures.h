@@ -2,8 +2,8 @@
 //
 // Points that go at the time at which others come: both are there at that time, but never in one
 // triangulation.
-#ifndef KINETRI_IMPL_OBSERVERS_DEPARTURES_H
-#define KINETRI_IMPL_OBSERVERS_DEPARTURES_H
+#ifndef KINETRI_SRC_OBSERVERS_DEPARTURES_H
+#define KINETRI_SRC_OBSERVERS_DEPARTURES_H
 
 #include <CGAL/box_intersection_d.h>
 
@@ -81,4 +81,4 @@ class Departures {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_OBSERVERS_DEPARTURES_H
+#endif  // KINETRI_SRC_OBSERVERS_DEPARTURES_H

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The connected components of points that are linked while they are in range, and what changes in
+// them.
+#ifndef KINETRI_SRC_OBSERVERS_COMPONENT_TRACKER_H
+#define KINETRI_SRC_OBSERVERS_COMPONENT_TRACKER_H
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "kinetri/impl/observers/failure_queue.h"
+#include "kinetri/observers/connected_components.h"
+#include "observers/departures.h"
+#include "observers/later_time_in_range.h"
+
+namespace kinetri::detail {
+
+/// Invariant, of the graph at the last time that has been told: the connectivity has the edges of
+/// the graph whose ends are in range, but those that are to be cut at that time; the queue has an
+/// entry of each edge that begins or ends to be such a link.
+template <ContactKineticTraits_2 Traits>
+class Component_tracker {
+ public:
+  using Point_2 = typename Traits::Point_2;
+  using Time = Algebraic_number;
+  using Graph = Neighbor_graph<Traits>;
+
+  /// Which entries of the last time are due.
+  enum class Due : std::uint8_t { begins, all };
+
+  /// The components at `time`. The graph, which has these edges, and the traits must outlive this
+  /// object.
+  Component_tracker(const Graph& graph, const Traits& traits, double range, const Time& time,
+                    const std::vector<Edge_ids>& edges)
+      : graph_(graph), traits_(traits), range_(range) {
+    for (Point_id id = 0; id < graph.next_id(); ++id) {
+      if (graph.contains(id)) connectivity_.add_point(id);
+    }
+    for (const Edge_ids& edge : edges) {
+      if (is_in_range(edge, time)) connectivity_.add_edge(edge);
+    }
+    report(Kind::start, time);
+    for (const Edge_ids& edge : edges) schedule(edge, time);
+  }
+  Component_tracker(const Component_tracker&) = delete;
+  Component_tracker& operator=(const Component_tracker&) = delete;
+
+  // ---- what Edge_follower tells ----
+
+  void execute_until(const Time& time, Due due) {
+    const auto waits = [due](const Entry& entry) {
+      return due == Due::begins && entry.kind == Entry_kind::end;
+    };
+    while (const auto next = queue_.take_due(time, waits)) {
+      forget(next->entry.edge);
+      if (next->entry.is_recheck) {
+        schedule(next->entry.edge, next->time);
+      } else {
+        execute(next->entry, next->time);
+      }
+    }
+  }
+
+  void before_change(std::span<const Edge_ids> removed, const auto& points) {
+    for (const Edge_ids& edge : removed) queue_.erase(forget(edge));
+    for (const Edge_ids& edge : edges_of(points)) queue_.erase(forget(edge));
+  }
+
+  // First all that joins, then all that splits, since at the time itself there is both.
+  void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
+              const auto& points) {
+    for (const auto& point : points) {
+      if (connectivity_.contains(point.id)) continue;
+      connectivity_.add_point(point.id);
+      report(Kind::insert, time, {point.id, no_point});
+    }
+    std::vector<Edge_ids> changed = edges_of(points);
+    changed.insert(changed.end(), added.begin(), added.end());
+    std::ranges::sort(changed);
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    std::vector<Edge_ids> ended(removed.begin(), removed.end());
+    for (const Edge_ids& edge : changed) {
+      if (is_in_range(edge, time)) {
+        link(edge, time);
+      } else {
+        ended.push_back(edge);
+      }
+    }
+    // For a moment.
+    departures_.change(time, points, graph_, range_, 0, [&](const auto& gone, const auto& come) {
+      if (!connectivity_.contains(gone.id())) return;
+      if (!traits_.do_touch(gone, come, range_, time)) return;
+      ended.push_back(edge_ids(gone.id(), come.id()));
+      link(ended.back(), time);
+    });
+    std::ranges::sort(ended);
+    for (const Edge_ids& edge : ended) cut(edge, time);
+    for (const auto& point : points) {
+      if (graph_.contains(point.id)) continue;
+      connectivity_.remove_point(point.id);
+      report(Kind::erase, time, {point.id, no_point});
+    }
+    for (const Edge_ids& edge : changed) schedule(edge, time);
+    execute_until(time, Due::all);
+  }
+
+  // ---- answers ----
+
+  const std::vector<Component_event>& events() const { return events_; }
+  const Dynamic_connectivity& connectivity() const { return connectivity_; }
+
+  /// As Connected_components::watch, of a pair whose smaller id is first, from `now` on.
+  void watch(const Edge_ids& pair, const Time& now) {
+    if (std::ranges::find(watched_, pair, &Watched_pair::points) != watched_.end()) return;
+    watched_.push_back({pair});
+    look_at_watched(now);
+  }
+  /// The times up to `now` of such a pair; none if it is not watched.
+  std::optional<std::vector<Time_interval>> connected_intervals(const Edge_ids& pair,
+                                                                const Time& now) const {
+    const auto watched = std::ranges::find(watched_, pair, &Watched_pair::points);
+    if (watched == watched_.end()) return std::nullopt;
+    std::vector<Time_interval> result = watched->intervals;
+    if (watched->since) result.push_back({*watched->since, now});
+    return result;
+  }
+
+ private:
+  using Kind = Component_event_kind;
+
+  // In the order in which they are executed at one time.
+  enum class Entry_kind : std::uint8_t { begin, end };
+
+  // The time at which a link begins or ends.
+  struct Entry : Failure {
+    Edge_ids edge = {no_point, no_point};
+    Entry_kind kind = Entry_kind::begin;
+  };
+  using Queue = Failure_queue<Entry, Component_tracker>;
+  friend Queue;
+
+  struct Watched_pair {
+    Edge_ids points;
+    std::optional<Time> since = std::nullopt;  // if they are connected
+    std::vector<Time_interval> intervals = {};
+  };
+
+  // An edge that has an entry.
+  struct Scheduled_edge {
+    Point_id other;  // the greater id
+    Queue_handle event;
+  };
+
+  bool is_in_range(const Edge_ids& edge, const Time& time) const {
+    return traits_.do_touch(graph_.point(edge[0]), graph_.point(edge[1]), range_, time);
+  }
+
+  // ---- the queue ----
+
+  Time failure_time(const Entry& entry) const {
+    return traits_.contact_failure(graph_.point(entry.edge[0]), graph_.point(entry.edge[1]), range_,
+                                   entry.bounds);
+  }
+  bool precedes(const Entry& a, const Entry& b) const {
+    return std::tie(a.kind, a.edge) < std::tie(b.kind, b.edge);
+  }
+
+  // Schedules the next change of an edge. Precondition: it has no entry; it is linked if and only
+  // if its ends are within the range at `time`.
+  void schedule(const Edge_ids& edge, const Time& time) {
+    const Point_2& p = graph_.point(edge[0]);
+    const Point_2& q = graph_.point(edge[1]);
+    if (connectivity_.is_edge(edge)) {
+      push(edge, Entry_kind::end, traits_.near_certificate(p, q, range_, time));
+    } else {
+      push(edge, Entry_kind::begin, traits_.apart_certificate(p, q, range_, time));
+    }
+  }
+
+  void push(const Edge_ids& edge, Entry_kind kind, Certificate certificate) {
+    Entry entry;
+    entry.edge = edge;
+    entry.kind = kind;
+    const Queue_handle event = queue_.push(entry, std::move(certificate));
+    if (event == no_event) return;
+    if (edge[0] >= scheduled_.size()) scheduled_.resize(graph_.next_id());
+    scheduled_[edge[0]].push_back({edge[1], event});
+  }
+
+  // Returns the entry of an edge; no_event if it has none.
+  Queue_handle forget(const Edge_ids& edge) {
+    if (edge[0] >= scheduled_.size()) return no_event;
+    auto& scheduled = scheduled_[edge[0]];
+    const auto found = std::ranges::find(scheduled, edge[1], &Scheduled_edge::other);
+    if (found == scheduled.end()) return no_event;
+    const Queue_handle event = found->event;
+    *found = scheduled.back();
+    scheduled.pop_back();
+    return event;
+  }
+
+  void execute(const Entry& entry, const Time& time) {
+    const Point_2& p = graph_.point(entry.edge[0]);
+    const Point_2& q = graph_.point(entry.edge[1]);
+    if (entry.kind == Entry_kind::end) {
+      cut(entry.edge, time);
+      push(entry.edge, Entry_kind::begin, traits_.next_apart_certificate(p, q, range_, time));
+      return;
+    }
+    link(entry.edge, time);
+    // At `time` itself no filter could decide when it ends.
+    schedule(entry.edge, entry.changes_sign
+                             ? Time(later_time_in_range(traits_, p, q, range_, entry.bounds.upper))
+                             : time);
+  }
+
+  // ---- changes ----
+
+  std::vector<Edge_ids> edges_of(const auto& points) const {
+    std::vector<Edge_ids> edges;
+    for (const auto& point : points) {
+      if (!graph_.contains(point.id)) continue;
+      for (const Point_id other : graph_.neighbors(point.id)) {
+        edges.push_back(edge_ids(point.id, other));
+      }
+    }
+    return edges;
+  }
+
+  void link(const Edge_ids& edge, const Time& time) {
+    if (connectivity_.is_edge(edge)) return;
+    const std::array<std::size_t, 2> sizes = sizes_at(edge);
+    if (connectivity_.add_edge(edge)) report(Kind::merge, time, edge, sizes);
+  }
+
+  void cut(const Edge_ids& edge, const Time& time) {
+    if (!connectivity_.is_edge(edge) || !connectivity_.remove_edge(edge)) return;
+    report(Kind::split, time, edge, sizes_at(edge));
+  }
+
+  std::array<std::size_t, 2> sizes_at(const Edge_ids& edge) const {
+    return {connectivity_.size_of(edge[0]), connectivity_.size_of(edge[1])};
+  }
+
+  void report(Kind kind, const Time& time, const Edge_ids& points = {no_point, no_point},
+              const std::array<std::size_t, 2>& sizes = {0, 0}) {
+    events_.push_back(
+        {time, kind, points, sizes, connectivity_.number_of_components(), connectivity_.largest()});
+    look_at_watched(time);
+  }
+
+  void look_at_watched(const Time& time) {
+    for (auto& [points, since, intervals] : watched_) {
+      const bool is_connected = connectivity_.are_connected(points[0], points[1]);
+      if (is_connected == since.has_value()) continue;
+      if (!is_connected) {
+        intervals.push_back({*std::exchange(since, std::nullopt), time});
+      } else if (!intervals.empty() && intervals.back().end == time) {
+        since = intervals.back().begin;  // changes of one time, one after the other
+        intervals.pop_back();
+      } else {
+        since = time;
+      }
+    }
+  }
+
+  const Graph& graph_;
+  const Traits& traits_;
+  double range_;
+  Dynamic_connectivity connectivity_;
+  std::vector<Component_event> events_;
+  std::vector<Watched_pair> watched_;
+  Queue queue_{*this};
+  std::vector<std::vector<Scheduled_edge>> scheduled_;  // by the smaller id
+  Departures<Point_2> departures_;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_OBSERVERS_COMPONENT_TRACKER_H
