@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/observers/failure_queue.h"
 #include "kinetri/observers/connected_components.h"
 #include "observers/departures.h"
+#include "observers/failure_queue.h"
 #include "observers/later_time_in_range.h"
 
 namespace kinetri::detail {

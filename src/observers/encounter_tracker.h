@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "kinetri/impl/events/observer_list.h"
-#include "kinetri/impl/observers/failure_queue.h"
 #include "kinetri/observers/encounters.h"
 #include "observers/departures.h"
 #include "observers/encounter_records.h"
 #include "observers/enlarged_discs.h"
+#include "observers/failure_queue.h"
 #include "observers/later_time_in_range.h"
 
 namespace kinetri::detail {

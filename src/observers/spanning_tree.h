@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/observers/failure_queue.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "kinetri/observers/kinetic_spanning_tree_2.h"
+#include "observers/failure_queue.h"
 #include "observers/rooted_forest.h"
 #include "observers/spanning_tree_history.h"
 

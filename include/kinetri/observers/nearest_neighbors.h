@@ -10,14 +10,12 @@
 #define KINETRI_OBSERVERS_NEAREST_NEIGHBORS_H
 
 #include <functional>
-#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "kinetri/impl/base/compiler.h"
 #include "kinetri/impl/observers/edge_follower.h"
-#include "kinetri/impl/observers/failure_queue.h"
 #include "kinetri/triangulation/queries_2.h"
 
 namespace kinetri {
@@ -30,6 +28,11 @@ struct Nearest_neighbor_change {
                                ///< point comes, and where it was the only point
   Point_id after = no_point;   ///< just after; none where the point leaves, or becomes the only one
 };
+
+namespace detail {
+template <ContactKineticTraits_2 Traits>
+class Nearest_tracker;
+}  // namespace detail
 
 /// An observer that knows the nearest neighbor of each point at every time of a run.
 ///
@@ -77,50 +80,15 @@ class Nearest_neighbors final : private Edge_follower<Traits> {
   using Base = Edge_follower<Traits>;
   using typename Base::Changed_point;
 
-  // The first failure that is known of the nearest neighbor of a point.
-  struct Entry : detail::Failure {
-    Point_id id = no_point;
-    Point_id nearest = no_point;
-    Point_id rival = no_point;  // becomes nearer than `nearest`
-  };
-  friend class detail::Failure_queue<Entry, Nearest_neighbors>;
-
-  // An entry that is not in the queue yet, with its certificate, which fails or holds for a time.
-  struct Next_failure {
-    Entry entry;
-    Certificate certificate;
-  };
-
-  void start();
+  void start(On_change on_change);
   void advance(const Time& time) override;
   void before_change(std::span<const Edge_ids> removed,
                      std::span<const Changed_point> points) override;
   void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
               std::span<const Changed_point> points) override;
 
-  bool is_nearer(Point_id id, Point_id a, Point_id b, const Instant& after) const;
-  void look_again(Point_id id, const Time& time);
-  void look_at(Point_id id, Point_id other, const Time& time);
-  std::optional<Next_failure> failure(Point_id id, Point_id nearest, Point_id rival,
-                                      const Time& time) const;
-  Time time_of(const Next_failure& failure) const;
-  bool is_before(const Next_failure& a, const Next_failure& b) const;
-  Time failure_time(const Entry& entry) const;
-  bool precedes(const Entry& a, const Entry& b) const { return a.id < b.id; }
-  void push(Next_failure failure);
-  void unschedule(Point_id id);
-  void set_nearest(Point_id id, Point_id nearest, const Time& time);
-  void report();
-
-  On_change on_change_;
-  std::vector<Point_id> nearest_;
-  std::vector<Queue_handle> handles_;  // by id; no_event of none
-  std::vector<Nearest_neighbor_change> changes_;
-  // What has changed at `changed_at_`, and is not reported yet: the nearest neighbor before.
-  std::map<Point_id, Point_id> changed_;
-  Time changed_at_;
-  std::vector<Point_id> again_;  // to be looked at again in the change that has begun; sorted
-  detail::Failure_queue<Entry, Nearest_neighbors> queue_{*this};
+  // Not shared, but of a type that is incomplete here.
+  std::shared_ptr<detail::Nearest_tracker<Traits>> tracker_;
 };
 
 extern template class Nearest_neighbors<Linear_kinetic_traits_2>;

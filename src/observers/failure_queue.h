@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The queue of an observer: the failures of its own certificates, in the exact order of time.
-#ifndef KINETRI_IMPL_OBSERVERS_FAILURE_QUEUE_H
-#define KINETRI_IMPL_OBSERVERS_FAILURE_QUEUE_H
+#ifndef KINETRI_SRC_OBSERVERS_FAILURE_QUEUE_H
+#define KINETRI_SRC_OBSERVERS_FAILURE_QUEUE_H
 
 #include <optional>
 #include <utility>
@@ -110,4 +110,4 @@ class Failure_queue {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_OBSERVERS_FAILURE_QUEUE_H
+#endif  // KINETRI_SRC_OBSERVERS_FAILURE_QUEUE_H

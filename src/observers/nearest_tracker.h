@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The nearest neighbor of each point of a graph, and when another one becomes nearer.
+#ifndef KINETRI_SRC_OBSERVERS_NEAREST_TRACKER_H
+#define KINETRI_SRC_OBSERVERS_NEAREST_TRACKER_H
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "kinetri/observers/nearest_neighbors.h"
+#include "observers/failure_queue.h"
+
+namespace kinetri::detail {
+
+/// Invariant, of the graph at the last time that has been told: each point has its nearest
+/// neighbor, and an entry in the queue if another neighbor will become nearer: the first such time.
+template <ContactKineticTraits_2 Traits>
+class Nearest_tracker {
+ public:
+  using Time = Algebraic_number;
+  using Graph = Neighbor_graph<Traits>;
+  using Change = Nearest_neighbor_change;
+  using On_change = std::function<void(const Change&)>;
+
+  /// The neighbors just after `now`. The graph and the traits must outlive this object. Changes
+  /// are kept if there is no function.
+  Nearest_tracker(const Graph& graph, const Traits& traits, On_change on_change, const Time& now)
+      : graph_(graph),
+        traits_(traits),
+        on_change_(std::move(on_change)),
+        nearest_(graph.next_id(), no_point),
+        handles_(nearest_.size(), no_event) {
+    for (Point_id id = 0; id < graph.next_id(); ++id) {
+      if (graph.contains(id)) look_again(id, now);
+    }
+  }
+  Nearest_tracker(const Nearest_tracker&) = delete;
+  Nearest_tracker& operator=(const Nearest_tracker&) = delete;
+
+  // ---- answers ----
+
+  Point_id nearest(Point_id id) const { return nearest_[id]; }
+  const std::vector<Point_id>& all_nearest(Point_id next_id) {
+    nearest_.resize(next_id, no_point);
+    return nearest_;
+  }
+  const std::vector<Change>& changes() {
+    report();
+    return changes_;
+  }
+
+  // ---- what Edge_follower tells ----
+
+  void advance(const Time& time) {
+    while (const auto due = queue_.take_due(time)) {
+      handles_[due->entry.id] = no_event;
+      look_again(due->entry.id, due->time);
+    }
+  }
+
+  // Entries are about neighbors. So what is to be looked at again are the points that change and
+  // their neighbors, and who loses the neighbor that its entry is about.
+  void before_change(std::span<const Edge_ids> removed, const auto& points) {
+    again_.clear();
+    for (const auto& changed : points) {
+      again_.push_back(changed.id);
+      if (!changed.before) continue;
+      const auto neighbors = graph_.neighbors(changed.id);
+      again_.insert(again_.end(), neighbors.begin(), neighbors.end());
+    }
+    for (const Edge_ids& edge : removed) {
+      for (const auto& [id, other] : {std::pair(edge[0], edge[1]), std::pair(edge[1], edge[0])}) {
+        const bool is_rival = handles_[id] != no_event && queue_[handles_[id]].rival == other;
+        if (is_rival || nearest_[id] == other) again_.push_back(id);
+      }
+    }
+    std::ranges::sort(again_);
+    again_.erase(std::unique(again_.begin(), again_.end()), again_.end());
+    for (const Point_id id : again_) unschedule(id);
+  }
+
+  void change(const Time& time, Point_id next_id, std::span<const Edge_ids> added) {
+    nearest_.resize(next_id, no_point);
+    handles_.resize(nearest_.size(), no_event);
+    for (const Point_id id : again_) {
+      if (graph_.contains(id)) {
+        look_again(id, time);
+      } else {
+        set_nearest(id, no_point, time);
+      }
+    }
+    for (const Edge_ids& edge : added) {
+      for (const auto& [id, other] : {std::pair(edge[0], edge[1]), std::pair(edge[1], edge[0])}) {
+        if (!std::ranges::binary_search(again_, id)) look_at(id, other, time);
+      }
+    }
+  }
+
+ private:
+  // The first failure that is known of the nearest neighbor of a point.
+  struct Entry : Failure {
+    Point_id id = no_point;
+    Point_id nearest = no_point;
+    Point_id rival = no_point;  // becomes nearer than `nearest`
+  };
+  using Queue = Failure_queue<Entry, Nearest_tracker>;
+  friend Queue;
+
+  // An entry that is not in the queue yet, with its certificate, which fails or holds for a time.
+  struct Next_failure {
+    Entry entry;
+    Certificate certificate;
+  };
+
+  // ---- the nearest one ----
+
+  // Whether a is to be named rather than b.
+  bool is_nearer(Point_id id, Point_id a, Point_id b, const Instant& after) const {
+    const auto instantaneous = traits_.instantaneous_traits(after);
+    const auto order = instantaneous.compare_distance_2_object()(graph_.point(id), graph_.point(a),
+                                                                 graph_.point(b));
+    return order == CGAL::EQUAL ? a < b : order == CGAL::SMALLER;
+  }
+
+  // Finds the nearest neighbor of a point, and when it fails. Precondition: the point has no entry.
+  void look_again(Point_id id, const Time& time) {
+    const auto neighbors = graph_.neighbors(id);
+    const Instant after = {time, Time_side::after};
+    Point_id nearest = no_point;
+    for (const Point_id other : neighbors) {
+      if (nearest == no_point || is_nearer(id, other, nearest, after)) nearest = other;
+    }
+    set_nearest(id, nearest, time);
+    std::optional<Next_failure> first;
+    for (const Point_id other : neighbors) {
+      if (other == nearest) continue;
+      std::optional<Next_failure> next = failure(id, nearest, other, time);
+      if (next && (!first || is_before(*next, *first))) first = std::move(next);
+    }
+    if (first) push(std::move(*first));
+  }
+
+  // A point has another neighbor.
+  void look_at(Point_id id, Point_id other, const Time& time) {
+    const Point_id nearest = nearest_[id];
+    if (nearest == no_point || is_nearer(id, other, nearest, {time, Time_side::after})) {
+      unschedule(id);
+      look_again(id, time);
+      return;
+    }
+    std::optional<Next_failure> next = failure(id, nearest, other, time);
+    if (!next) return;
+    if (handles_[id] != no_event) {
+      const Entry& known = queue_[handles_[id]];
+      const auto& bounds = next->certificate.bounds;
+      if (known.bounds.upper < bounds.lower) return;
+      if (bounds.upper >= known.bounds.lower && time_of(*next) >= queue_.time(known)) return;
+      unschedule(id);
+    }
+    push(std::move(*next));
+  }
+
+  void set_nearest(Point_id id, Point_id nearest, const Time& time) {
+    if (nearest_[id] == nearest) return;
+    if (changed_.empty() || changed_at_ != time) {
+      report();
+      changed_at_ = time;
+    }
+    changed_.emplace(id, nearest_[id]);
+    nearest_[id] = nearest;
+  }
+
+  void report() {
+    for (const auto& [id, before] : std::exchange(changed_, {})) {
+      if (before == nearest_[id]) continue;
+      const Change change = {changed_at_, id, before, nearest_[id]};
+      if (on_change_) {
+        on_change_(change);
+      } else {
+        changes_.push_back(change);
+      }
+    }
+  }
+
+  // ---- failures ----
+
+  std::optional<Next_failure> failure(Point_id id, Point_id nearest, Point_id rival,
+                                      const Time& time) const {
+    const auto& p = graph_.point(id);
+    Next_failure result;
+    result.entry.id = id;
+    result.entry.nearest = nearest;
+    result.entry.rival = rival;
+    result.certificate =
+        traits_.closer_certificate(p, graph_.point(nearest), p, graph_.point(rival), time);
+    if (result.certificate.kind == Certificate::Kind::never_fails) return std::nullopt;
+    return result;
+  }
+
+  Time time_of(const Next_failure& failure) const {
+    const Certificate& certificate = failure.certificate;
+    if (certificate.kind == Certificate::Kind::holds) return Time(certificate.bounds.lower);
+    if (certificate.failure) return *certificate.failure;
+    Entry entry = failure.entry;
+    entry.bounds = certificate.bounds;
+    return failure_time(entry);
+  }
+
+  bool is_before(const Next_failure& a, const Next_failure& b) const {
+    if (a.certificate.bounds.upper < b.certificate.bounds.lower) return true;
+    if (b.certificate.bounds.upper < a.certificate.bounds.lower) return false;
+    return time_of(a) < time_of(b);
+  }
+
+  void push(Next_failure failure) {
+    handles_[failure.entry.id] = queue_.push(failure.entry, std::move(failure.certificate));
+  }
+
+  void unschedule(Point_id id) {
+    if (id >= handles_.size()) return;  // it may be yet to come
+    queue_.erase(std::exchange(handles_[id], no_event));
+  }
+
+  Time failure_time(const Entry& entry) const {
+    const auto& p = graph_.point(entry.id);
+    return traits_.closer_failure(p, graph_.point(entry.nearest), p, graph_.point(entry.rival),
+                                  entry.bounds);
+  }
+  bool precedes(const Entry& a, const Entry& b) const { return a.id < b.id; }
+
+  const Graph& graph_;
+  const Traits& traits_;
+  On_change on_change_;
+  std::vector<Point_id> nearest_;
+  std::vector<Queue_handle> handles_;  // by id; no_event of none
+  std::vector<Change> changes_;
+  // What has changed at `changed_at_`, and is not reported yet: the nearest neighbor before.
+  std::map<Point_id, Point_id> changed_;
+  Time changed_at_;
+  std::vector<Point_id> again_;  // to be looked at again in the change that has begun; sorted
+  Queue queue_{*this};
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_OBSERVERS_NEAREST_TRACKER_H
