@@ -59,7 +59,8 @@ class Spanning_tree_history {
       if (!result.empty() && result.back().edge == piece.edge) continue;
       result.push_back({piece.since, piece.edge});
       if (!piece.edge) continue;
-      result.back().length = length_at(squared_distance(piece.p, piece.q), piece.since).to_double();
+      result.back().length =
+          length_at(detail::squared_distance(piece.p, piece.q), piece.since).to_double();
     }
     return result;
   }
@@ -68,7 +69,7 @@ class Spanning_tree_history {
   std::optional<Connecting_range> connecting_range(const Time& now) const {
     const auto& [since, edge, p, q] = longest_.back();
     if (!edge) return std::nullopt;
-    return Connecting_range{length_at(squared_distance(p, q), now), *edge, now};
+    return Connecting_range{length_at(detail::squared_distance(p, q), now), *edge, now};
   }
   /// The greatest one up to the present time, or the least.
   std::optional<Connecting_range> extreme_range(bool greatest, const Time& now) const {
@@ -77,7 +78,7 @@ class Spanning_tree_history {
       const auto& [since, edge, p, q] = longest_[i];
       if (!edge) continue;
       const Time& until = i + 1 < longest_.size() ? longest_[i + 1].since : now;
-      pieces.push_back({since, until, *edge, squared_distance(p, q)});
+      pieces.push_back({since, until, *edge, detail::squared_distance(p, q)});
     }
     return extreme_length(pieces, greatest);
   }
