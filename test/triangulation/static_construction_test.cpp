@@ -123,7 +123,7 @@ TEST(Embedding, is_that_of_faces_that_turn_left_and_a_convex_hull) {
   EXPECT_TRUE(is_embedded_at(4, 7.5, 0.25)) << "not Delaunay, but embedded";
   EXPECT_FALSE(is_embedded_at(4, 4, 0)) << "flat";
   EXPECT_FALSE(is_embedded_at(4, 4, -1));
-  EXPECT_FALSE(is_embedded_at(2, 3, 3.5)) << "the hull is not convex";
+  EXPECT_FALSE(is_embedded_at(2, 3.875, 3.875)) << "the hull is not convex";
 }
 
 }  // namespace
