@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "kinetri/impl/triangulation/kinetic_core_impl.h"
+#include "kinetri/impl/triangulation/kinetic_core.h"
 #include "support/kinetic_parts.h"
 #include "support/message_of.h"
 #include "support/precondition_error.h"
