@@ -10,10 +10,14 @@
 namespace kinetri {
 
 namespace detail {
-template Audit_report audit(const Kinetic_core<Linear_kinetic_traits_2>&, Audit_level);
-template Audit_report audit(const Kinetic_core<Polynomial_kinetic_traits_2>&, Audit_level);
-template Audit_report audit(const Kinetic_core<Disc_kinetic_traits_2>&, Audit_level);
-template Audit_report audit(const Kinetic_core<Polynomial_disc_kinetic_traits_2>&, Audit_level);
+template Audit_report audit<Linear_kinetic_traits_2>(const Kinetic_core<Linear_kinetic_traits_2>&,
+                                                     Audit_level);
+template Audit_report audit<Polynomial_kinetic_traits_2>(
+    const Kinetic_core<Polynomial_kinetic_traits_2>&, Audit_level);
+template Audit_report audit<Disc_kinetic_traits_2>(const Kinetic_core<Disc_kinetic_traits_2>&,
+                                                   Audit_level);
+template Audit_report audit<Polynomial_disc_kinetic_traits_2>(
+    const Kinetic_core<Polynomial_disc_kinetic_traits_2>&, Audit_level);
 }  // namespace detail
 
 bool detail::is_passed(const Audit_report& report, bool verbose) {

@@ -171,7 +171,7 @@ bool Region_run<Traits, Contacts>::begin_window([[maybe_unused]] double begin) {
     division().effort.spend(cost_of_division());
   }
   if (window_.are_versions_spent()) {
-    window_.or_go_back([this] { clear_versions(topology_, options_); });
+    window_.or_go_back([this] { clear_versions<Traits>(topology_, options_); });
     window_.start_versions();
   }
   return true;
@@ -212,7 +212,7 @@ void Region_run<Traits, Contacts>::adapt_width(bool is_whole, bool is_full) {
 
 template <class Traits, class Contacts>
 void Region_run<Traits, Contacts>::divide() {
-  choose_regions(core_, options_, regions_);
+  choose_regions<Traits>(core_, options_, regions_);
   distribute(division().parts());
   window_.take_up_division(events_in_window());
 }
@@ -226,7 +226,7 @@ void Region_run<Traits, Contacts>::join() {
 // The sequential loop may have put one of two queues into one part: where it has built all anew.
 template <class Traits, class Contacts>
 void Region_run<Traits, Contacts>::distribute(std::size_t parts) {
-  distribute_edges(core_, options_, parts);
+  distribute_edges<Traits>(core_, options_, parts);
   if constexpr (has_contacts) {
     window_.contacts().divide(parts, [this](auto& elements, const auto& work) {
       call_for_each(options_, elements, work);

@@ -32,7 +32,8 @@ auto changes(const std::vector<typename Traits::Motion>& motions, const Simulati
   contact.kind = kind;
   contact.point_a = a;
   contact.point_b = b;
-  return detail::Contact_outcomes<Traits>(part.geometry).changes(contact, Algebraic_number(now));
+  return typename detail::Simulation_types<Traits>::Contact_outcomes(part.geometry)
+      .changes(contact, Algebraic_number(now));
 }
 
 auto collision(const std::vector<Linear_motion_2>& motions, const Simulation_options& options) {
@@ -73,7 +74,8 @@ TEST(Wall, leaves_the_point_inside_of_the_box) {
     contact.point_a = 0;
     contact.point_b = 1;
     const auto made =
-        detail::Contact_outcomes<Linear_kinetic_traits_2>(part.geometry).changes(contact, now);
+        detail::Simulation_types<Linear_kinetic_traits_2>::Contact_outcomes(part.geometry)
+            .changes(contact, now);
     EXPECT_TRUE(traits.is_inside(Moving_point_2(*made[0].motion, 0), wall, now)) << speed;
     EXPECT_EQ(rounded_velocity(*made[0].motion, now.to_double()).x, -speed);
   }

@@ -16,8 +16,8 @@
 namespace kinetri::simulation_setup_test {
 namespace {
 
-using Point_setup = detail::Simulation_setup<Linear_kinetic_traits_2>;
-using Disc_setup = detail::Simulation_setup<Disc_kinetic_traits_2>;
+using Point_setup = detail::Simulation_types<Linear_kinetic_traits_2>::Simulation_setup;
+using Disc_setup = detail::Simulation_types<Disc_kinetic_traits_2>::Simulation_setup;
 
 Simulation_options in_box(double width, double radius, bool rim_touches) {
   Simulation_options options;

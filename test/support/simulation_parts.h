@@ -43,7 +43,7 @@ struct Geometry_part {
     return to_rational(setup.options().radius);
   }
 
-  detail::Simulation_setup<Traits> setup;
+  typename detail::Simulation_types<Traits>::Simulation_setup setup;
   Kinetic_triangulation_2<Traits> triangulation;
   detail::Disc_geometry<Traits> geometry{setup, triangulation};
 };

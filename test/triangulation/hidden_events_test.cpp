@@ -41,7 +41,7 @@ struct Hidden_events : testing::Test {
   }
 
   std::optional<Part> part;
-  std::optional<detail::Hidden_events<Disc_kinetic_traits_2>> hidden;
+  std::optional<detail::Kinetic_types<Disc_kinetic_traits_2>::Hidden_events> hidden;
 };
 
 // The corners 0, 1 and 2, lifted by the squared distance from 0 minus the weight, are on the plane

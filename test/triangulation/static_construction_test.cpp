@@ -15,7 +15,7 @@ namespace {
 using test::resting;
 
 template <class Traits>
-using Construction = detail::Static_construction<Traits>;
+using Construction = typename detail::Kinetic_types<Traits>::Static_construction;
 
 /// The edges of what is built just after a time.
 template <class Traits, class Motion>
