@@ -33,7 +33,7 @@ struct Known_root : Root_source {
   }
 };
 
-// The order of numbers in intervals that do not overlap; nothing where they do.
+// The order of numbers in intervals that do not overlap; nothing if they do.
 std::optional<Comparison_result> order_of_disjoint(const Double_interval& x,
                                                    const Double_interval& y) {
   if (x.upper < y.lower) return CGAL::SMALLER;
@@ -234,7 +234,7 @@ bool operator==(const Algebraic_number& a, const Algebraic_number& b) {
 
 // --- Rounding -----------------------------------------------------------------------------------
 
-// Makes the interval of a number whose polynomial has not been made that of its rounding, where its
+// Makes the interval of a number whose polynomial has not been made that of its rounding, if its
 // source knows that.
 void Algebraic_number::narrow_by_source() const {
   const Double_interval present = interval();  // before the representation, as in representation()
@@ -245,7 +245,7 @@ void Algebraic_number::narrow_by_source() const {
   }
 }
 
-// The tight interval of a number whose polynomial has not been made, where the signs that its
+// The tight interval of a number whose polynomial has not been made, if the signs that its
 // source knows are enough for it. The values there say where to look: within so small an interval
 // they are all but on a line.
 std::optional<Double_interval> Algebraic_number::tighten_by_source() const {
@@ -307,7 +307,7 @@ double Algebraic_number::to_double() const {
       return (value > 0) == (value_below > 0) ? tight.upper : tight.lower;
     }
   }
-  // Halfway, also where the upper neighbour is infinite: IEEE 754 rounds as if it were 2^1024.
+  // Halfway, also if the upper neighbor is infinite: IEEE 754 rounds as if it were 2^1024.
   const auto end = [](double x) {
     if (std::isfinite(x)) return to_rational(x);
     return scaled_by_power_of_two(x > 0 ? 1 : -1, std::numeric_limits<double>::max_exponent);

@@ -109,7 +109,7 @@ struct Approximation {
 };
 
 // The root between two numbers at which the values have opposite signs, or are 0: Newton's method,
-// and bisection where that leaves the interval or is slow.
+// and bisection if that leaves the interval or is slow.
 double root_between(const Approximation& f, const Approximation& slope, double low, double high) {
   const bool rises = f.value(low) < 0 || f.value(high) > 0;
   double z = (low + high) / 2;
@@ -149,7 +149,7 @@ class Positive_roots {
       if (z > 0 && std::isfinite(z)) add(z);
       return;
     }
-    // Between two neighbours of these f is monotone.
+    // Between two neighbors of these f is monotone.
     const Approximation slope = f.derivative();
     const Positive_roots turns(slope, 4);
     double low = 0;

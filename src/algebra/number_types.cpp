@@ -79,7 +79,7 @@ Magnitude magnitude(const Rational& x) {
   mpz_srcptr d = mpq_denref(x.backend().data());
 
   // 2^(exponent - 1) < |x| < 2^(exponent + 1), hence the quotient below has 53 or 54 bits, or fewer
-  // where the numbers are subnormal.
+  // if the numbers are subnormal.
   const long exponent = static_cast<long>(mpz_sizeinbase(n.backend().data(), 2)) -
                         static_cast<long>(mpz_sizeinbase(d, 2));
   Magnitude result;

@@ -41,7 +41,7 @@ class Denominator {
   bool is_power_of_two_;
   mp_bitcnt_t shift_;
   Integer value_;
-  Integer power_;  // d^k, or a scratch value where d is a power of two
+  Integer power_;  // d^k, or a scratch value if d is a power of two
 };
 
 // d^n p(num / d), where n is the degree: an integer with the sign of p(num / d).
@@ -109,8 +109,8 @@ void reduce(std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b) 
   }
 }
 
-// True only where a and b have no common factor. A common factor g of positive degree has a leading
-// coefficient that divides those of a and of b; where one of these does not vanish modulo the
+// True only if a and b have no common factor. A common factor g of positive degree has a leading
+// coefficient that divides those of a and of b; if one of these does not vanish modulo the
 // prime, g keeps its degree there, and divides both images.
 bool certainly_coprime(const Polynomial& a, const Polynomial& b) {
   std::vector<std::uint64_t> x = residues(a);

@@ -25,7 +25,7 @@ int compare_dyadic(const Integer& x, unsigned long e, const Integer& y, unsigned
   return e < f ? Integer(x << (f - e)).compare(y) : x.compare(Integer(y << (e - f)));
 }
 
-// The order of numbers in open intervals that do not overlap; nothing where they do.
+// The order of numbers in open intervals that do not overlap; nothing if they do.
 std::optional<Comparison_result> order_of_disjoint(const Isolation& s, const Isolation& t) {
   if (compare_dyadic(s.b, s.e, t.a, t.e) <= 0) return CGAL::SMALLER;
   if (compare_dyadic(s.a, s.e, t.b, t.e) >= 0) return CGAL::LARGER;
@@ -165,7 +165,7 @@ void Root_representation::use_factor(Polynomial factor) {
 // ---- refinement ----
 
 // One step of quadratic interval refinement: the interval is divided into 2^k parts, k <= k_max,
-// and the part in which the secant meets zero is tried. Where that is the right one, the next step
+// and the part in which the secant meets zero is tried. If that is the right one, the next step
 // has twice as many digits; else half as many. With k = 1 it is bisection.
 void Root_representation::quadratic_step(unsigned long k_max) {
   Isolation& s = *isolation;
@@ -290,7 +290,7 @@ bool Root_representation::changes_sign_over_intersection(const Polynomial& p,
          p.sign_at(std::min(x.upper_end(), y.upper_end()));
 }
 
-// The order of two roots of one polynomial in overlapping intervals. They are equal where it
+// The order of two roots of one polynomial in overlapping intervals. They are equal if it
 // changes sign over the intersection, which then holds the only root of either interval. Else each
 // number is in the part of its interval that the other does not share, so neither interval contains
 // the other.
@@ -336,7 +336,7 @@ Comparison_result Root_representation::compare(Root_representation& x, Root_repr
 
 // ---- signs ----
 
-// The gcd has the number as a root where it changes sign over the isolating interval: as a divisor
+// The gcd has the number as a root if it changes sign over the isolating interval: as a divisor
 // of polynomial() it has no other root there, and a simple one only.
 bool Root_representation::is_root_of(const Polynomial& p) {
   if (p.is_zero()) return true;
@@ -360,8 +360,8 @@ Sign Root_representation::sign_of(const Polynomial& p) {
   }
 }
 
-// The end of the isolating interval on that side is as good as beside the number where p has no
-// other root up to it. So it is after a flip, where p is minus the polynomial that made the number.
+// The end of the isolating interval on that side is as good as beside the number if p has no
+// other root up to it. So it is after a flip, when p is minus the polynomial that made the number.
 std::optional<Sign> Root_representation::sign_of_own_polynomial_beside(const Polynomial& p,
                                                                        Sign side) {
   if (is_rational() || !equal_up_to_sign(p, own_polynomial)) return std::nullopt;

@@ -79,8 +79,8 @@ struct Root_representation {
   std::optional<Sign> sign_of_own_polynomial_beside(const Polynomial& p, Sign side);
 
   std::mutex mutex;
-  std::optional<Isolation> isolation;  // none where the number is known to be rational
-  // The number itself where it is known to be rational; else the ends of the isolation, made when
+  std::optional<Isolation> isolation;  // none if the number is known to be rational
+  // The number itself if it is known to be rational; else the ends of the isolation, made when
   // they are asked for.
   Rational lower;
   Rational upper;

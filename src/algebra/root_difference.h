@@ -11,7 +11,7 @@
 namespace kinetri {
 
 /// sqrt(s(t)) - r(t), exactly, where s(t) is the sum of s[i] t^i and r(t) that of r[i] t^i.
-/// Precondition: s(t) >= 0. Cost: with the degree n of the polynomial of `t`, 1 where it is known
+/// Precondition: s(t) >= 0. Cost: with the degree n of the polynomial of `t`, 1 if it is known
 /// to be rational, 2n products of 2n x 2n matrices of rational numbers, and the isolation of the
 /// real roots of a polynomial of degree 2n.
 Algebraic_number root_difference_at(std::span<const Rational> s, std::span<const Rational> r,

@@ -60,7 +60,7 @@ void multiply_argument(Integers& p, const Integer& w) {
   }
 }
 
-// p(t) becomes 2^(n e) p(t / 2^e), or p(t / 2^e) where e is negative.
+// p(t) becomes 2^(n e) p(t / 2^e), or p(t / 2^e) if e is negative.
 void divide_argument_by_power_of_two(Integers& p, long e) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const auto shift = e >= 0 ? static_cast<unsigned long>(e) * (p.size() - 1 - i)
@@ -156,7 +156,7 @@ class Search {
     // Bounds that contradict one another leave no room for a root.
     if (variations_ == 0 || least_exponent_ > greatest_exponent_) return {};
     if (q_.degree() == 1) return {linear_root(q_)};
-    // Two neighbours are the ends of an open interval that is to be searched, those at the back
+    // Two neighbors are the ends of an open interval that is to be searched, those at the back
     // first.
     std::vector<Rational> ends = {point(greatest_exponent_), point(least_exponent_ - 2)};
     if (variations_ == 1) return {only_root(ends[1], ends[0])};

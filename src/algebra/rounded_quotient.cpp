@@ -34,7 +34,7 @@ Interval values(const Polynomial& p, const Interval& t) {
   return sum;
 }
 
-// The middle of two adjacent binary64 numbers; where the upper one is infinite, the number from
+// The middle of two adjacent binary64 numbers; if the upper one is infinite, the number from
 // which on rounding gives infinity, and likewise below.
 Rational middle(double lower, double upper) {
   if (std::isfinite(lower) && std::isfinite(upper)) {
@@ -46,7 +46,7 @@ Rational middle(double lower, double upper) {
   return std::isfinite(lower) ? bound : Rational(-bound);
 }
 
-// The rounded quotient where the interval `times` around `t` is narrow enough to tell.
+// The rounded quotient if the interval `times` around `t` is narrow enough to tell.
 // Precondition: neither polynomial vanishes at `t`, which is between the ends of the interval.
 std::optional<double> try_round(const Polynomial& p, const Polynomial& q, const Algebraic_number& t,
                                 const Interval& times) {

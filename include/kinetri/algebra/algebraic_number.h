@@ -2,7 +2,7 @@
 //
 // Real algebraic numbers: a square-free polynomial and an interval that holds exactly one of its
 // roots; rationals are kept as such. All decisions are exact; the binary64 interval that each
-// number carries decides most comparisons, and the isolating interval is refined only where that
+// number carries decides most comparisons, and the isolating interval is refined only if that
 // one does not separate.
 //
 // How several threads share a number. A handle (Algebraic_number) is not changed by a const
@@ -64,7 +64,7 @@ class Shared_bounds {
 
 }  // namespace detail
 
-/// What a number is the root of. Its polynomial is only made when it is needed: where binary64
+/// What a number is the root of. Its polynomial is only made when it is needed: if binary64
 /// intervals decide, it never is. Each object belongs to one number. Both functions may be called
 /// by several threads at once.
 class Root_source {
@@ -77,12 +77,12 @@ class Root_source {
   virtual Polynomial polynomial() const = 0;
 
   /// An approximation of the value of that polynomial, or of a positive multiple of it, at
-  /// high + low. Its sign is certainly that of the value. Zero where that sign is not known without
+  /// high + low. Its sign is certainly that of the value. Zero if that sign is not known without
   /// making the polynomial. Used to round the number.
   virtual double certain_value_at(double high, double low) const;
 
   /// The number rounded, given that it is strictly between the bounds of `bracket`, which are
-  /// finite. None where it is not certain without making the polynomial. The number is strictly
+  /// finite. None if it is not certain without making the polynomial. The number is strictly
   /// between the bounds of the result, which are the binary64 numbers before and after `nearest`,
   /// or `nearest` and one of these.
   virtual std::optional<Rounding> rounded(const Double_interval& bracket) const;
@@ -153,7 +153,7 @@ class Algebraic_number {
   /// by one of lower degree.
   Polynomial polynomial() const;
 
-  /// The present isolating interval: the number alone where that is known to be rational, else
+  /// The present isolating interval: the number alone if that is known to be rational, else
   /// lower < number < upper, and polynomial() has opposite signs, not zero, at the two. Zero is
   /// never inside.
   Rational_interval isolating_interval() const;
@@ -171,8 +171,8 @@ class Algebraic_number {
             std::min(bounds_.upper, source_->bounds_.upper())};
   }
 
-  /// The tightest binary64 interval that contains the number: both bounds are the number where it
-  /// is a binary64 number, else its two neighbours. Does not depend on how far the number was
+  /// The tightest binary64 interval that contains the number: both bounds are the number if it
+  /// is a binary64 number, else its two neighbors. Does not depend on how far the number was
   /// refined.
   Double_interval tight_interval() const;
 
@@ -196,7 +196,7 @@ class Algebraic_number {
 
   /// @{
   /// Exact comparison, a total order of the reals: first by the binary64 intervals, then by those
-  /// of the numbers rounded, where sources know these, then by refinement. Equal roots of different
+  /// of the numbers rounded, if sources know these, then by refinement. Equal roots of different
   /// polynomials are recognized by the gcd of the polynomials.
   friend Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b);
   friend Comparison_result compare(const Algebraic_number& a, const Rational& b);
@@ -239,8 +239,8 @@ Comparison_result compare(const Algebraic_number& a, const Algebraic_number& b);
 /// Exact comparison of a number with a rational number.
 Comparison_result compare(const Algebraic_number& a, const Rational& b);
 
-/// The sign of `p` at the number `t`. Exact. Cost: an evaluation on the isolating interval, where
-/// that decides; else refinements of `t`, and a gcd where `p` is, or nearly is, zero there.
+/// The sign of `p` at the number `t`. Exact. Cost: an evaluation on the isolating interval, if
+/// that decides; else refinements of `t`, and a gcd if `p` is, or nearly is, zero there.
 Sign sign_at(const Polynomial& p, const Algebraic_number& t);
 
 /// @{

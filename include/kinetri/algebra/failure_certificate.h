@@ -20,7 +20,7 @@ namespace kinetri {
 /// both sides; then the only root in (lower, upper], and p is negative just after it. All numbers
 /// are dyadic, and depend on p and on the two times alone, not on how far these have been refined.
 ///
-/// Where p fails at the very time from which it must not be negative, `from` is `lower`, and what
+/// If p fails at the very time from which it must not be negative, `from` is `lower`, and what
 /// is proved is that p has a root there and is negative just after it.
 struct Failure_certificate {
   Polynomial polynomial;  ///< p, primitive
@@ -28,14 +28,14 @@ struct Failure_certificate {
   Rational from;
   /// @{
   /// The failure is the only root of p in (lower, upper], or both are the failure. They are the
-  /// bounds of its tight_interval(), or nearer where another root, or the first time, is between.
+  /// bounds of its tight_interval(), or nearer if another root, or the first time, is between.
   Rational lower;
   Rational upper;
   /// @}
   /// The signs of Sturm_sequence(p).terms() at `from`, `lower` and `upper`. None of the three is a
-  /// root of p, except where it is the failure.
+  /// root of p, except if it is the failure.
   std::array<std::vector<Sign>, 3> signs;
-  /// Of the failure as a root of p: odd, except where p fails at the very first time.
+  /// Of the failure as a root of p: odd, except if p fails at the very first time.
   int multiplicity = 0;
   /// For each touch in (from, lower], in ascending order, an interval as (lower, upper] is for the
   /// failure: the only root in it is the touch.

@@ -29,11 +29,11 @@ Sign sign(const Rational& x);
 /// The rational number that the binary64 number `x` is. Exact. Precondition: `x` is finite.
 Rational to_rational(double x);
 
-/// The tightest interval of binary64 numbers that contains `x`: both bounds are `x` where `x` is a
-/// binary64 number, else they are its two neighbours (infinite beyond the largest finite one).
+/// The tightest interval of binary64 numbers that contains `x`: both bounds are `x` if `x` is a
+/// binary64 number, else they are its two neighbors (infinite beyond the largest finite one).
 Double_interval to_interval(const Rational& x);
 
-/// The binary64 number nearest to `x`, ties to even; infinite where IEEE 754 rounding gives that.
+/// The binary64 number nearest to `x`, ties to even; infinite if IEEE 754 rounding gives that.
 double to_double(const Rational& x);
 
 /// `x` times two to the power `exponent`, exactly.

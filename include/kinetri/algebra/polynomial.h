@@ -50,8 +50,8 @@ class Polynomial {
   Rational operator()(const Rational& t) const;
   /// The sign of the value at `t`; cheaper than the value, since no fraction is reduced.
   Sign sign_at(const Rational& t) const;
-  /// The sign on the whole closed interval where interval arithmetic finds it constant; nothing
-  /// where it does not decide, although the sign may be constant. Exact. For intervals that shrink
+  /// The sign on the whole closed interval if interval arithmetic finds it constant; nothing
+  /// if it does not decide, although the sign may be constant. Exact. For intervals that shrink
   /// to a point that is not a root it gives the sign from some width on. Precondition: lower <=
   /// upper. Cost: two times that of `sign_at`.
   std::optional<Sign> sign_on(const Rational& lower, const Rational& upper) const;
@@ -88,7 +88,7 @@ class Polynomial {
 };
 
 /// The primitive integer polynomial that is a positive multiple of sum of coefficients[i] t^i; the
-/// zero polynomial where all are zero.
+/// zero polynomial if all are zero.
 Polynomial primitive_polynomial(std::span<const Rational> coefficients);
 
 /// The derivative with respect to t, exact and not scaled.
@@ -133,7 +133,7 @@ std::vector<Square_free_factor> square_free_decomposition(const Polynomial& p);
 
 /// The square-free polynomial whose roots are the roots of odd multiplicity of `p` (where `p`
 /// changes sign) and whose sign equals that of `p` wherever `p` is not zero.
-/// Precondition: `p` is not zero. Cost: a gcd; where that is not constant, a decomposition.
+/// Precondition: `p` is not zero. Cost: a gcd; if that is not constant, a decomposition.
 Polynomial odd_part(const Polynomial& p);
 
 }  // namespace kinetri

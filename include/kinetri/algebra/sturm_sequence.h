@@ -26,8 +26,8 @@ struct Interval_end {
 /// The signed remainder sequence f_1 = f, f_2 = f', f_3 = -rem(f_1, f_2), ... of a polynomial f
 /// that is not zero. Each term is known up to a positive factor only, and is kept primitive.
 ///
-/// The sequence counts the distinct real roots of f. Where f has multiple roots it is
-/// a *generalised* Sturm sequence: every term is a multiple of the last one, f_m = gcd(f, f'),
+/// The sequence counts the distinct real roots of f. If f has multiple roots it is
+/// a *generalized* Sturm sequence: every term is a multiple of the last one, f_m = gcd(f, f'),
 /// whose roots are the multiple roots of f with multiplicity less one.
 ///
 /// Cost, with the degree d: O(d^2) integer operations to make it, and as many to count at one end.
@@ -41,7 +41,7 @@ class Sturm_sequence {
   std::span<const Polynomial> terms() const noexcept { return terms_; }
 
   /// The number V(t) of sign changes in the sequence at `t`, each term divided by the last one, and
-  /// zeros ignored. Dividing makes the count right also where `t` is a multiple root of f, at which
+  /// zeros ignored. Dividing makes the count right also if `t` is a multiple root of f, at which
   /// all the terms vanish together.
   int sign_changes_at(const Rational& t) const;
   /// V for all sufficiently small t.
@@ -51,7 +51,7 @@ class Sturm_sequence {
 
   /// The number of distinct real roots of f in the interval between `lower` and `upper`; a missing
   /// end is infinite.
-  /// Right for every combination of open and closed ends, also where an end is a root, simple or
+  /// Right for every combination of open and closed ends, also if an end is a root, simple or
   /// multiple. An interval whose ends are equal is a point if both are included, else empty.
   /// Precondition: lower <= upper.
   int count(const std::optional<Interval_end>& lower = std::nullopt,
@@ -62,8 +62,8 @@ class Sturm_sequence {
   const std::vector<Polynomial>& counted() const;
   bool is_root(const Rational& t) const;
 
-  std::vector<Polynomial> terms_;  // the generalised sequence
-  // terms_ divided by the last one: the sequence that is counted. Empty where the last term is a
+  std::vector<Polynomial> terms_;  // the generalized sequence
+  // terms_ divided by the last one: the sequence that is counted. Empty if the last term is a
   // constant, since terms_ itself can be counted then.
   std::vector<Polynomial> quotients_;
 };

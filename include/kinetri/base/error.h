@@ -32,7 +32,7 @@ class Internal_error : public Error {
 };
 
 /// Input data that cannot be used. `what()` reads `FILE:LINE: what is wrong; what was expected`;
-/// the line is left out where it has no meaning (line 0).
+/// the line is left out if it has no meaning (line 0).
 class Input_error : public Error {
  public:
   /// Puts the parts of that message together. Lines count from 1.

@@ -2,7 +2,7 @@
 //
 // The models of KineticTraits_2: points that move along straight lines with constant velocity, the
 // default, and points whose coordinates are polynomials of degree at most 3 in time; and discs of
-// which the centres move so.
+// which the centers move so.
 #ifndef KINETRI_KINETIC_BASIC_KINETIC_TRAITS_2_H
 #define KINETRI_KINETIC_BASIC_KINETIC_TRAITS_2_H
 
@@ -41,7 +41,7 @@ using Instantaneous_traits_of = typename Instantaneous_traits_type<Motion>::type
 /// Certificates of one kind of motion; see KineticTraits_2 for their contracts. With motions of
 /// degree d (linear: 1, polynomial: at most 3) they are polynomials in time: in-circle of degree at
 /// most 4d, orientation 2d, coincidence d; of discs, coincidence 2d at most. Every failure time is
-/// exact. Cost: some hundred floating-point operations (polynomial: a thousand) where the filter
+/// exact. Cost: some hundred floating-point operations (polynomial: a thousand) if the filter
 /// decides (src/kinetic/filter), else exact arithmetic, a thousand times that.
 template <class MotionType>
 class Basic_kinetic_traits_2 {
@@ -160,9 +160,9 @@ extern template class Basic_kinetic_traits_2<Polynomial_disc_motion_2>;
 using Linear_kinetic_traits_2 = Basic_kinetic_traits_2<Linear_motion_2>;
 /// The traits of points that accelerate; linear ones may be among them, at more cost.
 using Polynomial_kinetic_traits_2 = Basic_kinetic_traits_2<Polynomial_motion_2>;
-/// The traits of discs, or other points with weights, whose centres are in linear motion.
+/// The traits of discs, or other points with weights, whose centers are in linear motion.
 using Disc_kinetic_traits_2 = Basic_kinetic_traits_2<Disc_motion_2>;
-/// The traits of discs whose centres accelerate; linear ones may be among them, at more cost.
+/// The traits of discs whose centers accelerate; linear ones may be among them, at more cost.
 using Polynomial_disc_kinetic_traits_2 = Basic_kinetic_traits_2<Polynomial_disc_motion_2>;
 
 static_assert(ContactKineticTraits_2<Linear_kinetic_traits_2>);

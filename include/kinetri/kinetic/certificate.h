@@ -38,7 +38,7 @@ struct Certificate {
 
   Kind kind = Kind::never_fails;  ///< how much is known
   Double_interval bounds = {};    ///< of `holds` and `fails`
-  /// The failure time, where it had to be made already. Otherwise the polynomial of the condition
+  /// The failure time, if it had to be made already. Otherwise the polynomial of the condition
   /// changes its sign there, and has no other root within `bounds`.
   std::unique_ptr<Algebraic_number> failure = nullptr;
   /// If false, the polynomial is certainly positive from just after t on until it fails.

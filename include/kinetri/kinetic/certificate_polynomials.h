@@ -6,7 +6,7 @@
 //
 // With motions of degree d (linear: 1, polynomial: at most 3) the degrees are: x or y difference d,
 // orientation 2d, distance difference 2d, in-circle 4d. For constructed points they are higher, and
-// the denominators are multiplied in with the sign that keeps the predicate right; where a
+// the denominators are multiplied in with the sign that keeps the predicate right; if a
 // denominator vanishes the sign is 0. Cost: tens of products of small polynomials with exact
 // integer coefficients.
 //
@@ -28,15 +28,15 @@ Polynomial x_difference(const Point& p, const Point& q);
 template <class Point>
 Polynomial y_difference(const Point& p, const Point& q);
 
-/// Positive where p, q, r make a left turn; zero where they are collinear.
+/// Positive if p, q, r make a left turn; zero if they are collinear.
 ///
 ///     | qx-px  qy-py |
 ///     | rx-px  ry-py |
 template <class Point>
 Polynomial orientation_polynomial(const Point& p, const Point& q, const Point& r);
 
-/// Positive where s lies inside the circle through p, q, r and these make a left turn, negative
-/// where it lies outside; both reversed where they make a right turn. Zero where the four are
+/// Positive if s lies inside the circle through p, q, r and these make a left turn, negative
+/// if it lies outside; both reversed if they make a right turn. Zero if the four are
 /// cocircular or all collinear. With the differences d = (point - s):
 ///
 ///     | dpx  dpy  dpx^2 + dpy^2 - dpw |
@@ -44,7 +44,7 @@ Polynomial orientation_polynomial(const Point& p, const Point& q, const Point& r
 ///     | drx  dry  drx^2 + dry^2 - drw |
 ///
 /// dpw is the weight of p minus that of s, which is zero for points. Of weighted points the circle
-/// is the power circle of p, q, r, to which the three are orthogonal, and s lies inside of it where
+/// is the power circle of p, q, r, to which the three are orthogonal, and s lies inside of it if
 /// its power product with it is negative: the sign of CGAL's power_side_of_oriented_power_circle_2.
 ///
 /// Source: L. Guibas, J. Stolfi, Primitives for the manipulation of general subdivisions and the
@@ -62,7 +62,7 @@ template <class Point>
 Polynomial perturbed_in_circle_polynomial(const Point& p, const Point& q, const Point& r,
                                           const Point& s);
 
-/// Sign of |p-q|^2 - |p-r|^2: positive where q is farther from p than r is.
+/// Sign of |p-q|^2 - |p-r|^2: positive if q is farther from p than r is.
 template <class Point>
 Polynomial distance_difference(const Point& p, const Point& q, const Point& r);
 
@@ -75,31 +75,31 @@ Polynomial weight_difference(const Point& p, const Point& q);
 template <class Point>
 Polynomial power_distance_difference(const Point& p, const Point& q, const Point& r);
 
-/// Where p, q, r are collinear and p and r are apart: positive where q, lifted by x^2 + y^2 -
+/// If p, q, r are collinear and p and r are apart: positive if q, lifted by x^2 + y^2 -
 /// weight, is below the line through p and r, lifted. So between p and r the point q is hidden by
-/// the two where this is negative. For q as the last argument it is the sign of CGAL's
+/// the two if this is negative. For q as the last argument it is the sign of CGAL's
 /// power_side_of_oriented_power_circle_2 of three points. Degree 4d.
 template <class Point>
 Polynomial segment_polynomial(const Point& p, const Point& q, const Point& r);
 
-/// The same, lifted a little more where segment_polynomial vanishes at all times, as in
+/// The same, lifted a little more if segment_polynomial vanishes at all times, as in
 /// perturbed_in_circle_polynomial. Of three different points on a line it is not zero.
 template <class Point>
 Polynomial perturbed_segment_polynomial(const Point& p, const Point& q, const Point& r);
 
-/// The scalar product of p - q and r - q. With p, q, r collinear it is negative exactly where q
+/// The scalar product of p - q and r - q. With p, q, r collinear it is negative exactly if q
 /// lies strictly between p and r.
 template <class Point>
 Polynomial scalar_product_polynomial(const Point& p, const Point& q, const Point& r);
 
-/// Sign of |p-q|^2 - (diameter + radius of p + radius of q)^2: positive where discs of that
+/// Sign of |p-q|^2 - (diameter + radius of p + radius of q)^2: positive if discs of that
 /// diameter about points p and q, which have no radius, are apart, or the discs p and q by that
 /// distance at least. Degree 2d. Precondition: the diameter is finite, and the sum in brackets is
 /// not negative.
 template <class Point>
 Polynomial contact_polynomial(const Point& p, const Point& q, double diameter);
 
-/// Sign of |r-s|^2 - |p-q|^2: positive where r and s are farther apart than p and q; radii and
+/// Sign of |r-s|^2 - |p-q|^2: positive if r and s are farther apart than p and q; radii and
 /// weights do not count. Degree 2d.
 template <class Point>
 Polynomial distance_comparison_polynomial(const Point& p, const Point& q, const Point& r,

@@ -51,14 +51,14 @@ namespace kinetri {
 ///
 /// | Function | Result |
 /// |---|---|
-/// | `apart_certificate(p, q, range, t)` | fails where they are at most `range` apart |
+/// | `apart_certificate(p, q, range, t)` | fails when they are at most `range` apart |
 /// | `next_apart_certificate(p, q, range, t)` | the same after a parting at t |
-/// | `near_certificate(p, q, range, t)` | fails where they are farther apart |
+/// | `near_certificate(p, q, range, t)` | fails when they are farther apart |
 /// | `contact_failure(p, q, range, bounds)` | the failure time of all three, from bounds |
-/// | `closer_certificate(p, q, r, s, t)` | fails where pq is longer than rs |
+/// | `closer_certificate(p, q, r, s, t)` | fails when pq is longer than rs |
 /// | `closer_failure(p, q, r, s, bounds)` | the failure time, from bounds |
 ///
-/// `apart_certificate` fails, unlike the others, where its polynomial is zero without being
+/// `apart_certificate` fails, unlike the others, when its polynomial is zero without being
 /// negative after that: at a touch from outside, be it of no duration, and at `t` itself if they
 /// are not farther apart than `range` at `t`. `next_apart_certificate` is for two that are `range`
 /// apart at `t` and farther apart just after it: it fails at the next such time. The others fail at

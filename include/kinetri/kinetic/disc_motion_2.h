@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The motion of a disc: that of its centre, and a radius that grows at a constant rate. More
+// The motion of a disc: that of its center, and a radius that grows at a constant rate. More
 // generally a moving point with a weight, as regular triangulations and power diagrams have it: a
 // disc has the square of its radius as its weight.
 #ifndef KINETRI_KINETIC_DISC_MOTION_2_H
@@ -19,17 +19,17 @@
 
 namespace kinetri {
 
-/// A disc whose centre has the motion `CentreMotion` and whose radius at time t is
+/// A disc whose center has the motion `CentreMotion` and whose radius at time t is
 ///
 ///     radius + growth * (t - epoch),
 ///
 /// an exact polynomial over the rationals in t. Its weight at time t is the square of that, plus
 /// `weight`: a point whose weight is a given number, of either sign, has the radius 0 and that
 /// `weight`; a disc has the `weight` 0. The power of a place x to it is the squared distance of x
-/// and the centre minus the weight. All numbers are finite (`is_finite`).
+/// and the center minus the weight. All numbers are finite (`is_finite`).
 template <class CentreMotion>
 struct Basic_disc_motion_2 : CentreMotion {
-  using Centre_motion = CentreMotion;  ///< of the centre; it has the epoch
+  using Centre_motion = CentreMotion;  ///< of the center; it has the epoch
 
   double radius = 0;  ///< at the epoch
   double growth = 0;  ///< of the radius per unit of time
@@ -39,9 +39,9 @@ struct Basic_disc_motion_2 : CentreMotion {
   friend bool operator==(const Basic_disc_motion_2&, const Basic_disc_motion_2&) = default;
 };
 
-/// A disc whose centre moves along a straight line with constant velocity.
+/// A disc whose center moves along a straight line with constant velocity.
 using Disc_motion_2 = Basic_disc_motion_2<Linear_motion_2>;
-/// A disc whose centre accelerates.
+/// A disc whose center accelerates.
 using Polynomial_disc_motion_2 = Basic_disc_motion_2<Polynomial_motion_2>;
 
 /// A motion of a point with a weight, such as a disc.
@@ -51,7 +51,7 @@ concept HasWeight = requires(const Motion& motion) {
   { motion.radius + motion.growth + motion.weight } -> std::same_as<double>;
 };
 
-/// The motion of the place: of a disc, that of its centre, and else the motion itself.
+/// The motion of the place: of a disc, that of its center, and else the motion itself.
 template <class Motion>
 const auto& centre(const Motion& motion) {
   if constexpr (HasWeight<Motion>) {
@@ -65,11 +65,11 @@ const auto& centre(const Motion& motion) {
 template <class Motion>
 using Centre_motion_of = std::remove_cvref_t<decltype(centre(std::declval<const Motion&>()))>;
 
-/// The same disc, as one whose centre may accelerate.
+/// The same disc, as one whose center may accelerate.
 Polynomial_disc_motion_2 polynomial_motion(const Disc_motion_2& disc);
 
 // As for Linear_motion_2, where `Disc` is Disc_motion_2 or Polynomial_disc_motion_2. What is said
-// of a motion without a radius, such as `rounded_place`, is said of that of the centre.
+// of a motion without a radius, such as `rounded_place`, is said of that of the center.
 
 /// @{
 /// Whether all numbers are finite.
@@ -78,7 +78,7 @@ bool is_finite(const Polynomial_disc_motion_2& disc);
 /// @}
 
 /// @{
-/// Whether the two have the same centre and the same weight at every time, exactly.
+/// Whether the two have the same center and the same weight at every time, exactly.
 bool same_trajectory(const Disc_motion_2& a, const Disc_motion_2& b);
 bool same_trajectory(const Polynomial_disc_motion_2& a, const Polynomial_disc_motion_2& b);
 /// @}
@@ -103,7 +103,7 @@ double rounded_weight(const Basic_disc_motion_2<CentreMotion>& disc, double t) {
   return radius * radius + disc.weight;
 }
 
-/// Bounds how far rounded_weight(disc, t) is from the weight at any of the times. Not finite where
+/// Bounds how far rounded_weight(disc, t) is from the weight at any of the times. Not finite if
 /// numbers overflow. Precondition: t is one of the times.
 template <class CentreMotion>
 double weight_error(const Basic_disc_motion_2<CentreMotion>& disc, double t,
@@ -151,7 +151,7 @@ bool is_at_rest(const Basic_disc_motion_2<CentreMotion>& disc) {
 }
 
 /// @{
-/// As for points, about the centre or, if the wall is one for rims, about the rim: the position of
+/// As for points, about the center or, if the wall is one for rims, about the rim: the position of
 /// the disc is changed, by about as little as is needed, and not its radius.
 Disc_motion_2 clamped_inside(const Disc_motion_2& disc, const Wall_2& wall,
                              const Double_interval& times);

@@ -2,7 +2,7 @@
 //
 // A model of CGAL's TriangulationTraits_2 and DelaunayTriangulationTraits_2 whose points move and
 // whose predicates are evaluated, exactly, at one instant. CGAL::Delaunay_triangulation_2 on top of
-// it inserts, removes, locates and dualises moving points as they stand at that instant, one-sided
+// it inserts, removes, locates and dualizes moving points as they stand at that instant, one-sided
 // instants included.
 #ifndef KINETRI_KINETIC_INSTANTANEOUS_TRAITS_2_H
 #define KINETRI_KINETIC_INSTANTANEOUS_TRAITS_2_H
@@ -16,10 +16,10 @@
 
 namespace kinetri {
 
-/// Whether decisions are left to floating point where it is certain, or always made exactly. The
+/// Whether decisions are left to floating point if it is certain, or always made exactly. The
 /// decisions are the same.
 enum class Arithmetic {
-  filtered,    ///< exact arithmetic where floating point does not decide
+  filtered,    ///< exact arithmetic if floating point does not decide
   exact_only,  ///< exact arithmetic alone: slow, for tests and audits
 };
 
@@ -35,7 +35,7 @@ class Basic_weighted_instantaneous_traits_2;
 /// circumcenter is a point whose coordinates are rational functions of time; a line is the bisector
 /// of two points; a ray is a source and a line. A predicate is good as long as the traits, a copy
 /// of them or the clock is there. Cost of a predicate: tens to hundreds of floating-point
-/// operations where the filter decides, else the signs of one polynomial
+/// operations if the filter decides, else the signs of one polynomial
 /// (certificate_polynomials.h) at the instant.
 template <class Motion>
 class Basic_instantaneous_traits_2 {
@@ -130,7 +130,7 @@ class Basic_instantaneous_traits_2 {
   /// Compares points lexicographically.
   struct Compare_xy_2 : Predicate {
     using Predicate::Predicate;
-    /// How x(p) compares with x(q) or, where they are equal, y(p) with y(q).
+    /// How x(p) compares with x(q) or, if they are equal, y(p) with y(q).
     Comparison_result operator()(const Point_2& p, const Point_2& q) const {
       const Sign s = this->x_order(p, q);
       return s != CGAL::ZERO ? s : this->y_order(p, q);
@@ -172,7 +172,7 @@ class Basic_instantaneous_traits_2 {
   struct Side_of_oriented_circle_2 : Predicate {
     using Predicate::Predicate;
     /// On which side of the circle through p, q, r the point s is: the positive one is to the left
-    /// of the circle as it goes from p to q to r. On the boundary also where all four are
+    /// of the circle as it goes from p to q to r. On the boundary also if all four are
     /// collinear. Of points with weights it is the power circle (in_circle_polynomial). Just before
     /// and just after a time the sign is that of perturbed_in_circle_polynomial: points are on the
     /// boundary only if all four are collinear, or two are the same.
@@ -226,9 +226,9 @@ class Basic_instantaneous_traits_2 {
     /// From p in the direction of l. Precondition: p lies on l.
     Ray_2 operator()(const Point_2& p, const Line_2& l) const { return {p, l}; }
   };
-  /// Makes the centre of a circle.
+  /// Makes the center of a circle.
   struct Construct_circumcenter_2 {
-    /// The centre of the circle through p, q, r, at every time at which they are not collinear.
+    /// The center of the circle through p, q, r, at every time at which they are not collinear.
     /// Precondition: they are not collinear at all times.
     Point_2 operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
       return Point_2(circumcenter_trajectory(p, q, r));

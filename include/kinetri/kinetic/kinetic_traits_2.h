@@ -37,7 +37,7 @@ concept MotionWithVelocity_2 = requires(const Motion motion, const Vector_2 velo
 /// time, by `position`, is for audits. Times are of type Algebraic_number.
 ///
 /// These functions give certificates from the time `t` on; see Certificate. A certificate may stop
-/// short of the failure (Certificate::Kind::holds) where that saves work. For `...` read `t,
+/// short of the failure (Certificate::Kind::holds) if that saves work. For `...` read `t,
 /// state`, where `state` is a Certificate_state:
 ///
 /// | Function | Condition |
@@ -128,7 +128,7 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
 /// Traits of points with weights, such as discs: those of a regular triangulation. The
 /// Instantaneous_traits are a model of CGAL's RegularTriangulationTraits_2 with Weighted_point_2 =
 /// Point_2 (Basic_weighted_instantaneous_traits_2), an in-circle certificate is about the power
-/// circle, and two points *coincide* where they have the same place and the same weight. There are
+/// circle, and two points *coincide* if they have the same place and the same weight. There are
 /// four more certificates, which are always exact, and have Certificate::failure if they fail, and
 /// `have_equal_weights(motion, motion)` says whether two weights are equal at all times:
 ///
@@ -143,12 +143,12 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
 /// Certificate::failure: a triangle may turn over there, if its corners, lifted, are on one line.
 ///
 /// `certain_turn(p, q, r, now)` is the turn of the points throughout the interval `now` and
-/// just after it, or COLLINEAR where that is not certain: fast.
+/// just after it, or COLLINEAR if that is not certain: fast.
 ///
 /// The points p, q, r of a segment or hiding certificate are collinear at all times, and q is
 /// between p and r; `among` is that of a coincidence certificate. The first holds as long as q is
 /// not above the segment from p to r, each lifted by x^2 + y^2 - weight (and a little more, as
-/// above, where all three are on one lifted line), the second as long as it is not below.
+/// above, if all three are on one lifted line), the second as long as it is not below.
 template <class Traits>
 concept WeightedKineticTraits_2 = KineticTraits_2<Traits> &&
     requires(const Traits traits, const typename Traits::Point_2 p, const Algebraic_number t,

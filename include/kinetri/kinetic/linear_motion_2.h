@@ -46,7 +46,7 @@ inline Vector_2 rounded_place(const Linear_motion_2& motion, double t) {
 }
 
 /// Bounds how far, in either coordinate, rounded_place(motion, t) is from the place at any of the
-/// times. Not finite where numbers overflow. Precondition: t is one of the times.
+/// times. Not finite if numbers overflow. Precondition: t is one of the times.
 inline double place_error(const Linear_motion_2& motion, double t, const Double_interval& times) {
   const auto& [position, velocity, epoch] = motion;
   const double speed = std::abs(velocity.x) + std::abs(velocity.y);
@@ -64,7 +64,7 @@ inline Vector_2 rounded_velocity(const Linear_motion_2& motion, double /*t*/) {
 /// The motion with the epoch `t` and the given velocity that starts from the place of `motion` at
 /// t, each coordinate of it rounded to the nearest binary64 number, ties to even. With that
 /// rounding, of half a unit in the last place, a trajectory is continued; nothing else in the
-/// library is approximated. The coordinates are infinite where they are too large.
+/// library is approximated. The coordinates are infinite if they are too large.
 Linear_motion_2 with_velocity_at(const Linear_motion_2& motion, const Vector_2& velocity, double t);
 
 /// The motion at rest, from its place at t on, rounded as with_velocity_at does.

@@ -21,7 +21,7 @@
 namespace kinetri {
 
 /// A trajectory in homogeneous coordinates: the place at time t is (x(t) / w(t), y(t) / w(t)), and
-/// the weight there is weight(t) / w(t)^2. It is undefined where w vanishes.
+/// the weight there is weight(t) / w(t)^2. It is undefined when w vanishes.
 struct Trajectory_2 : boost::intrusive_ref_counter<Trajectory_2> {
   /// Undefined at every time: w is the zero polynomial.
   Trajectory_2() = default;
@@ -47,7 +47,7 @@ Trajectory_2 trajectory(const Linear_motion_2& motion);
 /// The trajectory of a polynomial motion; w is a positive constant too.
 Trajectory_2 trajectory(const Polynomial_motion_2& motion);
 /// @{
-/// The trajectory of the centre of a disc, with the weight of the disc; w is a positive constant
+/// The trajectory of the center of a disc, with the weight of the disc; w is a positive constant
 /// too.
 Trajectory_2 trajectory(const Disc_motion_2& motion);
 Trajectory_2 trajectory(const Polynomial_disc_motion_2& motion);
@@ -59,7 +59,7 @@ template <class MotionType>
 class Basic_moving_point_2 {
  public:
   using Motion =
-      MotionType;  ///< Linear_motion_2, Polynomial_motion_2, or a disc with such a centre
+      MotionType;  ///< Linear_motion_2, Polynomial_motion_2, or a disc with such a center
 
   /// A point at rest at the origin.
   Basic_moving_point_2() = default;
@@ -113,7 +113,7 @@ extern template std::ostream& operator<<(
 
 /// A point in linear motion.
 using Moving_point_2 = Basic_moving_point_2<Linear_motion_2>;
-/// A disc whose centre is in linear motion.
+/// A disc whose center is in linear motion.
 using Moving_disc_2 = Basic_moving_point_2<Disc_motion_2>;
 
 /// The trajectories of several points, each in a form that serves predicates which do not change

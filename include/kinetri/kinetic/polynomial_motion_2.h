@@ -47,12 +47,12 @@ Vector_2 rounded_velocity(const Polynomial_motion_2& motion, double t);
 /// @}
 
 /// Bounds how far, in either coordinate, rounded_place(motion, t) is from the place at any of the
-/// times. Not finite where numbers overflow. Precondition: t is one of the times.
+/// times. Not finite if numbers overflow. Precondition: t is one of the times.
 double place_error(const Polynomial_motion_2& motion, double t, const Double_interval& times);
 
 /// The motion with the epoch `t` and the given velocity that starts from the place of `motion` at
 /// t, with the acceleration that it has there and its jerk; each coordinate of place and
-/// acceleration rounded to the nearest binary64 number, ties to even. Infinite where too large.
+/// acceleration rounded to the nearest binary64 number, ties to even. Infinite if too large.
 Polynomial_motion_2 with_velocity_at(const Polynomial_motion_2& motion, const Vector_2& velocity,
                                      double t);
 

@@ -2,7 +2,7 @@
 //
 // Basic_instantaneous_traits_2 for moving points with weights: a model of CGAL's
 // RegularTriangulationTraits_2. CGAL::Regular_triangulation_2 on top of it inserts, removes,
-// locates and dualises discs as they stand at one instant, one-sided instants included.
+// locates and dualizes discs as they stand at one instant, one-sided instants included.
 #ifndef KINETRI_KINETIC_WEIGHTED_INSTANTANEOUS_TRAITS_2_H
 #define KINETRI_KINETIC_WEIGHTED_INSTANTANEOUS_TRAITS_2_H
 
@@ -12,7 +12,7 @@
 namespace kinetri {
 
 /// The traits: a model of RegularTriangulationTraits_2 too, as CGAL 5.5 to 6.1 document and use it.
-/// A weighted point is a moving point like every other; where the concept speaks of a point without
+/// A weighted point is a moving point like every other; when the concept speaks of a point without
 /// a weight, the weight is not used. All predicates are exact, with CGAL's signs.
 template <HasWeight Motion>
 class Basic_weighted_instantaneous_traits_2 : public Basic_instantaneous_traits_2<Motion> {
@@ -79,7 +79,7 @@ class Basic_weighted_instantaneous_traits_2 : public Basic_instantaneous_traits_
     /// coincide.
     Line_2 operator()(const Weighted_point_2& p, const Weighted_point_2& q) const { return {p, q}; }
   };
-  /// Makes the centre of a power circle.
+  /// Makes the center of a power circle.
   struct Construct_weighted_circumcenter_2 {
     /// The place with equal powers to p, q and r, at every time at which they are not collinear.
     /// Precondition: they are not collinear at all times.
@@ -104,7 +104,7 @@ class Basic_weighted_instantaneous_traits_2 : public Basic_instantaneous_traits_
   /// @}
 };
 
-/// The traits at an instant of discs whose centres are in linear motion.
+/// The traits at an instant of discs whose centers are in linear motion.
 using Weighted_instantaneous_traits_2 = Basic_weighted_instantaneous_traits_2<Disc_motion_2>;
 
 }  // namespace kinetri

@@ -2,7 +2,7 @@
 //
 // The audits of Kinetic_triangulation_2. The geometric levels judge the
 // exact positions at a rational time by CGAL's static predicates and share no formula with the
-// certificates. What these leave open, where points are cocircular, is compared with what CGAL
+// certificates. What these leave open, if points are cocircular, is compared with what CGAL
 // builds anew of the points just after the present time, by the predicates of the traits.
 #ifndef KINETRI_TRIANGULATION_AUDIT_IMPL_H
 #define KINETRI_TRIANGULATION_AUDIT_IMPL_H
@@ -173,7 +173,7 @@ bool Auditor<Traits>::has_touch(const Time& time) const {
   });
 }
 
-// Whether the faces fit together. CGAL's data structure knows no hidden vertices: where there are
+// Whether the faces fit together. CGAL's data structure knows no hidden vertices: if there are
 // some it counts wrongly.
 template <class Traits>
 bool Auditor<Traits>::are_links_right() const {

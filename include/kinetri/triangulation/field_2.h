@@ -107,7 +107,7 @@ requires(!WeightedKineticTraits_2<Traits>) class Kinetic_field_2 {
   std::optional<std::vector<double>> at(const Vector_2& place, Interpolation interpolation) const;
 
   /// The values at all positions of a grid, row by row, the channels of one position side by side:
-  /// the same bits as from `at`. NaN where the position has no triangle. Precondition: the grid is
+  /// the same bits as from `at`. NaN if the position has no triangle. Precondition: the grid is
   /// finite, with steps that are not zero; `result` has rows * columns * channels elements; all
   /// points have values.
   /// Cost: O(n log n), and some floating-point operations for each position, triangle and row that

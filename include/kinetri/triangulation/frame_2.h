@@ -35,7 +35,7 @@ struct Frame_2 {
   std::vector<Point_id> ids;         ///< ids of the present points, ascending
   std::vector<Vector_2> places;      ///< positions at `time`, by rounded_place
   std::vector<Vector_2> velocities;  ///< velocities at `time`, by rounded_velocity
-  /// One for each point; none where points have no discs.
+  /// One for each point; none if points have no discs.
   std::optional<std::vector<Disc>> discs = std::nullopt;
   std::vector<std::array<std::size_t, 2>> edges;  ///< pairs of indices, the smaller first; sorted
   /// The edges on the boundary of the convex hull, in the same order; all edges if all points are

@@ -30,7 +30,7 @@ namespace kinetri {
 /// with power circles in place of circles.
 ///
 /// Just after each time there is one such triangulation, and this is it, whatever came before: it
-/// is a function of the motions and the time alone. Where points are cocircular for a while, those
+/// is a function of the motions and the time alone. If points are cocircular for a while, those
 /// diagonals are edges that are Delaunay if points are lifted by infinitely little more than x^2 +
 /// y^2: by e1 x y + e2 x^2 + e3 y^2, with e1 far greater than e2 and e2 than e3
 /// (perturbed_in_circle_polynomial; docs/MATH.md, section 4).
@@ -164,20 +164,20 @@ class Kinetic_triangulation_2 {
   std::size_t advance_to(const Time& time);
 
   /// As advance_to(time), but asks `may_go_on` before each time at which something changes; in a
-  /// run by regions (set_threads) before each window of time. Where it returns false, nothing more
+  /// run by regions (set_threads) before each window of time. If it returns false, nothing more
   /// happens: current_time() is the time of the last event. It may call current_time() and
   /// counters() of this object, and no other of its functions.
   std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on);
 
   /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
-  /// arena if 0. They share the work where there are some 50 000 points or more, with the traits of
+  /// arena if 0. They share the work if there are some 50 000 points or more, with the traits of
   /// this library, of which at most one in 1000 is hidden, no observer looks at the triangulation
   /// (Event_observer::looks_at_triangulation), and many events are to come. The result is the same,
   /// event by event; only counts of certificates, rechecks and the queue, which
   /// tell how it was found, differ. Some 150 bytes a point more are in use from then on. If an
   /// observer throws, later events up to the end of a window of time have happened too, and
   /// observers are not told of them. If memory is missing for a window, the state is that before
-  /// or after its events, where there is memory to schedule all certificates anew.
+  /// or after its events, if there is memory to schedule all certificates anew.
   void set_threads(std::size_t most) { core_.threads = most; }
 
   /// As step(), but only if the next event is at or before `until`; else nothing happens, and
@@ -218,9 +218,9 @@ class Kinetic_triangulation_2 {
   /// Precondition: contains(id).
   void erase(Point_id id);
 
-  // Changes of many points at once make each certificate once, on all threads that oneTBB has where
+  // Changes of many points at once make each certificate once, on all threads that oneTBB has if
   // there are many. They are made entirely, or not at all: what throws changes nothing. Points that
-  // turn cost O(1) certificates each, and O(n) together; where most of the points jump, come or go,
+  // turn cost O(1) certificates each, and O(n) together; if most of the points jump, come or go,
   // the triangulation is built anew, O(n log n). There is one event for each point, in the order of
   // the ids, then rebuild events for the edges that have changed.
 
@@ -259,7 +259,7 @@ class Kinetic_triangulation_2 {
   // ---- watching ----
 
   /// Calls `observer` before and after each event from now on. It must outlive this object or be
-  /// removed. Costs nothing where there is none.
+  /// removed. Costs nothing if there is none.
   void add_observer(Observer& observer) {
     core_.reporter.check_may_change();
     core_.reporter.observers().add(observer);

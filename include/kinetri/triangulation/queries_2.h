@@ -5,7 +5,7 @@
 //
 // The answers hold for the positions at exactly that time, even if these are degenerate: coinciding
 // points, flat triangles, cocircular points. The search uses the triangulation just beside the time
-// (just after the current time, just before a later one), where it is properly embedded. What it
+// (just after the current time, just before a later one), when it is properly embedded. What it
 // finds there is, at the time itself, an answer or connected with an answer by edges; the decision
 // is made for the time itself (docs/MATH.md, section 10).
 //
@@ -139,7 +139,7 @@ class Kinetic_queries_2 {
 
   /// The exact Voronoi cell of the point `id`. Precondition: the time is known to be rational
   /// (Algebraic_number::is_known_rational); a binary64 number is. Cost: for degree d, O(d log d)
-  /// predicates, and one exact evaluation per vertex; with weights O(d^2) predicates where the
+  /// predicates, and one exact evaluation per vertex; with weights O(d^2) predicates if the
   /// point is not inside its own cell, and d counts the edges of all points that bound a cell
   /// without area. A hidden point costs O(1) predicates, but at the times at which it appears or
   /// vanishes.
@@ -147,7 +147,7 @@ class Kinetic_queries_2 {
 
   /// The Voronoi cell at any time. Its sides are decided exactly; each coordinate is rounded to the
   /// nearest binary64 number, ties to even. Cost: O(d) floating-point operations, a microsecond or
-  /// two. Exact arithmetic, as in voronoi_cell, decides where triangles are flat or points
+  /// two. Exact arithmetic, as in voronoi_cell, decides if triangles are flat or points
   /// coincide, and rounds coordinates that are too near to the middle of two binary64 numbers; with
   /// weights always.
   Voronoi_cell_2<Vector_2> rounded_voronoi_cell(Point_id id) const;
@@ -167,7 +167,7 @@ class Kinetic_queries_2 {
   /// three vertices, or a coordinate that is not finite or beyond 1e150.
   ///
   /// Cost: O(m log m) for m vertices, to check that; for each point, m floating-point operations
-  /// for each of its first sides, and some hundred altogether where m is small.
+  /// for each of its first sides, and some hundred altogether if m is small.
   std::vector<double> rounded_voronoi_areas(std::span<const Vector_2> polygon) const;
 
   // Distances between points: not with weights. An edge of a regular triangulation tells neither
@@ -175,15 +175,15 @@ class Kinetic_queries_2 {
 
   /// The point nearest to the point `id`, that one excepted; of equally near points the smallest
   /// id; none if there is no other point. Cost: O(degree) floating-point operations, and exact
-  /// comparisons where these do not decide.
+  /// comparisons if these do not decide.
   std::optional<Point_id> nearest_neighbor(Point_id id) const requires HasNearestNeighbors<Traits>;
 
-  /// The nearest_neighbor of each point, by id; no_point where there is none. next_id() ids.
+  /// The nearest_neighbor of each point, by id; no_point if there is none. next_id() ids.
   std::vector<Point_id> nearest_neighbors() const requires HasNearestNeighbors<Traits>;
 
   /// The k points nearest to each point, that one excepted, in the order of their distances; of
   /// equally near points the smaller id comes first. Those of the point `id` are the k ids from
-  /// k * id on; no_point where there are no more points, or no point `id`. k * next_id() ids.
+  /// k * id on; no_point if there are no more points, or no point `id`. k * next_id() ids.
   /// Precondition: k is less than 2^32. Cost: for each point O(d log d) comparisons of distances,
   /// as those of nearest_neighbor, if the k points have d neighbors together; and as much for each
   /// point that is exactly as far away as the last of the k.

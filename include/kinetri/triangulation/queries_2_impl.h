@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_queries_2. Include this only where the class is instantiated for a kinetic
+// Definitions of Kinetic_queries_2. Include this only if the class is instantiated for a kinetic
 // traits class of your own, whose points have trajectories (as Moving_point_2 has) and whose times
 // are algebraic numbers; it is compiled into the library for its own traits.
 #ifndef KINETRI_TRIANGULATION_QUERIES_2_IMPL_H

@@ -14,7 +14,7 @@
 namespace kinetri {
 
 /// A snapshot of Kinetic_triangulation_2: the points, and the time. They determine the
-/// triangulation, also where points are cocircular (docs/MATH.md, section 4). The queue is not part
+/// triangulation, also if points are cocircular (docs/MATH.md, section 4). The queue is not part
 /// of it, since when a certificate fails does not depend on when that was found.
 template <KineticTraits_2 Traits>
 struct Triangulation_snapshot {

@@ -9,10 +9,10 @@
 
 namespace kinetri {
 
-/// The binary64 number nearest to p(t) / q(t), ties to even; infinite where IEEE 754 rounding gives
+/// The binary64 number nearest to p(t) / q(t), ties to even; infinite if IEEE 754 rounding gives
 /// that. Does not depend on how far `t` was refined. Precondition: q(t) is not zero. Cost: one
-/// evaluation where `t` is known to be rational; else some refinements of `t`, and an exact sign
-/// where the quotient is too near to the middle of two binary64 numbers.
+/// evaluation if `t` is known to be rational; else some refinements of `t`, and an exact sign
+/// if the quotient is too near to the middle of two binary64 numbers.
 double rounded_quotient(const Polynomial& p, const Polynomial& q, const Algebraic_number& t);
 
 }  // namespace kinetri

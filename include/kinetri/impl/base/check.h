@@ -6,7 +6,7 @@
 //   KINETRI_PRECONDITION(condition, message)  the caller's duty; always on; Precondition_error
 //   KINETRI_ASSERT(condition, message)        our own invariant;  always on; Internal_error
 //
-// The message says what is wrong and, where that is not plain, what to do instead; it may be a
+// The message says what is wrong and, if that is not plain, what to do instead; it may be a
 // std::string, which is made only when it is needed.
 //
 // Both are for conditions whose cost is nothing beside the work they guard.
@@ -30,7 +30,7 @@ namespace kinetri::detail {
 
 }  // namespace kinetri::detail
 
-/// Throws Precondition_error, with the condition, the message and the place, where it is false.
+/// Throws Precondition_error, with the condition, the message and the place, if it is false.
 #define KINETRI_PRECONDITION(condition, message) \
   ((condition) ? static_cast<void>(0)            \
                : ::kinetri::detail::precondition_failed(#condition, message, __FILE__, __LINE__))

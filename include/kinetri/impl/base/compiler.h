@@ -54,7 +54,7 @@ KINETRI_ALWAYS_INLINE void prefetch_object(const Object& object) {
 /// @{
 /// Tells ThreadSanitizer that what a thread did before it called annotate_happens_before(tag)
 /// happens before what another thread does after it has called annotate_happens_after(tag). Needed
-/// where a library that was built without ThreadSanitizer synchronizes the two.
+/// if a library that was built without ThreadSanitizer synchronizes the two.
 inline void annotate_happens_before([[maybe_unused]] void* tag) {
 #ifdef KINETRI_THREAD_SANITIZER
   __tsan_release(tag);

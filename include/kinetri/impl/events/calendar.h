@@ -55,9 +55,9 @@ class Calendar {
   void reset();
 
   /// Makes slots for `items` items from `least`, their least bound, on, of whose bounds `sample` is
-  /// a sorted sample: for the nearest three quarters of them, or for more of them where these have
+  /// a sorted sample: for the nearest three quarters of them, or for more of them if these have
   /// one bound; for fewer of them if only those up to `greatest` matter. Leaves the calendar
-  /// without slots where the bounds are too near to one another or too far apart. Precondition:
+  /// without slots if the bounds are too near to one another or too far apart. Precondition:
   /// reset() was called.
   void choose_slots(double least, std::span<const double> sample, std::size_t items,
                     double greatest);

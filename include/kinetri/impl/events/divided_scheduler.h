@@ -23,7 +23,7 @@ namespace kinetri::detail {
 
 /// Entries in parts. A handle names the part in its highest bits, so that whoever has a handle
 /// needs nothing else to find the entry. `Policy` has the functions that Event_scheduler asks for,
-/// and these, which are called only where there are several parts, or to make them. A *subject* is
+/// and these, which are called only if there are several parts, or to make them. A *subject* is
 /// what an entry is about, entry.subject().
 ///
 /// | Function | Result |
@@ -308,7 +308,7 @@ class Divided_scheduler {
   }
 
  private:
-  // What is done where there are several parts: not inlined, so that one part costs no more.
+  // What is done if there are several parts: not inlined, so that one part costs no more.
   template <class Is_due, class Recheck>
   bool settle_parts(const Is_due& is_due, const Recheck& recheck) {
     find_first();
@@ -378,7 +378,7 @@ class Divided_scheduler {
     }
   }
 
-  // A part has changed. Where memory is missing, the first entry is found again later.
+  // A part has changed. If memory is missing, the first entry is found again later.
   void follow(std::size_t changed) noexcept {
     if (!is_first_known()) return;
     try {

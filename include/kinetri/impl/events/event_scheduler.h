@@ -147,7 +147,7 @@ class Event_scheduler {
   }
 
   /// Whether the time of an entry of the queue is at or before `time`, which is within `bounds`.
-  /// `time` is a function that returns it: it is called only where intervals do not decide.
+  /// `time` is a function that returns it: it is called only if intervals do not decide.
   template <class Exact_time>
   bool is_due(const Entry& entry, const Double_interval& bounds, const Exact_time& exact_time) {
     if (entry.bounds.upper < bounds.lower) return true;

@@ -52,7 +52,7 @@ concept Bounding_order = requires(const Less& less, const Item& item) {
 /// Give a total order, and the order of pops depends on the items alone, not on the history of the
 /// queue. `Item` is movable and has a default constructor; it need not be copyable.
 ///
-/// push, pop, erase: constant expected cost where the bounds spread evenly, never more than O(log
+/// push, pop, erase: constant expected cost if the bounds spread evenly, never more than O(log
 /// n) comparisons; items stay where they are until they leave, and are then destroyed or moved from
 /// at once. top, contains, operator[]: O(1). An exception thrown by the order leaves the queue
 /// unusable but destructible.

@@ -141,12 +141,12 @@ inline bool Indexed_queue<Item, Less>::insert(Queue_handle handle) {
   places_[handle].position = far;
   ++far_;
   const bool is_longer = calendar_.record(s, handle);
-  // Where there was no far item the heap may be empty, or its first item have bounds that reach
+  // If there was no far item the heap may be empty, or its first item have bounds that reach
   // beyond the open slots.
   return is_longer || far_ == 1;
 }
 
-// Spreads all items over slots anew where these have become too long, and opens slots until the
+// Spreads all items over slots anew if these have become too long, and opens slots until the
 // least item of all is in the heap.
 template <class Item, Bounding_order<Item> Less>
 void Indexed_queue<Item, Less>::keep_in_order() {
@@ -229,7 +229,7 @@ void Indexed_queue<Item, Less>::spread(double greatest) {
   }
 }
 
-// Chooses slots for the far items. There are none, and every item goes to the heap, where the items
+// Chooses slots for the far items. There are none, and every item goes to the heap, if the items
 // are too few, or too near to one another, or too far apart.
 template <class Item, Bounding_order<Item> Less>
 void Indexed_queue<Item, Less>::choose_slots(double greatest) {

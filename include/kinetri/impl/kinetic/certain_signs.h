@@ -38,7 +38,7 @@ inline Sign certain_sign(double value, double error, double size) {
 }
 
 /// @{
-/// The sign of a predicate of places of which each coordinate has at most the given error, where it
+/// The sign of a predicate of places of which each coordinate has at most the given error, if it
 /// is certain, else ZERO. docs/MATH.md, section 7, has the bounds.
 inline Sign certain_orientation(const Vector_2& p, const Vector_2& q, const Vector_2& r,
                                 double error) {

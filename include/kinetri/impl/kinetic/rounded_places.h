@@ -31,7 +31,7 @@ concept HasRoundedPlace = requires(const Motion& motion, const Double_interval& 
 };
 
 /// The places, by point id, each of which is exact up to one error in each coordinate. The signs
-/// are those at the time and just after it, or ZERO where that is not certain. All functions are
+/// are those at the time and just after it, or ZERO if that is not certain. All functions are
 /// O(1).
 class Rounded_places {
  public:
@@ -69,7 +69,7 @@ class Rounded_places {
   /// The error of each coordinate, at most.
   double error() const { return error_; }
 
-  /// The weights by point id, from that of the least id on; none where all are equal at all times.
+  /// The weights by point id, from that of the least id on; none if all are equal at all times.
   const std::vector<double>& weights() const { return weights_; }
   /// The error of each weight, at most.
   double error_of_weights() const { return weight_error_; }
@@ -82,15 +82,15 @@ class Rounded_places {
         places_, [](const Vector_2& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
   }
 
-  /// Positive where p, q, r certainly make a left turn, negative where they certainly make a right
+  /// Positive if p, q, r certainly make a left turn, negative if they certainly make a right
   /// turn.
   Sign orientation(Point_id p, Point_id q, Point_id r) const {
     if (places_.empty()) return CGAL::ZERO;
     return detail::certain_orientation((*this)[p], (*this)[q], (*this)[r], error_);
   }
 
-  /// Positive where s is certainly on the left of the oriented circle through p, q, r, negative
-  /// where it is certainly on the right of it; of points with weights it is the power circle.
+  /// Positive if s is certainly on the left of the oriented circle through p, q, r, negative
+  /// if it is certainly on the right of it; of points with weights it is the power circle.
   Sign side_of_oriented_circle(Point_id p, Point_id q, Point_id r, Point_id s) const {
     if (places_.empty()) return CGAL::ZERO;
     if (!weights_.empty()) {
@@ -129,7 +129,7 @@ class Rounded_places {
 
   Point_id first_ = 0;
   std::vector<Vector_2> places_;  // from the point first_ on
-  std::vector<double> weights_;   // the same; none where all are equal
+  std::vector<double> weights_;   // the same; none if all are equal
   double error_ = 0;              // of each coordinate
   double weight_error_ = 0;       // of each weight
 };

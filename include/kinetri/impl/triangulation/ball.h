@@ -2,7 +2,7 @@
 //
 // Ball arithmetic: a real number is known by a midpoint, which is an unevaluated sum of two
 // binary64 numbers, and a radius. What is rounded correctly, and decided, from about 100 bits needs
-// no exact arithmetic; where the radius is too large, the caller turns to that. Sources: T. Dekker,
+// no exact arithmetic; if the radius is too large, the caller turns to that. Sources: T. Dekker,
 // A floating-point technique for extending the available precision, Numerische Mathematik 18, 1971;
 // F. Johansson, Arb: efficient arbitrary-precision midpoint-radius interval arithmetic, IEEE
 // Transactions on Computers 66, 2017. docs/MATH.md, section 10, derives the constants.
@@ -24,8 +24,8 @@ namespace kinetri::detail {
 
 /// Contains a real number: it is at most `radius` away from high + low, but for factors near 1 from
 /// the rounding of radii. Therefore what is decided uses twice the radius. |low| is at most half a
-/// unit in the last place of `high`. Nothing is known where a member is not finite. Right only
-/// where rounding is to nearest, as ball_of checks.
+/// unit in the last place of `high`. Nothing is known if a member is not finite. Right only
+/// if rounding is to nearest, as ball_of checks.
 struct Ball {
   double high = 0;
   double low = 0;
@@ -48,7 +48,7 @@ struct Ball {
   /// Whether it is certainly zero.
   bool is_zero() const { return high == 0 && low == 0 && radius == 0; }
 
-  /// The number rounded to nearest, ties to even, where that is certain (the test of A. Ziv, Fast
+  /// The number rounded to nearest, ties to even, if that is certain (the test of A. Ziv, Fast
   /// evaluation of elementary mathematical functions with correctly rounded last bit, ACM
   /// Transactions on Mathematical Software 17, 1991). Zero has no sign.
   std::optional<double> rounded() const {
@@ -64,7 +64,7 @@ namespace ball {
 
 inline constexpr double tiny = std::numeric_limits<double>::min();
 
-// high + low is a + b exactly; in the second form where |a| >= |b| or a is zero.
+// high + low is a + b exactly; in the second form if |a| >= |b| or a is zero.
 KINETRI_ALWAYS_INLINE void exact_sum(double a, double b, double& high, double& low) {
   high = a + b;
   const double b_there = high - a;
@@ -76,7 +76,7 @@ KINETRI_ALWAYS_INLINE void fast_exact_sum(double a, double b, double& high, doub
 }
 
 // The rest a b - product, exactly but for underflow, without an instruction that not every
-// processor has. NaN where a factor is 2^996 or more.
+// processor has. NaN if a factor is 2^996 or more.
 KINETRI_ALWAYS_INLINE double rest_of_product(double a, double b, double product) {
   constexpr double splitter = 0x1p27 + 1;
   const double a_far = splitter * a;
@@ -127,7 +127,7 @@ KINETRI_ALWAYS_INLINE Ball operator*(const Ball& a, const Ball& b) {
   return result;
 }
 
-/// Unknown where the divisor is not known well.
+/// Unknown if the divisor is not known well.
 KINETRI_ALWAYS_INLINE Ball operator/(const Ball& a, const Ball& b) {
   const double size = std::abs(b.high);
   if (!(b.radius < 0x1p-20 * size)) return Ball::unknown();
@@ -146,8 +146,8 @@ inline Ball twice(const Ball& a) {
   return {2 * a.high, 2 * a.low, 2 * a.radius};
 }
 
-/// Contains the number. Refines it to some 128 bits where it is not a binary64 number. Unknown
-/// where this thread does not round to nearest.
+/// Contains the number. Refines it to some 128 bits if it is not a binary64 number. Unknown
+/// if this thread does not round to nearest.
 inline Ball ball_of(const Algebraic_number& number) {
   if (std::fegetround() != FE_TONEAREST) return Ball::unknown();
   const Double_interval interval = number.interval();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The positions of points at one time in ball arithmetic, which decides most comparisons of
-// distances, also of equal ones where no rounding is needed, and rounds most positions.
+// distances, also of equal ones if no rounding is needed, and rounds most positions.
 #ifndef KINETRI_IMPL_TRIANGULATION_BALL_POSITIONS_H
 #define KINETRI_IMPL_TRIANGULATION_BALL_POSITIONS_H
 
@@ -12,7 +12,7 @@
 
 namespace kinetri::detail {
 
-/// How the two numbers compare; none where that is not certain.
+/// How the two numbers compare; none if that is not certain.
 inline std::optional<Comparison_result> compare(const Ball& a, const Ball& b) {
   const Ball difference = a - b;
   if (difference.is_positive()) return CGAL::LARGER;
@@ -21,7 +21,7 @@ inline std::optional<Comparison_result> compare(const Ball& a, const Ball& b) {
   return std::nullopt;
 }
 
-/// Both coordinates rounded, where that is certain.
+/// Both coordinates rounded, if that is certain.
 inline std::optional<Vector_2> rounded(const Ball_2& position) {
   const auto x = position.x.rounded();
   const auto y = position.y.rounded();

@@ -21,7 +21,7 @@ struct Half_plane {
 
 /// What is left of a polygon. Each half plane replaces what lies outside of it by segments along
 /// its boundary, as I. E. Sutherland and G. W. Hodgman do it (Reentrant polygon clipping,
-/// Communications of the ACM 17, 1974). Where the polygon is not convex the result may run along
+/// Communications of the ACM 17, 1974). If the polygon is not convex the result may run along
 /// that boundary to and fro; its winding numbers, and so its area, are right all the same.
 class Clipped_polygon {
  public:

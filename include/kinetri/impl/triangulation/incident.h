@@ -34,7 +34,7 @@ void for_each_face_at(const Triangulation& /*triangulation*/,
   } while (face != first);
 }
 
-/// Calls `function` with the handle of each finite neighbor of `v`. Does nothing where there is
+/// Calls `function` with the handle of each finite neighbor of `v`. Does nothing if there is
 /// only one point.
 template <class Triangulation, class Function>
 void for_each_neighbor(const Triangulation& triangulation, typename Triangulation::Vertex_handle v,

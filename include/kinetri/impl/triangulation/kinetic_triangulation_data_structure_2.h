@@ -63,7 +63,7 @@ class alignas(64) Kinetic_face_base_2 : public FaceBase {
   std::array<Queue_handle, 3> events_ = {no_event, no_event, no_event};
 };
 
-/// A vertex that is in one cache line, where the point leaves room for that.
+/// A vertex that is in one cache line, if the point leaves room for that.
 template <class InstantaneousTraits,
           class VertexBase = CGAL::Triangulation_vertex_base_2<InstantaneousTraits>>
 class alignas(64) Kinetic_vertex_base_2 : public VertexBase {

@@ -126,7 +126,7 @@ class Nearest_points {
   }
 
  private:
-  // The first of all_at(v). Where no neighbor of `v` coincides with it, no other point does.
+  // The first of all_at(v). If no neighbor of `v` coincides with it, no other point does.
   Point_id smallest_id_at(Vertex_handle v) const {
     const Approximate_place here = balls_.approximate(v);
     bool is_alone = true;

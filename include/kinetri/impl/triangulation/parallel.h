@@ -22,7 +22,7 @@ std::size_t usable_threads(std::size_t threads);
 /// arena may help, as they may in the caller.
 void call_with_threads(std::size_t threads, const std::function<void()>& work);
 
-/// Calls work(k) for each k below the count, by as many threads as oneTBB lends; in this one where
+/// Calls work(k) for each k below the count, by as many threads as oneTBB lends; in this one if
 /// the count is 1. What work throws is thrown once no thread works any more.
 void for_each_index_in_parallel(std::size_t count, const std::function<void(std::size_t)>& work);
 

@@ -128,7 +128,7 @@ auto Kinetic_types<Traits>::Static_construction::build_regular(std::span<const P
 }
 
 // Makes `result`, which is empty, the triangulation of the points at the instant of its traits,
-// from that of their rounded places. Returns false, and leaves anything, where the rounded places
+// from that of their rounded places. Returns false, and leaves anything, if the rounded places
 // have another hull or a triangle that turns over, or most of them are cocircular.
 template <class Traits>
 bool Kinetic_types<Traits>::Static_construction::build_from_places(std::span<const Point_2> points,

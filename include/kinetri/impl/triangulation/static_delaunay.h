@@ -51,8 +51,8 @@ Static_delaunay static_delaunay(const Static_points& points);
 /// The same for points without weights, cell by cell [Funke and Sanders 2017]: several threads
 /// triangulate the places of a cell each. A triangle whose circle is inside of its cell is one of
 /// all places. The ends of the other triangles are on the border; a triangulation of these alone
-/// fills what is left. Empty also where that does not fit together, as where four places are on a
-/// circle, and where half of the places or more are on the border. Circles are rounded: where that
+/// fills what is left. Empty also if that does not fit together, as if four places are on a
+/// circle, and if half of the places or more are on the border. Circles are rounded: if that
 /// matters, a triangle may not be Delaunay (see is_certainly_delaunay). Precondition: cells > 0.
 Static_delaunay static_delaunay_by_cells(std::span<const Vector_2> places, std::size_t cells);
 

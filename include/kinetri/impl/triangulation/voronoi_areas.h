@@ -17,7 +17,7 @@
 namespace kinetri::detail {
 
 /// Invariant: each position is, in both coordinates, at least as well known as when it is rounded;
-/// zero where there is no point.
+/// zero if there is no point.
 template <KineticTraits_2 Traits>
 class Voronoi_areas {
  public:
@@ -38,8 +38,8 @@ class Voronoi_areas {
   }
 
   /// By id. Precondition: check_polygon(polygon).
-  // The cell of a point is the intersection of the half planes of its neighbors, or, where points
-  // are alike, of those of all points there. Where that has no area, the cell has none.
+  // The cell of a point is the intersection of the half planes of its neighbors, or, if points
+  // are alike, of those of all points there. If that has no area, the cell has none.
   std::vector<double> within(std::span<const Vector_2> polygon) const {
     const Vector_2 origin = polygon.front();
     std::vector<Vector_2> region;

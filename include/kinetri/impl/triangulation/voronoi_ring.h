@@ -17,7 +17,7 @@
 
 namespace kinetri::detail {
 
-/// The vector from a point to the center of the circle through it and two neighbors. None where the
+/// The vector from a point to the center of the circle through it and two neighbors. None if the
 /// turn from the first to the second is not certainly one to the left.
 template <class Neighbor>
 std::optional<Ball_2> circumcenter(const Neighbor& first, const Neighbor& second) {
@@ -39,7 +39,7 @@ Ball in_circle(const Neighbor& a, const Neighbor& b, const Neighbor& c) {
          c.squared_distance * turn(a.vector, b.vector);
 }
 
-/// The ring: the finite neighbors of a vertex counterclockwise, from infinity to infinity where it
+/// The ring: the finite neighbors of a vertex counterclockwise, from infinity to infinity if it
 /// is on the hull. Precondition: the dimension is 2, and the points have no weights.
 template <KineticTraits_2 Traits>
 class Voronoi_ring {

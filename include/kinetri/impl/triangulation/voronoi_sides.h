@@ -213,9 +213,9 @@ class Voronoi_sides {
     return result;
   }
 
-  // The intersection, where the place of the point is inside all half planes: a scan as Graham's,
+  // The intersection, if the place of the point is inside all half planes: a scan as Graham's,
   // by direction, takes those away that bound nothing, or only a point: of three neighbors the
-  // middle one, if it is not inside the oriented circle through the point and the other two (where
+  // middle one, if it is not inside the oriented circle through the point and the other two (if
   // these are half a turn apart or more, it always is: each is less than half a turn from the
   // next). It begins with one that has a side: the first one after a gap of half a turn, or else,
   // without weights, the nearest.
