@@ -38,14 +38,14 @@ Number scaled_value(const Static_polynomial<Number>& p, const Dyadic_point<Numbe
 /// roots, the last term has them, with multiplicities less by one, and no other roots; else it is a
 /// constant.
 ///
-/// The closed forms are in sturm_terms.h. The sign of the leading coefficient is all that is to be
-/// added to them, and a term ends the sequence if the next one is zero. If the coefficient P of the
-/// quadratic term of a quartic is zero and Q is not, that term is linear, and the next one is
-/// -f'(-R / Q).
+/// sturm_terms.h has the closed forms, up to the sign of the leading coefficient. A term ends the
+/// sequence if the next one is zero. If the coefficient P of the quadratic term of a quartic is
+/// zero and Q is not, that term is linear, and the next one is -f'(-R / Q).
 ///
-/// Cost: 17 multiplications and no division. Source: S. Basu, R. Pollack, M.-F. Roy, Algorithms in
-/// Real Algebraic Geometry, sections 2.2 and 4.1 (signed remainders, subresultants); I. Z. Emiris,
-/// E. P. Tsigaridas, Comparing real algebraic numbers of small degree, ESA 2004 (invariants).
+/// Cost: at most 20 multiplications, no division. Source: S. Basu, R. Pollack, M.-F. Roy,
+/// Algorithms in Real Algebraic Geometry, sections 2.2 and 4.1 (signed remainders, subresultants);
+/// I. Z. Emiris, E. P. Tsigaridas, Comparing real algebraic numbers of small degree, ESA 2004
+/// (invariants).
 template <class Number>
 class Static_sturm_sequence {
  public:

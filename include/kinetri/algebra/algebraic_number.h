@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Real algebraic numbers: a square-free polynomial and an interval that holds exactly one of its
-// roots; rationals are kept as such. All decisions are exact; the binary64 interval that each
-// number carries decides most comparisons, and the isolating interval is refined only if that
-// one does not separate.
+// roots; rationals are kept as such. All decisions are exact; the binary64 interval of each number
+// decides most comparisons; only if two of them overlap are the isolating intervals refined.
 //
-// How several threads share a number. A handle (Algebraic_number) is not changed by a const
-// function. It holds a first binary64 interval and refers to a Root_source, which its copies share
-// and which const functions do change:
-//   - The representation (polynomial and isolating interval) is made once, by whoever needs it
-//     first. A thread that reads or refines it holds its mutex.
+// Several threads may share a number. An Algebraic_number is a handle: it holds a binary64 interval
+// and refers to a Root_source, which its copies share. Const functions change the Root_source only:
+//   - The representation (polynomial and isolating interval) is made once, when it is first needed.
+//     A thread that reads or refines it holds its mutex.
 //   - Binary64 bounds of the number are atomic, read without a lock, and only ever move towards the
 //     number. Hence a lower and an upper bound that were published at different times enclose it
 //     too.
-//   - Numbers that were found equal share an identity, which is atomic and belongs to one value for
-//     all time. Hence two that have the same one are equal, whoever set it.
-// So a comparison that intervals or identities decide, nearly every one, takes no lock.
+//   - Numbers that were found equal share an identity, an atomic number that is never reused. Hence
+//     two numbers with the same identity are equal.
+// So nearly every comparison, since intervals or identities decide it, takes no lock.
 #ifndef KINETRI_ALGEBRA_ALGEBRAIC_NUMBER_H
 #define KINETRI_ALGEBRA_ALGEBRAIC_NUMBER_H
 
@@ -37,7 +35,7 @@ namespace kinetri {
 /// A number, rounded.
 struct Rounding {
   double nearest = 0;      ///< the nearest binary64 number, ties to even
-  Double_interval bounds;  ///< binary64 numbers that enclose it: `nearest`, or one beside it
+  Double_interval bounds;  ///< enclose the number: each is `nearest` or a binary64 neighbor of it
 };
 
 namespace detail {
@@ -50,7 +48,7 @@ class Root_access;
 class Shared_bounds {
  public:
   /// @{
-  /// Who reads a bound that the representation has given sees the representation.
+  /// A thread that reads a bound of the representation also sees the representation (acquire).
   double lower() const { return lower_.load(std::memory_order_acquire); }
   double upper() const { return upper_.load(std::memory_order_acquire); }
   /// @}
@@ -64,9 +62,9 @@ class Shared_bounds {
 
 }  // namespace detail
 
-/// What a number is the root of. Its polynomial is only made when it is needed: if binary64
-/// intervals decide, it never is. Each object belongs to one number. Both functions may be called
-/// by several threads at once.
+/// The polynomial of which a number is a root. It is only made when it is needed: if binary64
+/// intervals decide all comparisons, never. Each object belongs to one number. Several threads may
+/// call the functions at once.
 class Root_source {
  public:
   virtual ~Root_source();
@@ -82,9 +80,8 @@ class Root_source {
   virtual double certain_value_at(double high, double low) const;
 
   /// The number rounded, given that it is strictly between the bounds of `bracket`, which are
-  /// finite. None if it is not certain without making the polynomial. The number is strictly
-  /// between the bounds of the result, which are the binary64 numbers before and after `nearest`,
-  /// or `nearest` and one of these.
+  /// finite. None if that is not certain without making the polynomial. The number is strictly
+  /// between the bounds of the result, each of which is `nearest` or a neighbor of it.
   virtual std::optional<Rounding> rounded(const Double_interval& bracket) const;
 
  protected:
@@ -109,9 +106,9 @@ struct Rational_interval {
   bool is_point() const { return lower == upper; }
 };
 
-/// A real algebraic number. Copies share one representation, so that a refinement made through one
-/// serves all. The value never changes; only the interval around it shrinks. Several threads may
-/// call const functions of one number, or of copies of it, at once.
+/// A real algebraic number. Copies share one representation, and so each refinement. The value
+/// never changes; only the interval around it shrinks. Several threads may call const functions of
+/// one number, or of copies of it, at once.
 class Algebraic_number {
  public:
   /// Zero.
@@ -136,8 +133,8 @@ class Algebraic_number {
   /// when it is made), and exactly one root between them, of odd multiplicity (not checked).
   Algebraic_number(std::shared_ptr<Root_source> source, const Double_interval& bracket);
 
-  /// The same number with a representation of its own, so that threads that refine it do not wait
-  /// for one another.
+  /// The same number with its own representation, so that threads that refine it do not wait for
+  /// each other.
   Algebraic_number detached() const;
 
   /// The negative of the number. Makes the polynomial of the number if it has not been made.
@@ -164,7 +161,7 @@ class Algebraic_number {
   /// @}
 
   /// A binary64 interval that contains the number: the outward rounding of the isolating interval,
-  /// or the bracket of a number whose polynomial has not been made.
+  /// or, if the polynomial has not been made, a bracket.
   Double_interval interval() const {
     if (source_ == nullptr) return bounds_;
     return {std::max(bounds_.lower, source_->bounds_.lower()),
@@ -230,7 +227,7 @@ class Algebraic_number {
 
   // Contains the number; the source may know tighter bounds.
   Double_interval bounds_;
-  // None for a binary64 number, which bounds_ holds.
+  // Null for a binary64 number, which bounds_ holds.
   std::shared_ptr<Root_source> source_;
 };
 

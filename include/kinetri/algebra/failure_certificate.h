@@ -15,16 +15,16 @@
 
 namespace kinetri {
 
-/// Why a polynomial p that must not be negative from a time on fails at a later time, which is a
-/// root of p: after `from` p has no roots up to `lower` but touches, at which it stays positive on
-/// both sides; then the only root in (lower, upper], and p is negative just after it. All numbers
-/// are dyadic, and depend on p and on the two times alone, not on how far these have been refined.
+/// A proof that a polynomial p, which must not be negative from a time on, fails first at a later
+/// time, a root of p. From `from` to `lower` all roots of p are touches: p is positive on both
+/// sides. In (lower, upper] there is one root, and p is negative just after it. All numbers are
+/// dyadic and depend only on p and the two times, not on how far these have been refined.
 ///
-/// If p fails at the very time from which it must not be negative, `from` is `lower`, and what
-/// is proved is that p has a root there and is negative just after it.
+/// If p fails at the first time itself, `from` is `lower`, and the proof is that p has a root there
+/// and is negative just after it.
 struct Failure_certificate {
   Polynomial polynomial;  ///< p, primitive
-  /// At or after the first time, with no root of p after that time and up to `from`.
+  /// At or after the first time; p has no root after that time and up to `from`.
   Rational from;
   /// @{
   /// The failure is the only root of p in (lower, upper], or both are the failure. They are the
@@ -33,9 +33,9 @@ struct Failure_certificate {
   Rational upper;
   /// @}
   /// The signs of Sturm_sequence(p).terms() at `from`, `lower` and `upper`. None of the three is a
-  /// root of p, except if it is the failure.
+  /// root of p other than the failure.
   std::array<std::vector<Sign>, 3> signs;
-  /// Of the failure as a root of p: odd, except if p fails at the very first time.
+  /// Of the failure as a root of p: odd, unless p fails at the first time.
   int multiplicity = 0;
   /// For each touch in (from, lower], in ascending order, an interval as (lower, upper] is for the
   /// failure: the only root in it is the touch.
@@ -43,8 +43,8 @@ struct Failure_certificate {
 };
 
 /// The certificate that `p`, which must not be negative from `start` on, fails at `failure`. None
-/// if it does not: that time is no root of `p`, or `p` is not negative just after it, or it is
-/// negative before, after `start`; none for the zero polynomial. Precondition: start <= failure.
+/// if `p` does not: if that time is not a root of `p`, or `p` is not negative just after it, or `p`
+/// is negative earlier after `start`, or is the zero polynomial. Precondition: start <= failure.
 /// Cost: that of real_roots, and as many comparisons as there are roots.
 std::optional<Failure_certificate> certify_failure(const Polynomial& p,
                                                    const Algebraic_number& start,

@@ -2,7 +2,7 @@
 //
 // The exact number types of the library and their conversions from and to binary64. Each is a
 // Boost.Multiprecision number over GMP, without expression templates, so that `auto` and the
-// ternary operator mean what they say.
+// ternary operator give numbers.
 #ifndef KINETRI_ALGEBRA_NUMBER_TYPES_H
 #define KINETRI_ALGEBRA_NUMBER_TYPES_H
 

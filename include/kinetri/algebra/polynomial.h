@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Dense univariate polynomials with exact integer coefficients. Only roots and signs matter to
-// Kinetri, so a polynomial over the rationals is represented by a positive integer multiple of it
-// (`primitive_polynomial`); each function that scales says which sign the factor has.
+// Kinetri, so a polynomial over the rationals is represented by a positive multiple with integer
+// coefficients (`primitive_polynomial`); each function that scales says which sign the factor has.
 //
 // Costs are numbers of integer operations, linear in the degree unless stated otherwise; the size
 // of the integers is not counted. All results are exact.
@@ -50,10 +50,9 @@ class Polynomial {
   Rational operator()(const Rational& t) const;
   /// The sign of the value at `t`; cheaper than the value, since no fraction is reduced.
   Sign sign_at(const Rational& t) const;
-  /// The sign on the whole closed interval if interval arithmetic finds it constant; nothing
-  /// if it does not decide, although the sign may be constant. Exact. For intervals that shrink
-  /// to a point that is not a root it gives the sign from some width on. Precondition: lower <=
-  /// upper. Cost: two times that of `sign_at`.
+  /// The sign on the whole closed interval if interval arithmetic proves it constant, else none.
+  /// Exact. For intervals that shrink to a point that is not a root it gives the sign from some
+  /// width on. Precondition: lower <= upper. Cost: two times that of `sign_at`.
   std::optional<Sign> sign_on(const Rational& lower, const Rational& upper) const;
   /// The sign for all sufficiently large t.
   Sign sign_at_plus_infinity() const;

@@ -3,14 +3,14 @@
 // Real roots of polynomials as algebraic numbers: all of them, the first one after a given time,
 // and the first time at which a polynomial that must not be negative becomes so.
 //
-// Multiple roots are read off the last term of the Sturm sequence (sturm_sequence.h) up to degree
-// 4, and off gcd(p, p') beyond. Descartes' rule of signs then proposes an interval for each root,
-// and the counts of a Sturm sequence certify it: an interval that does not hold exactly one root,
-// or a root that was left out, is an Internal_error.
+// The multiple roots are those of the last term of the Sturm sequence (sturm_sequence.h) up to
+// degree 4, and those of gcd(p, p') beyond. Then bisection by Descartes' rule of signs isolates the
+// roots, and Sturm counts verify that each interval has exactly one root and that no root is
+// missing; otherwise Internal_error is thrown.
 //
 // Results are exact. Cost, with the degree d: O(d^2) integer operations for a Sturm sequence, for
-// its evaluation at each end of an interval, and for each interval that is divided; the number of
-// divisions is about the number of bits that separate the roots.
+// its evaluation at each end of an interval, and for each interval that is divided. The number of
+// these hardly depends on the distances of the roots, since Newton's method approaches clusters.
 #ifndef KINETRI_ALGEBRA_REAL_ROOTS_H
 #define KINETRI_ALGEBRA_REAL_ROOTS_H
 
@@ -28,8 +28,7 @@ struct Real_root {
   int multiplicity = 0;    ///< as a root of the polynomial; at least 1
 };
 
-/// The distinct real roots of `p` in ascending order; none if there are none. Precondition: `p` is
-/// not zero.
+/// The distinct real roots of `p` in ascending order. Precondition: `p` is not zero.
 std::vector<Real_root> real_roots(const Polynomial& p);
 
 /// @{
@@ -40,16 +39,16 @@ std::vector<Real_root> real_roots(const Polynomial& p);
 /// (5.4); the multiple roots, which are those of the last term with multiplicities less by one
 /// (5.4); the others, from the polynomial divided by the multiple ones.
 ///
-/// The paper's sequence has each root as often as its multiplicity; here it stands once, with its
-/// multiplicity: a cubic has multiplicities 3, 2 and 1, 1 and 2, or 1 up to three times, and at
-/// least one root; a quartic may have none. A root of even multiplicity is no event (4.4).
-/// Precondition: the degree of `p` is 3, or 4: the leading coefficient is not zero.
+/// The paper lists each root as often as its multiplicity says; here each is listed once, with its
+/// multiplicity. A cubic has at least one root; a quartic may have none. A root of even
+/// multiplicity is no event (4.4). Precondition: the degree of `p` is 3, or 4: the leading
+/// coefficient is not zero.
 std::vector<Real_root> sturm3(const Polynomial& p);
 std::vector<Real_root> sturm4(const Polynomial& p);
 /// @}
 
-/// The least root of `p` greater than `t`, with its multiplicity; none if there is none.
-/// Precondition: `p` is not zero.
+/// The least root of `p` greater than `t`, with its multiplicity, if there is one. Precondition:
+/// `p` is not zero.
 std::optional<Real_root> first_root_after(const Polynomial& p, const Algebraic_number& t);
 
 /// The *failure time* of the certificate `p >= 0` from `t` on: inf { s > t : p(s) < 0 }.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Signs and the results of comparisons, as CGAL has them. For sources that need no exact number,
-// whose headers are long.
+// CGAL's signs and results of comparisons, for sources that need no exact numbers.
 #ifndef KINETRI_ALGEBRA_SIGN_H
 #define KINETRI_ALGEBRA_SIGN_H
 

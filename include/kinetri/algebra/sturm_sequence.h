@@ -31,7 +31,7 @@ struct Interval_end {
 /// whose roots are the multiple roots of f with multiplicity less one.
 ///
 /// Cost, with the degree d: O(d^2) integer operations to make it, and as many to count at one end.
-/// Up to degree 4 the terms have a closed form of 17 multiplications at most (MATH.md, section 3).
+/// Up to degree 4 the terms have closed forms, of at most 20 multiplications (MATH.md, section 3).
 class Sturm_sequence {
  public:
   /// The sequence of f and f'. Precondition: f is not zero.
@@ -40,9 +40,9 @@ class Sturm_sequence {
   /// The terms f_1, ..., f_m, none of them zero. f_m is the gcd of f_1 and f_2 up to a constant.
   std::span<const Polynomial> terms() const noexcept { return terms_; }
 
-  /// The number V(t) of sign changes in the sequence at `t`, each term divided by the last one, and
-  /// zeros ignored. Dividing makes the count right also if `t` is a multiple root of f, at which
-  /// all the terms vanish together.
+  /// The number V(t) of sign changes in the sequence at `t`, each term divided by the last one,
+  /// zeros ignored. So the count is right even if `t` is a multiple root of f, at which all terms
+  /// vanish.
   int sign_changes_at(const Rational& t) const;
   /// V for all sufficiently small t.
   int sign_changes_at_minus_infinity() const;
@@ -50,10 +50,9 @@ class Sturm_sequence {
   int sign_changes_at_plus_infinity() const;
 
   /// The number of distinct real roots of f in the interval between `lower` and `upper`; a missing
-  /// end is infinite.
-  /// Right for every combination of open and closed ends, also if an end is a root, simple or
-  /// multiple. An interval whose ends are equal is a point if both are included, else empty.
-  /// Precondition: lower <= upper.
+  /// end is infinite. Each end may be open or closed, and may be a root, simple or multiple. An
+  /// interval whose ends are equal is a point if both are included, else empty. Precondition: lower
+  /// <= upper.
   int count(const std::optional<Interval_end>& lower = std::nullopt,
             const std::optional<Interval_end>& upper = std::nullopt) const;
 

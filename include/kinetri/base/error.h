@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Exceptions that a user of the library may meet. Everything thrown on purpose derives from
-// kinetri::Error; Input_error is the user's data, Internal_error is a broken invariant of ours.
+// The exceptions of the library. Every exception that it throws on purpose derives from
+// kinetri::Error.
 #ifndef KINETRI_BASE_ERROR_H
 #define KINETRI_BASE_ERROR_H
 
@@ -35,20 +35,20 @@ class Internal_error : public Error {
 /// the line is left out if it has no meaning (line 0).
 class Input_error : public Error {
  public:
-  /// Puts the parts of that message together. Lines count from 1.
+  /// Makes that message. Lines count from 1.
   Input_error(const std::string& file, std::size_t line, const std::string& message)
       : Error(line == 0 ? file + ": " + message
                         : file + ":" + std::to_string(line) + ": " + message) {}
 };
 
-/// A snapshot that is not the state of anything: it was damaged, or made up.
+/// A snapshot that is not the state of any triangulation or simulation.
 class Snapshot_error : public Error {
  public:
   using Error::Error;
 };
 
-/// Two points have the same trajectory from some instant on: they would stay in one place at all
-/// times, and no triangulation has both as vertices.
+/// Two points would have the same trajectory (and, with weights, the same weight): no triangulation
+/// has both as vertices.
 class Coincident_trajectories_error : public Error {
  public:
   /// Of the points with these ids, which the message names.

@@ -11,10 +11,12 @@
 
 namespace kinetri {
 
-/// The point's number: its position, counted from 0, in the sequence it came from. Never reused.
+/// The number of a point: points of the input are numbered from 0, and points that are inserted get
+/// the next numbers. Never reused.
 using Point_id = std::uint32_t;
 
-/// The id of a moving point that belongs to no sequence (a query point, a circumcenter).
+/// The id of points outside the input, such as query points and circumcenters, and of the infinite
+/// vertex.
 inline constexpr Point_id no_point = std::numeric_limits<Point_id>::max();
 
 }  // namespace kinetri

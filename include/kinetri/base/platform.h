@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Stops a compiler that is not set to C++20, or a platform whose arithmetic is not that of the
-// error bounds, with one message instead of hundreds or of wrong results. Every public header
-// includes this one, itself or by way of the first that it includes.
+// Stops the compilation with one clear message if the compiler is not set to C++20, or if the
+// arithmetic of the platform is not that of the error bounds. Every public header includes this
+// one, directly or by its first include.
 #ifndef KINETRI_BASE_PLATFORM_H
 #define KINETRI_BASE_PLATFORM_H
 
-// Compilers go on after #error, but not after a header that does not exist.
+// Compilers continue after #error, but not after a missing header.
 #if defined(_MSVC_LANG) ? _MSVC_LANG <= 201703L : __cplusplus <= 201703L
 #error "Kinetri needs C++20; expected -std=c++20 or later (MSVC: /std:c++20)"
 #include <kinetri_needs_cxx20>

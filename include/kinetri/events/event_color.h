@@ -11,9 +11,9 @@
 
 namespace kinetri {
 
-/// The color that stands for the kind in every picture, as `#rrggbb` in sRGB. Against the page,
-/// light or dark, its contrast is at least 3 : 1 (WCAG 2.2, success criterion 1.4.11), and no two
-/// kinds look the same to a reader who cannot see red, green or blue. Constant time.
+/// The color of the kind in every picture, as `#rrggbb` in sRGB. Its contrast with the page, light
+/// or dark, is at least 3 : 1 (WCAG 2.2, success criterion 1.4.11), and readers with any kind of
+/// color blindness can tell the kinds apart. Constant time.
 std::string_view color(Event_kind kind);
 
 }  // namespace kinetri

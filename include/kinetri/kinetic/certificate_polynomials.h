@@ -116,7 +116,7 @@ Polynomial wall_polynomial(const Point& p, const Wall_2& wall);
 template <class Point>
 Trajectory_2 circumcenter_trajectory(const Point& p, const Point& q, const Point& r);
 
-/// The trajectory of the place that has the same power to p, q and r; it has the weight zero.
+/// The trajectory of the position that has the same power to p, q and r; it has the weight zero.
 /// Precondition: p, q, r are not collinear at all times.
 template <class Point>
 Trajectory_2 weighted_circumcenter_trajectory(const Point& p, const Point& q, const Point& r);

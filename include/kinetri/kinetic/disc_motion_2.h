@@ -25,8 +25,8 @@ namespace kinetri {
 ///
 /// an exact polynomial over the rationals in t. Its weight at time t is the square of that, plus
 /// `weight`: a point whose weight is a given number, of either sign, has the radius 0 and that
-/// `weight`; a disc has the `weight` 0. The power of a place x to it is the squared distance of x
-/// and the center minus the weight. All numbers are finite (`is_finite`).
+/// `weight`; a disc has the `weight` 0. The power of a position x to it is the squared distance of
+/// x and the center minus the weight. All numbers are finite (`is_finite`).
 template <class CentreMotion>
 struct Basic_disc_motion_2 : CentreMotion {
   using Centre_motion = CentreMotion;  ///< of the center; it has the epoch
@@ -51,7 +51,7 @@ concept HasWeight = requires(const Motion& motion) {
   { motion.radius + motion.growth + motion.weight } -> std::same_as<double>;
 };
 
-/// The motion of the place: of a disc, that of its center, and else the motion itself.
+/// The motion of the position: of a disc, that of its center, and else the motion itself.
 template <class Motion>
 const auto& centre(const Motion& motion) {
   if constexpr (HasWeight<Motion>) {
@@ -122,18 +122,19 @@ double weight_error(const Basic_disc_motion_2<CentreMotion>& disc, double t,
 }
 
 /// @{
-/// The disc with the epoch `t` and the given velocity that starts from the place of `disc` at t,
-/// with its radius there and its growth; the place is rounded as for a point. A radius that does
-/// not change is not rounded. One that does is rounded down, by at least as much as the place may
-/// be off, but not below zero: from a time within half a unit in the last place of t on, the new
-/// disc begins inside of the old one. So two growing discs that touch at such a time do not overlap
-/// there after both have been continued so, unless one is as small as the rounding.
+/// The disc with the epoch `t` and the given velocity that starts from the position of `disc` at t,
+/// with its radius there and its growth; the position is rounded as for a point. A radius that does
+/// not change is not rounded. One that does is rounded down, by at least as much as the position
+/// may be off, but not below zero: from a time within half a unit in the last place of t on, the
+/// new disc begins inside of the old one. So two growing discs that touch at such a time do not
+/// overlap there after both have been continued so, unless one is as small as the rounding.
 Disc_motion_2 with_velocity_at(const Disc_motion_2& disc, const Vector_2& velocity, double t);
 Polynomial_disc_motion_2 with_velocity_at(const Polynomial_disc_motion_2& disc,
                                           const Vector_2& velocity, double t);
 /// @}
 
-/// The disc at rest, which does not grow, from its place at t on, rounded as with_velocity_at does.
+/// The disc at rest, which does not grow, from its position at t on, rounded as with_velocity_at
+/// does.
 template <class CentreMotion>
 Basic_disc_motion_2<CentreMotion> at_rest_at(const Basic_disc_motion_2<CentreMotion>& disc,
                                              double t) {
@@ -144,7 +145,7 @@ Basic_disc_motion_2<CentreMotion> at_rest_at(const Basic_disc_motion_2<CentreMot
   return {centre, there.radius, 0, there.weight};
 }
 
-/// Whether neither the place nor the radius ever changes.
+/// Whether neither the position nor the radius ever changes.
 template <class CentreMotion>
 bool is_at_rest(const Basic_disc_motion_2<CentreMotion>& disc) {
   return is_at_rest(static_cast<const CentreMotion&>(disc)) && disc.growth == 0;

@@ -136,7 +136,7 @@ class Basic_instantaneous_traits_2 {
       return s != CGAL::ZERO ? s : this->y_order(p, q);
     }
   };
-  /// Compares places.
+  /// Compares positions.
   struct Equal_2 : Predicate {
     using Predicate::Predicate;
     /// Whether p and q coincide.
@@ -168,7 +168,7 @@ class Basic_instantaneous_traits_2 {
       return this->orientation(p, q, r);
     }
   };
-  /// The place of a point beside a circle.
+  /// The position of a point beside a circle.
   struct Side_of_oriented_circle_2 : Predicate {
     using Predicate::Predicate;
     /// On which side of the circle through p, q, r the point s is: the positive one is to the left

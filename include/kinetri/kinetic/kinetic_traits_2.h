@@ -33,8 +33,8 @@ concept MotionWithVelocity_2 = requires(const Motion motion, const Vector_2 velo
 /// | `Point_2` | a moving point: made of a Motion and a Point_id, and gives both back |
 /// | `Instantaneous_traits` | a model of CGAL's DelaunayTriangulationTraits_2 on `Point_2` |
 ///
-/// `mirrored(motion)` is the motion with -t in place of t. The place of a `Point_2` at a Rational
-/// time, by `position`, is for audits. Times are of type Algebraic_number.
+/// `mirrored(motion)` is the motion with -t in place of t. The position of a `Point_2` at a
+/// Rational time, by `position`, is for audits. Times are of type Algebraic_number.
 ///
 /// These functions give certificates from the time `t` on; see Certificate. A certificate may stop
 /// short of the failure (Certificate::Kind::holds) if that saves work. For `...` read `t,
@@ -50,9 +50,9 @@ concept MotionWithVelocity_2 = requires(const Motion motion, const Vector_2 velo
 /// The failure of a flatness certificate is the first time after t at which p, q and r are
 /// collinear or make a right turn, and there is none if p, q, r are collinear at all times. The
 /// failure of a coincidence certificate is the first time *strictly* after t at which p and q are
-/// in one place, and there is none if p and q are in one place at all times. The caller knows that
-/// p and q are apart before `among.lower`, and has no interest in a failure after `among.upper`. A
-/// coincidence certificate never fails, or has Certificate::failure.
+/// at one position, and there is none if p and q are at one position at all times. The caller knows
+/// that p and q are apart before `among.lower`, and has no interest in a failure after
+/// `among.upper`. A coincidence certificate never fails, or has Certificate::failure.
 ///
 /// | Function | Result |
 /// |---|---|
@@ -128,7 +128,7 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
 /// Traits of points with weights, such as discs: those of a regular triangulation. The
 /// Instantaneous_traits are a model of CGAL's RegularTriangulationTraits_2 with Weighted_point_2 =
 /// Point_2 (Basic_weighted_instantaneous_traits_2), an in-circle certificate is about the power
-/// circle, and two points *coincide* if they have the same place and the same weight. There are
+/// circle, and two points *coincide* if they have the same position and the same weight. There are
 /// four more certificates, which are always exact, and have Certificate::failure if they fail, and
 /// `have_equal_weights(motion, motion)` says whether two weights are equal at all times:
 ///
@@ -137,7 +137,7 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
 /// | `segment_certificate(p, q, r, t)` | q is not hidden by p and r |
 /// | `hiding_certificate(p, q, r, t)` | q is hidden by p and r |
 /// | `weight_certificate(p, q, t)` | the weight of p is not less than that of q |
-/// | `meeting_certificate(p, q, t, among)` | p and q have different places strictly after t |
+/// | `meeting_certificate(p, q, t, among)` | p and q have different positions strictly after t |
 ///
 /// An in-circle certificate of points whose weights differ fails at touches as well, with
 /// Certificate::failure: a triangle may turn over there, if its corners, lifted, are on one line.

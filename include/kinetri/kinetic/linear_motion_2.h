@@ -23,7 +23,7 @@ struct Vector_2 {
 /// The trajectory position + velocity * (t - epoch), an exact polynomial over the rationals in t.
 /// All five numbers are finite; whoever takes a motion from a user checks that (`is_finite`).
 struct Linear_motion_2 {
-  Vector_2 position;  ///< the place at the epoch
+  Vector_2 position;  ///< the position at the epoch
   Vector_2 velocity;  ///< displacement per unit of time
   double epoch = 0;   ///< the time at which the point is at `position`
 
@@ -34,19 +34,19 @@ struct Linear_motion_2 {
 /// Whether all five numbers are finite.
 bool is_finite(const Linear_motion_2& motion);
 
-/// Whether the two are at the same place at every time, exactly, whatever their epochs.
+/// Whether the two are at the same position at every time, exactly, whatever their epochs.
 bool same_trajectory(const Linear_motion_2& a, const Linear_motion_2& b);
 
-/// The place at time t, rounded: for what is shown, not for what is decided. It has an error of a
-/// few units in the last place of the largest term of the formula.
+/// The position at time t, rounded: for what is shown, not for what is decided. It has an error of
+/// a few units in the last place of the largest term of the formula.
 inline Vector_2 rounded_place(const Linear_motion_2& motion, double t) {
   const double elapsed = t - motion.epoch;
   return {motion.position.x + motion.velocity.x * elapsed,
           motion.position.y + motion.velocity.y * elapsed};
 }
 
-/// Bounds how far, in either coordinate, rounded_place(motion, t) is from the place at any of the
-/// times. Not finite if numbers overflow. Precondition: t is one of the times.
+/// Bounds how far, in either coordinate, rounded_place(motion, t) is from the position at any of
+/// the times. Not finite if numbers overflow. Precondition: t is one of the times.
 inline double place_error(const Linear_motion_2& motion, double t, const Double_interval& times) {
   const auto& [position, velocity, epoch] = motion;
   const double speed = std::abs(velocity.x) + std::abs(velocity.y);
@@ -61,18 +61,18 @@ inline Vector_2 rounded_velocity(const Linear_motion_2& motion, double /*t*/) {
   return motion.velocity;
 }
 
-/// The motion with the epoch `t` and the given velocity that starts from the place of `motion` at
-/// t, each coordinate of it rounded to the nearest binary64 number, ties to even. With that
+/// The motion with the epoch `t` and the given velocity that starts from the position of `motion`
+/// at t, each coordinate of it rounded to the nearest binary64 number, ties to even. With that
 /// rounding, of half a unit in the last place, a trajectory is continued; nothing else in the
 /// library is approximated. The coordinates are infinite if they are too large.
 Linear_motion_2 with_velocity_at(const Linear_motion_2& motion, const Vector_2& velocity, double t);
 
-/// The motion at rest, from its place at t on, rounded as with_velocity_at does.
+/// The motion at rest, from its position at t on, rounded as with_velocity_at does.
 inline Linear_motion_2 at_rest_at(const Linear_motion_2& motion, double t) {
   return with_velocity_at(motion, {}, t);
 }
 
-/// Whether the place never changes.
+/// Whether the position never changes.
 inline bool is_at_rest(const Linear_motion_2& motion) {
   return motion.velocity == Vector_2();
 }

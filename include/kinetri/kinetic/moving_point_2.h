@@ -20,8 +20,8 @@
 
 namespace kinetri {
 
-/// A trajectory in homogeneous coordinates: the place at time t is (x(t) / w(t), y(t) / w(t)), and
-/// the weight there is weight(t) / w(t)^2. It is undefined when w vanishes.
+/// A trajectory in homogeneous coordinates: the position at time t is (x(t) / w(t), y(t) / w(t)),
+/// and the weight there is weight(t) / w(t)^2. It is undefined when w vanishes.
 struct Trajectory_2 : boost::intrusive_ref_counter<Trajectory_2> {
   /// Undefined at every time: w is the zero polynomial.
   Trajectory_2() = default;
@@ -35,7 +35,7 @@ struct Trajectory_2 : boost::intrusive_ref_counter<Trajectory_2> {
   Polynomial weight;  ///< w^2 times the weight; zero for points without one
 };
 
-/// A place in the plane, exact.
+/// A position in the plane, exact.
 struct Exact_position_2 {
   Rational x;  ///< to the right
   Rational y;  ///< up
@@ -53,7 +53,7 @@ Trajectory_2 trajectory(const Disc_motion_2& motion);
 Trajectory_2 trajectory(const Polynomial_disc_motion_2& motion);
 /// @}
 
-/// A moving point. A value; equality is not defined, since equal places at an instant are a
+/// A moving point. A value; equality is not defined, since equal positions at an instant are a
 /// question for the predicates (`Basic_instantaneous_traits_2`).
 template <class MotionType>
 class Basic_moving_point_2 {
@@ -80,7 +80,7 @@ class Basic_moving_point_2 {
   /// Its trajectory as polynomials; of a motion w is a positive constant.
   Trajectory_2 trajectory() const;
 
-  /// Its place at time `t`, exactly, in rational arithmetic. Precondition: w does not vanish at
+  /// Its position at time `t`, exactly, in rational arithmetic. Precondition: w does not vanish at
   /// `t`.
   Exact_position_2 position(const Rational& t) const;
 

@@ -18,7 +18,7 @@ namespace kinetri {
 /// finite; whoever takes a motion from a user checks that (`is_finite`). Points of all degrees may
 /// be mixed: what is zero is of no cost but time.
 struct Polynomial_motion_2 {
-  Vector_2 position;           ///< the place at the epoch
+  Vector_2 position;           ///< the position at the epoch
   Vector_2 velocity = {};      ///< its first derivative there
   Vector_2 acceleration = {};  ///< its second derivative there
   Vector_2 jerk = {};          ///< its third derivative
@@ -36,32 +36,32 @@ Polynomial_motion_2 polynomial_motion(const Linear_motion_2& motion);
 /// Whether all nine numbers are finite.
 bool is_finite(const Polynomial_motion_2& motion);
 
-/// Whether the two are at the same place at every time, exactly, whatever their epochs.
+/// Whether the two are at the same position at every time, exactly, whatever their epochs.
 bool same_trajectory(const Polynomial_motion_2& a, const Polynomial_motion_2& b);
 
 /// @{
-/// The place and the velocity at time t, rounded, with errors of some units in the last place of
+/// The position and the velocity at time t, rounded, with errors of some units in the last place of
 /// the largest term of the formula: for what is shown, not for what is decided.
 Vector_2 rounded_place(const Polynomial_motion_2& motion, double t);
 Vector_2 rounded_velocity(const Polynomial_motion_2& motion, double t);
 /// @}
 
-/// Bounds how far, in either coordinate, rounded_place(motion, t) is from the place at any of the
-/// times. Not finite if numbers overflow. Precondition: t is one of the times.
+/// Bounds how far, in either coordinate, rounded_place(motion, t) is from the position at any of
+/// the times. Not finite if numbers overflow. Precondition: t is one of the times.
 double place_error(const Polynomial_motion_2& motion, double t, const Double_interval& times);
 
-/// The motion with the epoch `t` and the given velocity that starts from the place of `motion` at
-/// t, with the acceleration that it has there and its jerk; each coordinate of place and
+/// The motion with the epoch `t` and the given velocity that starts from the position of `motion`
+/// at t, with the acceleration that it has there and its jerk; each coordinate of position and
 /// acceleration rounded to the nearest binary64 number, ties to even. Infinite if too large.
 Polynomial_motion_2 with_velocity_at(const Polynomial_motion_2& motion, const Vector_2& velocity,
                                      double t);
 
-/// The motion at rest, from its place at t on, rounded as with_velocity_at does.
+/// The motion at rest, from its position at t on, rounded as with_velocity_at does.
 inline Polynomial_motion_2 at_rest_at(const Polynomial_motion_2& motion, double t) {
   return {with_velocity_at(motion, {}, t).position, {}, {}, {}, t};
 }
 
-/// Whether the place never changes.
+/// Whether the position never changes.
 inline bool is_at_rest(const Polynomial_motion_2& motion) {
   constexpr Vector_2 zero = {};
   return motion.velocity == zero && motion.acceleration == zero && motion.jerk == zero;

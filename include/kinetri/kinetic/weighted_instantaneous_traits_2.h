@@ -22,14 +22,14 @@ class Basic_weighted_instantaneous_traits_2 : public Basic_instantaneous_traits_
  public:
   using Point_2 = typename Base::Point_2;  ///< a moving point
   using Weighted_point_2 = Point_2;        ///< the same
-  /// The places with equal powers to `first` and `second`, if it is the radical axis of two; see
+  /// The positions with equal powers to `first` and `second`, if it is the radical axis of two; see
   /// the base class.
   using Line_2 = typename Base::Line_2;
   using FT = double;  ///< of weights; CGAL asks for the type only
 
   using Base::Base;
 
-  /// The place of a weighted point beside a power circle.
+  /// The position of a weighted point beside a power circle.
   struct Power_side_of_oriented_power_circle_2 : Predicate {
     using Predicate::Predicate;
     /// On which side of the power circle of p, q, r the point s is: the positive one if p, q, r
@@ -45,7 +45,8 @@ class Basic_weighted_instantaneous_traits_2 : public Basic_instantaneous_traits_
                                    const Weighted_point_2& s) const {
       return this->below_segment(p, s, q);
     }
-    /// The same in one place: positive if s has the greater weight. Precondition: p and s coincide.
+    /// The same at one position: positive if s has the greater weight. Precondition: p and s
+    /// coincide.
     CGAL::Oriented_side operator()(const Weighted_point_2& p, const Weighted_point_2& s) const {
       return this->weight_order(s, p);
     }
@@ -53,7 +54,7 @@ class Basic_weighted_instantaneous_traits_2 : public Basic_instantaneous_traits_
   /// Compares powers.
   struct Compare_power_distance_2 : Predicate {
     using Predicate::Predicate;
-    /// How the power of the place p to q compares with that to r.
+    /// How the power of the position p to q compares with that to r.
     Comparison_result operator()(const Point_2& p, const Weighted_point_2& q,
                                  const Weighted_point_2& r) const {
       return this->power_distance_order(p, q, r);
@@ -75,13 +76,13 @@ class Basic_weighted_instantaneous_traits_2 : public Basic_instantaneous_traits_
   };
   /// Makes the radical axis of two points.
   struct Construct_radical_axis_2 {
-    /// The places with equal powers to p and q, with p on its left. Precondition: the two do not
+    /// The positions with equal powers to p and q, with p on its left. Precondition: the two do not
     /// coincide.
     Line_2 operator()(const Weighted_point_2& p, const Weighted_point_2& q) const { return {p, q}; }
   };
   /// Makes the center of a power circle.
   struct Construct_weighted_circumcenter_2 {
-    /// The place with equal powers to p, q and r, at every time at which they are not collinear.
+    /// The position with equal powers to p, q and r, at every time at which they are not collinear.
     /// Precondition: they are not collinear at all times.
     Point_2 operator()(const Weighted_point_2& p, const Weighted_point_2& q,
                        const Weighted_point_2& r) const {

@@ -4,8 +4,8 @@
 // position in the convex hull gets values from the points around it, at the current time.
 //
 // Which triangle a position belongs to is decided exactly. Then the values are computed in binary64
-// arithmetic by a fixed sequence of additions, multiplications and divisions, from places that are
-// the nearest binary64 numbers to the exact ones. So the results have the same bits on every
+// arithmetic by a fixed sequence of additions, multiplications and divisions, from positions that
+// are the nearest binary64 numbers to the exact ones. So the results have the same bits on every
 // machine with binary64 arithmetic that rounds to nearest. That is why all of it is compiled in the
 // library, where no multiplication is fused with an addition.
 #ifndef KINETRI_TRIANGULATION_FIELD_2_H
@@ -41,12 +41,12 @@ enum class Interpolation : std::uint8_t {
   /// The linear function on the triangle that has the values of the corners. It is continuous, but
   /// when an edge is flipped, the values in its quadrilateral jump.
   linear,
-  /// Natural neighbor interpolation with Laplace coordinates. It depends only on the places of the
-  /// points, not on the triangulation, and so does not jump when an edge is flipped (docs/MATH.md,
-  /// section 16). It reproduces linear functions. Sources: N. H. Christ, R. Friedberg, T. D. Lee,
-  /// Weights of links and plaquettes in a random lattice, Nuclear Physics B 210, 1982; V. V.
-  /// Belikov et al., The non-Sibsonian interpolation, Computational Mathematics and Mathematical
-  /// Physics 37, 1997.
+  /// Natural neighbor interpolation with Laplace coordinates. It depends only on the positions of
+  /// the points, not on the triangulation, and so does not jump when an edge is flipped
+  /// (docs/MATH.md, section 16). It reproduces linear functions. Sources: N. H. Christ, R.
+  /// Friedberg, T. D. Lee, Weights of links and plaquettes in a random lattice, Nuclear Physics B
+  /// 210, 1982; V. V. Belikov et al., The non-Sibsonian interpolation, Computational Mathematics
+  /// and Mathematical Physics 37, 1997.
   smooth,
 };
 
@@ -70,7 +70,7 @@ struct Grid_2 {
 /// and no values; nor has any position while all points are on one line.
 ///
 /// All values are rounded. Each lies between the least and the greatest value of the points that it
-/// is computed from; so equal values are reproduced exactly. At the rounded place of a point,
+/// is computed from; so equal values are reproduced exactly. At the rounded position of a point,
 /// `linear` and `smooth` give its value; of points that coincide, that of the corner of the
 /// triangle. A value of `linear` is off by at most 2^-46 (v + d M / h): v is the greatest absolute
 /// value at the corners, d the difference of the greatest and the least, M the greatest absolute

@@ -65,7 +65,7 @@ class Kinetic_triangulation_2 {
 
   /// The triangulation of the motions in [first, last), numbered from 0, Delaunay just after
   /// `start`. The input may be degenerate at `start` and at every other time: any number of points,
-  /// collinear, cocircular, or in one place as long as they part.
+  /// collinear, cocircular, or at one position as long as they part.
   ///
   /// Throws Coincident_trajectories_error if two motions are the same trajectory, and
   /// Precondition_error if a number is not finite or there are 2^32 - 1 points or more.
@@ -200,11 +200,11 @@ class Kinetic_triangulation_2 {
   // Each change takes place at current_time(), is an event, and leaves the triangulation Delaunay
   // just after that time; edges that it removes and adds are reported in rebuild events after it.
   // Other vertices keep their handles, and so does a point that gets a new motion. Expected cost:
-  // proportional to the degree of the point, and to the triangles on the way to its new place; O(n)
-  // if all points are, or become, collinear at all times.
+  // proportional to the degree of the point, and to the triangles on the way to its new position;
+  // O(n) if all points are, or become, collinear at all times.
 
   /// Gives the point `id` another motion from now on: event `trajectory`. The motion need not go
-  /// through the present place of the point, and may go through that of another point if the two
+  /// through the present position of the point, and may go through that of another point if the two
   /// part at once.
   /// Throws Coincident_trajectories_error, and changes nothing, if another point has the same
   /// trajectory. Precondition: contains(id); the motion is finite.
@@ -231,9 +231,9 @@ class Kinetic_triangulation_2 {
   void set_motions(std::span<const Point_id> ids, std::span<const Motion> motions);
 
   /// Gives the points `ids` these velocities from now on: set_motions, each point going on from its
-  /// place at the binary64 number nearest to current_time(), rounded as `with_velocity_at` says.
+  /// position at the binary64 number nearest to current_time(), rounded as `with_velocity_at` says.
   /// Throws what set_motions throws. Precondition: as many velocities as ids; each id is contained,
-  /// and named once; velocities and places are finite.
+  /// and named once; velocities and positions are finite.
   void set_velocities(std::span<const Point_id> ids, std::span<const Vector_2> velocities) requires
       MotionWithVelocity_2<typename Traits::Motion>;
 

@@ -9,8 +9,8 @@
 // finds there is, at the time itself, an answer or connected with an answer by edges; the decision
 // is made for the time itself (docs/MATH.md, section 10).
 //
-// Of points with weights, such as discs, the power takes the place of the distance: the power of a
-// position to a point is the squared distance minus the weight of the point at the time.
+// For points with weights, such as discs, the power replaces the distance: the power of a position
+// to a point is the squared distance minus the weight of the point at the time.
 #ifndef KINETRI_TRIANGULATION_QUERIES_2_H
 #define KINETRI_TRIANGULATION_QUERIES_2_H
 

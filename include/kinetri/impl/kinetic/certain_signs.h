@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The signs of predicates of places that are known up to an error: those that are certain all the
-// same.
+// The signs of predicates of positions that are known up to an error: those that are certain all
+// the same.
 #ifndef KINETRI_IMPL_KINETIC_CERTAIN_SIGNS_H
 #define KINETRI_IMPL_KINETIC_CERTAIN_SIGNS_H
 
@@ -38,7 +38,7 @@ inline Sign certain_sign(double value, double error, double size) {
 }
 
 /// @{
-/// The sign of a predicate of places of which each coordinate has at most the given error, if it
+/// The sign of a predicate of positions of which each coordinate has at most the given error, if it
 /// is certain, else ZERO. docs/MATH.md, section 7, has the bounds.
 inline Sign certain_orientation(const Vector_2& p, const Vector_2& q, const Vector_2& r,
                                 double error) {

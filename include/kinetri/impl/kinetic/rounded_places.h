@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The places of moving points at one time, in doubles, with a bound for their errors: for signs
+// The positions of moving points at one time, in doubles, with a bound for their errors: for signs
 // that are certain all the same, and for searches that may begin anywhere.
 #ifndef KINETRI_IMPL_KINETIC_ROUNDED_PLACES_H
 #define KINETRI_IMPL_KINETIC_ROUNDED_PLACES_H
@@ -23,22 +23,22 @@
 
 namespace kinetri {
 
-/// A motion whose place can be computed in doubles, with a bound for the error.
+/// A motion whose position can be computed in doubles, with a bound for the error.
 template <class Motion>
 concept HasRoundedPlace = requires(const Motion& motion, const Double_interval& times) {
   { rounded_place(motion, 1.0) } -> std::same_as<Vector_2>;
   { place_error(motion, 1.0, times) } -> std::same_as<double>;
 };
 
-/// The places, by point id, each of which is exact up to one error in each coordinate. The signs
+/// The positions, by point id, each of which is exact up to one error in each coordinate. The signs
 /// are those at the time and just after it, or ZERO if that is not certain. All functions are
 /// O(1).
 class Rounded_places {
  public:
-  /// No places: no sign is certain.
+  /// No positions: no sign is certain.
   Rounded_places() = default;
 
-  /// The places of the points that `point_of` makes of the elements of a range, at `time`. O(the
+  /// The positions of the points that `point_of` makes of the elements of a range, at `time`. O(the
   /// range of their ids).
   template <class Range, class Projection = std::identity>
   Rounded_places(const Range& range, const Algebraic_number& time,
@@ -63,7 +63,7 @@ class Rounded_places {
     if constexpr (HasWeight<Motion>) set_weights(range, rounded_time, times, point_of);
   }
 
-  /// The place. Precondition: the point is one of those given.
+  /// The position. Precondition: the point is one of those given.
   const Vector_2& operator[](Point_id id) const { return places_[id - first_]; }
 
   /// The error of each coordinate, at most.

@@ -167,13 +167,13 @@ inline bool is_known_well(const Ball& a) {
   return a.radius <= 0x1p-60 * std::abs(a.high);
 }
 
-/// A place in the plane.
+/// A position in the plane.
 struct Ball_2 {
   Ball x;
   Ball y;
 };
 
-/// Contains the place at the time that `t` contains.
+/// Contains the position at the time that `t` contains.
 inline Ball_2 ball_place(const Linear_motion_2& motion, const Ball& t) {
   const Ball elapsed = t - Ball(motion.epoch);
   const auto place = [&](double position, double velocity) {
@@ -215,13 +215,13 @@ Ball ball_weight(const Motion& /*motion*/, const Ball& /*t*/) {
   return Ball::unknown();
 }
 
-/// A place whose coordinates are off by at most `error` each.
+/// A position whose coordinates are off by at most `error` each.
 struct Approximate_place {
   Vector_2 place;
   double error = std::numeric_limits<double>::infinity();
 };
 
-/// The place at a time that `t` is off from by at most half a unit in its last place.
+/// The position at a time that `t` is off from by at most half a unit in its last place.
 inline Approximate_place approximate_place(const Linear_motion_2& motion, double t) {
   const auto& [position, velocity, epoch] = motion;
   const double size =
@@ -244,7 +244,7 @@ Approximate_place approximate_place(const Motion& /*motion*/, double /*t*/) {
   return {};
 }
 
-/// Whether the two places are certainly farther apart than `distance`, in x or in y.
+/// Whether the two positions are certainly farther apart than `distance`, in x or in y.
 inline bool are_apart(const Approximate_place& a, const Approximate_place& b, double distance = 0) {
   const double errors = 2 * (a.error + b.error);
   return std::abs(a.place.x - b.place.x) > distance + errors ||

@@ -105,7 +105,7 @@ class Kinetic_types<Traits>::Certification {
   template <class Is_left_turn>
   bool is_embedded_around(Vertex_handle v, const Double_interval& bounds,
                           const Is_left_turn& is_left_turn) const;
-  /// The places of all points at a time, if there is a way to round them.
+  /// The positions of all points at a time, if there is a way to round them.
   Rounded_places places(const Time& time) const;
 
  private:

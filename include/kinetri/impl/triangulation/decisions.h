@@ -163,9 +163,9 @@ bool Kinetic_types<Traits>::Decisions::is_touch(Face_handle face, const Time& no
                                            face->vertex(2)->point()) == CGAL::LEFT_TURN;
 }
 
-// Whether two corners of a triangle, whose weights may differ, are in one place at this time. They
-// may exchange their order along a side of the hull on which all their neighbors are, so that no
-// orientation changes its sign. Points without weights have been taken out.
+// Whether two corners of a triangle, whose weights may differ, are at one position at this time.
+// They may exchange their order along a side of the hull on which all their neighbors are, so that
+// no orientation changes its sign. Points without weights have been taken out.
 template <class Traits>
 bool Kinetic_types<Traits>::Decisions::do_corners_meet(Face_handle face, const Time& time) const {
   if (topology_.are_weights_equal()) return false;

@@ -18,8 +18,8 @@ namespace kinetri::detail {
 /// Executes events. Between two calls the triangulation is Delaunay (regular) just after the
 /// present time.
 ///
-/// One event's way: `run_to` has the schedule settled until a failure comes first; `run_instant`
-/// takes it out; `execute` asks `Decisions` what it leads to, and has `Updates` do it.
+/// `run_to` calls `Schedule::settle` until a failure is first, `run_instant` removes it from the
+/// queue, and `execute` asks `Decisions` what it leads to and calls `Updates`.
 template <class Traits>
 class Kinetic_types<Traits>::Event_loop {
  public:
@@ -51,8 +51,8 @@ class Kinetic_types<Traits>::Event_loop {
   std::size_t step(const Time* until) {
     return step(until, [] {});
   }
-  /// Executes every event of the time that is first in the queue. Precondition: the schedule is
-  /// settled, and a failure is first.
+  /// Executes every event of the first time in the queue. Precondition: the first entry of the
+  /// queue is a failure (see Schedule::settle).
   std::size_t run_instant();
   /// Executes the failures at the present time, until there is none. Each flip makes the
   /// triangulation more nearly Delaunay just after that time, and an edge that a flip leaves
@@ -63,13 +63,13 @@ class Kinetic_types<Traits>::Event_loop {
   void rebuild();
   /// Lets time run backwards: motions are mirrored, and the events of the present time are undone.
   void reverse();
-  /// Whether an instant is being executed in which points are taken out for a while.
+  /// Whether coinciding points are temporarily removed at the present instant.
   bool has_points_set_aside() const { return !points_set_aside_.empty(); }
 
  private:
   struct Point_set_aside {
     Vertex_handle vertex;
-    Vertex_handle companion;  // where to look for its place: was in the same one
+    Vertex_handle companion;  // was at the same position: the search starts there
   };
 
   void execute(const Entry& failure);

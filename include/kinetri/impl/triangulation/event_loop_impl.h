@@ -132,15 +132,15 @@ bool Kinetic_types<Traits>::Event_loop::retry_postponed() {
 
 // ---- points that coincide ----
 
-// Takes the points that coincide now out of the triangulation, but for one in each place, as it was
-// just before: all else that happens now happens to distinct points. Points that come together
-// share edges just before, so that each place's points are connected by edges whose ends coincide;
-// these are first in the queue.
+// Takes the points that coincide now out of the triangulation, but for one at each position, as the
+// triangulation was just before: all other events of this time concern distinct points. Points that
+// meet share edges just before, so that the points at one position are connected by edges whose
+// ends coincide; these edges are first in the queue.
 template <class Traits>
 void Kinetic_types<Traits>::Event_loop::set_coincident_points_aside() {
   auto& queue = schedule_.queue();
   reporter_.start_noting();
-  // By point, one that is nearer to the least id in its place, or that one itself.
+  // A union-find forest: by point, its parent; the root is the least id at the position.
   std::map<Point_id, Point_id> parents;
   const auto least = [&parents](Point_id id) {
     while (parents.at(id) != id) id = parents.at(id);
@@ -155,7 +155,7 @@ void Kinetic_types<Traits>::Event_loop::set_coincident_points_aside() {
     const std::array<Point_id, 2> merged = edge_ids(least(a), least(b));
     parents[merged[1]] = merged[0];
   }
-  // Each point that is put back is looked for from where it was, maybe far away.
+  // Locating each point again may take a long walk.
   constexpr std::size_t few = 8;
   const bool are_many = parents.size() > std::max(few, topology_.number_of_points() / few);
   if (are_many || topology_.triangulation().dimension() < 2 || !topology_.are_weights_equal()) {
@@ -172,7 +172,7 @@ void Kinetic_types<Traits>::Event_loop::set_coincident_points_aside() {
   updates_.show_current_time();
 }
 
-// Puts the points that were set aside back where they are just after now, one after the other.
+// Inserts the removed points again, one after the other, at their positions just after now.
 template <class Traits>
 void Kinetic_types<Traits>::Event_loop::put_points_back() {
   while (!points_set_aside_.empty()) {
@@ -186,7 +186,7 @@ void Kinetic_types<Traits>::Event_loop::put_points_back() {
 // ---- time that runs backwards ----
 
 // Just before the mirrored time the triangulation is Delaunay; the events of that time are executed
-// as in `run_instant`. A flat triangle, as there is also if points meet, is rebuilt instead.
+// as in `run_instant`. If a triangle is flat, as it is if points meet, everything is rebuilt.
 template <class Traits>
 void Kinetic_types<Traits>::Event_loop::reverse() {
   schedule_.queue().clear();

@@ -70,7 +70,7 @@ class Kinetic_types<Traits>::Hidden_events {
       updates_.hide_in(v, where);
     };
     if (locus == Triangulation::VERTEX) {
-      // They stay in one place: the heavier one hides the other.
+      // They stay at one position: the heavier one hides the other.
       const auto side = triangulation_.geom_traits().power_side_of_oriented_power_circle_2_object();
       const bool is_heavier = side(face->vertex(i)->point(), v->point()) == CGAL::ON_POSITIVE_SIDE;
       hide_now(face);

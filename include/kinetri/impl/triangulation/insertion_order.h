@@ -86,7 +86,7 @@ bool sort_for_insertion(std::vector<Element>& elements, const Traits& traits,
 
 /// Inserts the points of elements, in their order, into a triangulation: each search begins at the
 /// point before. Calls note(vertex, element) with the vertex that the point has, which may be that
-/// of another element whose point is in the same place.
+/// of another element whose point is at the same position.
 template <class Triangulation, class Element, class Point_of, class Note>
 void insert_in_order(Triangulation& triangulation, const std::vector<Element>& elements,
                      const Point_of& point_of, const Note& note) {

@@ -70,7 +70,7 @@ auto Kinetic_types<Traits>::Point_changes::plan(std::span<const Change> changes)
 }
 
 // Throws if a point that turns would have the trajectory and the weight of a hidden point, or is
-// hidden itself and would have those of any point. Two points that have edges are in two places.
+// hidden itself and would have those of any point. Two points that have edges are at two positions.
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::check_turns_are_new(
     std::span<const Change> changes, std::span<const Change> turns) const {
@@ -345,7 +345,7 @@ bool Kinetic_types<Traits>::Point_changes::make_jumps(std::span<const Jump> jump
     if (!place(v, there)) loop_.rebuild();
     loop_.execute_due_events();
     // All points are in a triangulation that has been rebuilt, as if one hides a lighter one in its
-    // place.
+    // position.
     if (reporter_.counters().reconstructions != reconstructions) return true;
     are_located = false;
   }

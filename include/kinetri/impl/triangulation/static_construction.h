@@ -32,7 +32,7 @@ class Kinetic_types<Traits>::Static_construction {
                              const Instantaneous_traits& now);
 
   /// Whether all triangles turn left, and the hull is convex, at the instant of the triangulation's
-  /// traits, near which the places are.
+  /// traits, to which the positions are near.
   static bool is_embedded(const Triangulation& triangulation, const Rounded_places& places);
 
  private:
@@ -46,9 +46,9 @@ class Kinetic_types<Traits>::Static_construction {
   static bool flip_until_delaunay(Triangulation& triangulation, const Rounded_places& places);
 };
 
-// The triangulation at the instant of the traits, which is just after `time`. That of the rounded
-// places is nearly the same, and made fast: mostly some flips are enough. Else CGAL inserts the
-// points.
+// The triangulation at the instant of the traits, which is just after `time`. The triangulation of
+// the rounded positions is nearly the same and fast to make: mostly a few flips repair it.
+// Otherwise CGAL inserts the points.
 template <class Traits>
 auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> points,
                                                        const Time& time,
@@ -56,7 +56,7 @@ auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> 
     -> Triangulation {
   Triangulation result(traits);
   if constexpr (HasRoundedPlace<Motion>) {
-    constexpr std::size_t few = 16;  // are inserted as fast
+    constexpr std::size_t few = 16;  // for so few, insertion is as fast
     const Rounded_places places(points, time);
     if (points.size() >= few && places.are_finite()) {
       if (build_from_places(points, places, result)) return result;
@@ -70,8 +70,8 @@ auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> 
   const auto insert_all = [&](auto& triangulation) {
     std::vector<Point_2> in_order(points.begin(), points.end());
     sort_for_insertion(in_order, traits);
-    // CGAL keeps one vertex for points in one place. Points in one place just after a time are in
-    // one place at all times.
+    // CGAL keeps one vertex for points at one position. Points that coincide just after a time
+    // coincide at all times.
     Edge_ids coincident = {no_point, no_point};  // of all such pairs, that of the least second id
     const auto note = [&coincident](Vertex_handle v, const Point_2& point) {
       const Point_id kept = v->point().id();
@@ -101,8 +101,8 @@ auto Kinetic_types<Traits>::Static_construction::build_regular(std::span<const P
     std::vector<Point_2> sorted(points.begin(), points.end());
     sort_for_insertion(sorted, traits);
     insert_in_order(result, sorted, std::identity(), [](Vertex_handle, const Point_2&) {});
-    // Those that are in one place just after a time are so at all times, and so are next to one
-    // another in this order. Those in the place of a vertex are there when two are alike.
+    // Points that coincide just after a time coincide at all times, and so are next to each other
+    // in this order.
     std::vector<const Point_2*> in_order;
     for (const Point_2& point : points) in_order.push_back(&point);
     const bool are_all_there = result.tds().number_of_vertices() - 1 == points.size();
@@ -128,8 +128,9 @@ auto Kinetic_types<Traits>::Static_construction::build_regular(std::span<const P
 }
 
 // Makes `result`, which is empty, the triangulation of the points at the instant of its traits,
-// from that of their rounded places. Returns false, and leaves anything, if the rounded places
-// have another hull or a triangle that turns over, or most of them are cocircular.
+// from that of their rounded positions. Returns false, and leaves `result` in any state, if the
+// rounded positions have another hull or a triangle that turns over, or if too many of them are
+// cocircular.
 template <class Traits>
 bool Kinetic_types<Traits>::Static_construction::build_from_places(std::span<const Point_2> points,
                                                                    const Rounded_places& places,
@@ -172,7 +173,6 @@ bool Kinetic_types<Traits>::Static_construction::build_from_places(std::span<con
   if constexpr (is_weighted) {
     for (const auto& [point, face] : found.hidden) result.hide(vertices[point], faces[face]);
   }
-  // Mostly the places are enough.
   if (is_certainly_delaunay(found, rounded)) return is_hull_convex(result, places);
   if (!places.weights().empty()) return false;
   return is_embedded(result, places) && flip_until_delaunay(result, places);
@@ -180,7 +180,7 @@ bool Kinetic_types<Traits>::Static_construction::build_from_places(std::span<con
 
 // Whether all triangles turn left, and the hull is convex. Then a triangulation whose faces make a
 // sphere is embedded: the hull goes around once, so the angles at each inner vertex add up to no
-// more than one turn (Gauss and Bonnet), and no place is covered twice.
+// more than one turn (Gauss and Bonnet), and no position is covered twice.
 template <class Traits>
 bool Kinetic_types<Traits>::Static_construction::is_embedded(const Triangulation& triangulation,
                                                              const Rounded_places& places) {
@@ -192,8 +192,8 @@ bool Kinetic_types<Traits>::Static_construction::is_embedded(const Triangulation
          is_hull_convex(triangulation, places);
 }
 
-// Whether the points make a left turn at the instant of the triangulation's traits, near which the
-// places are.
+// Whether the points make a left turn at the instant of the triangulation's traits, to which the
+// positions are near.
 template <class Traits>
 bool Kinetic_types<Traits>::Static_construction::is_left_turn(const Triangulation& triangulation,
                                                               const Rounded_places& places,

@@ -2,7 +2,7 @@
 //
 // The Delaunay triangulation of static points in doubles, or the regular one of weighted points, by
 // CGAL's fastest kernel, as plain numbers. A kinetic triangulation begins with that of the rounded
-// places of its points, and checks each triangle and edge for the points as they are.
+// positions of its points, and checks each triangle and edge for the points as they are.
 #ifndef KINETRI_IMPL_TRIANGULATION_STATIC_DELAUNAY_H
 #define KINETRI_IMPL_TRIANGULATION_STATIC_DELAUNAY_H
 
@@ -41,24 +41,24 @@ struct Static_points {
   double weight_error = 0;           ///< of each weight
 };
 
-/// The triangulation of the places, which are numbered from 0. Empty if there is none with a vertex
-/// for each place: if two places are equal, or all are on a line. Precondition: all coordinates are
-/// finite. O(n log n), some microseconds a point. Many points without weights are divided into
-/// cells, for several threads, as static_delaunay_by_cells says; by how many threads, the result
-/// does not depend on it.
+/// The triangulation of the positions, which are numbered from 0. Empty if there is none with a
+/// vertex for each position: if two positions are equal, or all are on a line. Precondition: all
+/// coordinates are finite. O(n log n), some microseconds a point. Many points without weights are
+/// divided into cells for several threads (static_delaunay_by_cells); the result does not depend on
+/// the number of threads.
 Static_delaunay static_delaunay(const Static_points& points);
 
 /// The same for points without weights, cell by cell [Funke and Sanders 2017]: several threads
-/// triangulate the places of a cell each. A triangle whose circle is inside of its cell is one of
-/// all places. The ends of the other triangles are on the border; a triangulation of these alone
-/// fills what is left. Empty also if that does not fit together, as if four places are on a
-/// circle, and if half of the places or more are on the border. Circles are rounded: if that
-/// matters, a triangle may not be Delaunay (see is_certainly_delaunay). Precondition: cells > 0.
+/// triangulate the positions of a cell each. A triangle whose circle is inside its cell is a
+/// triangle of the whole. The corners of the others are the border; a triangulation of these alone
+/// fills the gaps. Empty also if the parts do not fit together, for instance because four positions
+/// are on a circle, or if half of the positions or more are on the border. Since circles are
+/// rounded, a triangle may not be Delaunay (see is_certainly_delaunay). Precondition: cells > 0.
 Static_delaunay static_delaunay_by_cells(std::span<const Vector_2> places, std::size_t cells);
 
 /// Whether all triangles certainly turn left, the certificates of all edges between two of them
 /// certainly hold, and hidden points are certainly inside of and above their faces, for points that
-/// are as near to the places and weights as the errors say. Several threads look.
+/// are as near to the positions and weights as the errors say. Uses several threads.
 bool is_certainly_delaunay(const Static_delaunay& triangulation, const Static_points& points);
 
 }  // namespace kinetri::detail

@@ -21,12 +21,12 @@
 
 namespace kinetri::detail {
 
-/// Where a place is.
+/// Where a position is.
 template <class Traits>
 struct Kinetic_types<Traits>::Location {
   Face_handle face;  ///< infinite beyond the hull
   typename Triangulation::Locate_type locus = Triangulation::FACE;
-  int index = 0;  ///< of the edge or vertex, if the place is on one
+  int index = 0;  ///< of the edge or vertex, if the position is on one
 };
 
 /// Vertices, faces, and the points at the vertices.
@@ -145,7 +145,7 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
     edge.there.first->set_event(edge.there.second, handle);
   }
 
-  // ---- places ----
+  // ---- positions ----
 
   /// Where a point stands at the instant of the predicates, searched from `start`, or from
   /// anywhere. Precondition: dimension 2.

@@ -131,10 +131,11 @@ auto Kinetic_types<Traits>::Topology::hull_turn(const Two_sided_edge& infinite_e
   return {there, right, here};
 }
 
-// ---- places ----
+// ---- positions ----
 
 // The nearest of some points, about as many as the third root of all, in doubles, if there is a way
-// to round places. The walk from there passes about as many triangles. [Muecke, Saias and Zhu 1996]
+// to round positions. The walk from there passes about as many triangles. [Muecke, Saias and Zhu
+// 1996]
 template <class Traits>
 auto Kinetic_types<Traits>::Topology::vertex_near(const Point_2& point, double time) const
     -> Vertex_handle {

@@ -43,7 +43,7 @@ class Kinetic_types<Traits>::Updates {
   /// predicates. The vertex stays, without faces. What it has hidden is hidden by others then, or
   /// revealed. Precondition: edges are noted.
   void take_out(Vertex_handle v);
-  /// Puts a vertex without faces in at its place: it splits the triangle or edge that it is in.
+  /// Inserts a vertex without faces at its position: it splits the triangle or edge that it is in.
   /// Inside the hull edges are flipped as in a static triangulation, before any certificate is
   /// made. The certificates of its edges are in the given state. Precondition: edges are noted.
   void put_in(Vertex_handle v, const Location& location,

@@ -146,8 +146,8 @@ class Voronoi_sides {
   }
 
   // The point that is named as that across the side with `u`: of those with the same bisector in
-  // the same direction the farthest, the smallest id. In a place beyond the side, and near to it,
-  // that one is nearer than the others.
+  // the same direction the farthest, the smallest id. At a position just beyond the side, it is
+  // nearer than the others.
   Vertex_handle named_across(Vertex_handle u) const {
     if constexpr (!is_weighted) return at_.kinetic().vertex(at_.all_at(u).front());
     Vertex_handle result = u;
@@ -173,7 +173,7 @@ class Voronoi_sides {
       }
     }
     if (elsewhere.empty()) return {};
-    // The place of a point without weight is inside all half planes, on the boundary of none.
+    // The position of a point without weight is inside all half planes, on the boundary of none.
     const bool is_inside = !is_weighted || std::ranges::all_of(elsewhere, [&](Vertex_handle u) {
       return at_.compare_power(v_, v_, u) == CGAL::SMALLER;
     });
@@ -213,7 +213,7 @@ class Voronoi_sides {
     return result;
   }
 
-  // The intersection, if the place of the point is inside all half planes: a scan as Graham's,
+  // The intersection, if the position of the point is inside all half planes: a scan as Graham's,
   // by direction, takes those away that bound nothing, or only a point: of three neighbors the
   // middle one, if it is not inside the oriented circle through the point and the other two (if
   // these are half a turn apart or more, it always is: each is less than half a turn from the
