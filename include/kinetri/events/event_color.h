@@ -12,8 +12,8 @@
 namespace kinetri {
 
 /// The color of the kind in every picture, as `#rrggbb` in sRGB. Its contrast with the page, light
-/// or dark, is at least 3 : 1 (WCAG 2.2, success criterion 1.4.11), and readers with any kind of
-/// color blindness can tell the kinds apart. Constant time.
+/// or dark, is at least 3 : 1 (WCAG 2.2, success criterion 1.4.11), and no two kinds look the same
+/// with protanopia, deuteranopia or tritanopia. Constant time.
 std::string_view color(Event_kind kind);
 
 }  // namespace kinetri

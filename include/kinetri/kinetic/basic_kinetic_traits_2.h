@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The models of KineticTraits_2: points that move along straight lines with constant velocity, the
-// default, and points whose coordinates are polynomials of degree at most 3 in time; and discs of
-// which the centers move so.
+// The models of KineticTraits_2: points in linear motion, the default; points whose coordinates are
+// polynomials of degree at most 3 in time; and discs whose centers move in either way.
 #ifndef KINETRI_KINETIC_BASIC_KINETIC_TRAITS_2_H
 #define KINETRI_KINETIC_BASIC_KINETIC_TRAITS_2_H
 
@@ -23,8 +22,8 @@
 
 namespace kinetri {
 
-/// The predicates at an instant of one kind of motion: of motions with weights, those of regular
-/// triangulations too.
+/// The predicates at an instant of one kind of motion; with weights, also those of regular
+/// triangulations.
 template <class Motion>
 struct Instantaneous_traits_type {
   using type = Basic_instantaneous_traits_2<Motion>;  ///< without weights
@@ -42,7 +41,7 @@ using Instantaneous_traits_of = typename Instantaneous_traits_type<Motion>::type
 /// degree d (linear: 1, polynomial: at most 3) they are polynomials in time: in-circle of degree at
 /// most 4d, orientation 2d, coincidence d; of discs, coincidence 2d at most. Every failure time is
 /// exact. Cost: some hundred floating-point operations (polynomial: a thousand) if the filter
-/// decides (src/kinetic/filter), else exact arithmetic, a thousand times that.
+/// (src/kinetic/filter) decides, else exact arithmetic, which costs about a thousand times as much.
 template <class MotionType>
 class Basic_kinetic_traits_2 {
  public:
@@ -56,7 +55,7 @@ class Basic_kinetic_traits_2 {
 
   /// Traits with the filter.
   Basic_kinetic_traits_2() = default;
-  /// Traits that decide by the given means; the decisions are the same.
+  /// Traits with the given arithmetic; the decisions are the same.
   explicit Basic_kinetic_traits_2(Arithmetic arithmetic) : arithmetic_(arithmetic) {}
 
   /// @{
@@ -131,7 +130,7 @@ class Basic_kinetic_traits_2 {
   /// @}
 
   /// @{
-  /// The predicates at an instant, or at that of a clock, in the same arithmetic.
+  /// The predicates at an instant, or at the instant of a clock, in the same arithmetic.
   Instantaneous_traits instantaneous_traits(Instant instant) const {
     return Instantaneous_traits(std::move(instant), arithmetic_);
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The certificate: what is known, from some time on, of a condition on moving points that holds as
-// long as a polynomial in time stays positive. A traits class makes certificates
-// (kinetic_traits_2.h), the queue holds them.
+// long as a polynomial in time is not negative. A traits class makes certificates
+// (kinetic_traits_2.h).
 #ifndef KINETRI_KINETIC_CERTIFICATE_H
 #define KINETRI_KINETIC_CERTIFICATE_H
 
@@ -17,8 +17,8 @@
 namespace kinetri {
 
 /// What is known of a condition from a time t on. The *failure time* is the infimum of the times
-/// after t at which the condition is violated: t itself if it is violated just after t, and none if
-/// it is never violated. It is exact.
+/// after t at which the condition is violated: t itself if it is violated just after t; there is
+/// none if it is never violated. It is exact.
 struct Certificate {
   /// How much is known.
   enum class Kind : std::uint8_t {
@@ -30,7 +30,7 @@ struct Certificate {
   };
   /// What decided.
   enum class Means : std::uint8_t {
-    none,            ///< nothing: there was nothing to decide
+    none,            ///< nothing had to be decided
     filter,          ///< floating point with a proved error bound
     refined_filter,  ///< the filter, which had to subdivide or to narrow a root
     exact,           ///< exact arithmetic
@@ -38,23 +38,23 @@ struct Certificate {
 
   Kind kind = Kind::never_fails;  ///< how much is known
   Double_interval bounds = {};    ///< of `holds` and `fails`
-  /// The failure time, if it had to be made already. Otherwise the polynomial of the condition
-  /// changes its sign there, and has no other root within `bounds`.
+  /// The failure time, if it has been made. Otherwise the polynomial of the condition changes its
+  /// sign at the failure, and has no other root within `bounds`.
   std::unique_ptr<Algebraic_number> failure = nullptr;
   /// If false, the polynomial is certainly positive from just after t on until it fails.
   bool may_vanish = false;
   Means means = Means::none;    ///< what decided
-  bool is_root_solved = false;  ///< whether a root was looked for
+  bool is_root_solved = false;  ///< whether a root was computed
 };
 
-/// What is known of the time after which a certificate is wanted.
+/// What is known of the polynomial at the time from which on a certificate is asked for.
 enum class Certificate_state : std::uint8_t {
   any,       ///< nothing
   vanishes,  ///< the in-circle or orientation polynomial vanishes at that time, at which its
              ///< negation has failed: the edge has just been flipped
 };
 
-// Without branches, which nothing could predict.
+// Without branches, which would be mispredicted.
 KINETRI_ALWAYS_INLINE void Certificate_counters::count(const Certificate& certificate) {
   const auto means = static_cast<unsigned>(certificate.means);
   const unsigned is_exact = means == static_cast<unsigned>(Certificate::Means::exact) ? 1 : 0;

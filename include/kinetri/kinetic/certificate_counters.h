@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is counted of certificates; without exact numbers, for what only shows the counts.
+// Counts of certificates; without exact numbers, for code that only shows the counts.
 #ifndef KINETRI_KINETIC_CERTIFICATE_COUNTERS_H
 #define KINETRI_KINETIC_CERTIFICATE_COUNTERS_H
 
@@ -14,10 +14,10 @@ struct Certificate;
 
 /// How many certificates were made, and which means decided each.
 struct Certificate_counters {
-  std::uint64_t created = 0;          ///< certificates about which something had to be decided
-  std::uint64_t root_solves = 0;      ///< certificates for which a root was looked for
+  std::uint64_t created = 0;          ///< certificates for which something had to be decided
+  std::uint64_t root_solves = 0;      ///< certificates for which a root was computed
   std::uint64_t filter_decided = 0;   ///< decided by floating point with a proved error bound
-  std::uint64_t refined_decided = 0;  ///< of these, where it had to subdivide or to narrow a root
+  std::uint64_t refined_decided = 0;  ///< of these, with subdivision or a narrowed root
   std::uint64_t exact_decided = 0;    ///< decided by exact arithmetic
 
   /// Counts a certificate. Defined in kinetri/kinetic/certificate.h.

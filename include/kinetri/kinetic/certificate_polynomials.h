@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The geometric predicates of moving points as polynomials in time: the sign of the polynomial at t
-// is the value of the predicate at t. Both the kinetic certificates (whose failure times are roots
-// of these) and the predicates at an instant are made from them, so there is one formula for each.
+// is the value of the predicate at t. The certificates, whose failure times are roots of these
+// polynomials, and the predicates at an instant share these formulas.
 //
 // With motions of degree d (linear: 1, polynomial: at most 3) the degrees are: x or y difference d,
-// orientation 2d, distance difference 2d, in-circle 4d. For constructed points they are higher, and
-// the denominators are multiplied in with the sign that keeps the predicate right; if a
-// denominator vanishes the sign is 0. Cost: tens of products of small polynomials with exact
-// integer coefficients.
+// orientation 2d, distance difference 2d, in-circle 4d. For constructed points they are higher:
+// denominators are multiplied in such that the sign stays right; if one vanishes, the sign is 0.
+// Cost: tens of products of small polynomials with exact integer coefficients.
 //
 // `Point` is Basic_moving_point_2 of one of the motions.
 #ifndef KINETRI_KINETIC_CERTIFICATE_POLYNOMIALS_H
@@ -43,9 +42,10 @@ Polynomial orientation_polynomial(const Point& p, const Point& q, const Point& r
 ///     | dqx  dqy  dqx^2 + dqy^2 - dqw |
 ///     | drx  dry  drx^2 + dry^2 - drw |
 ///
-/// dpw is the weight of p minus that of s, which is zero for points. Of weighted points the circle
-/// is the power circle of p, q, r, to which the three are orthogonal, and s lies inside of it if
-/// its power product with it is negative: the sign of CGAL's power_side_of_oriented_power_circle_2.
+/// dpw is the weight of p minus that of s, which is zero for points without weights. For weighted
+/// points the circle is the power circle of p, q, r, which is orthogonal to the three, and s lies
+/// inside if its power product with that circle is negative: the sign of CGAL's
+/// power_side_of_oriented_power_circle_2.
 ///
 /// Source: L. Guibas, J. Stolfi, Primitives for the manipulation of general subdivisions and the
 /// computation of Voronoi diagrams, ACM Transactions on Graphics 4(2), 1985, section 8.
@@ -75,10 +75,10 @@ Polynomial weight_difference(const Point& p, const Point& q);
 template <class Point>
 Polynomial power_distance_difference(const Point& p, const Point& q, const Point& r);
 
-/// If p, q, r are collinear and p and r are apart: positive if q, lifted by x^2 + y^2 -
-/// weight, is below the line through p and r, lifted. So between p and r the point q is hidden by
-/// the two if this is negative. For q as the last argument it is the sign of CGAL's
-/// power_side_of_oriented_power_circle_2 of three points. Degree 4d.
+/// Positive if q, lifted by x^2 + y^2 - weight, is below the lifted line through p and r; so p and
+/// r hide a point q between them if it is negative. The sign of CGAL's
+/// power_side_of_oriented_power_circle_2(p, r, q). Precondition: p, q, r are collinear, and p and r
+/// are apart. Degree 4d.
 template <class Point>
 Polynomial segment_polynomial(const Point& p, const Point& q, const Point& r);
 
@@ -87,15 +87,15 @@ Polynomial segment_polynomial(const Point& p, const Point& q, const Point& r);
 template <class Point>
 Polynomial perturbed_segment_polynomial(const Point& p, const Point& q, const Point& r);
 
-/// The scalar product of p - q and r - q. With p, q, r collinear it is negative exactly if q
+/// The scalar product of p - q and r - q. If p, q, r are collinear, it is negative if and only if q
 /// lies strictly between p and r.
 template <class Point>
 Polynomial scalar_product_polynomial(const Point& p, const Point& q, const Point& r);
 
-/// Sign of |p-q|^2 - (diameter + radius of p + radius of q)^2: positive if discs of that
-/// diameter about points p and q, which have no radius, are apart, or the discs p and q by that
-/// distance at least. Degree 2d. Precondition: the diameter is finite, and the sum in brackets is
-/// not negative.
+/// Sign of |p-q|^2 - (diameter + radius of p + radius of q)^2: positive if the two are apart: for
+/// points without radii, the discs of that diameter about them; for discs p and q, their boundaries
+/// by more than `diameter`. Degree 2d. Precondition: the diameter is finite, and the sum in
+/// brackets is not negative.
 template <class Point>
 Polynomial contact_polynomial(const Point& p, const Point& q, double diameter);
 
@@ -105,14 +105,14 @@ template <class Point>
 Polynomial distance_comparison_polynomial(const Point& p, const Point& q, const Point& r,
                                           const Point& s);
 
-/// Sign of the distance from p, or from its rim if the wall is one for rims, to the exact bound of
-/// the wall: positive inside, zero at the bound.
-/// Precondition: the numbers of the wall are finite.
+/// Sign of the distance from p (or, if `wall.rim`, from the boundary circle of the disc p) to the
+/// exact bound of the wall: positive inside, zero at the bound. Precondition: the numbers of the
+/// wall are finite.
 template <class Point>
 Polynomial wall_polynomial(const Point& p, const Wall_2& wall);
 
-/// The trajectory of the center of the circle through p, q, r, whatever their weights.
-/// Precondition: p, q, r are not collinear at all times.
+/// The trajectory of the center of the circle through p, q, r; weights do not count. Precondition:
+/// p, q, r are not collinear at all times.
 template <class Point>
 Trajectory_2 circumcenter_trajectory(const Point& p, const Point& q, const Point& r);
 

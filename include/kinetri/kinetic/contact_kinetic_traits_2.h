@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The concept ContactKineticTraits_2: what walls and colliding discs ask of a model of motion,
-// beyond KineticTraits_2.
+// The concept ContactKineticTraits_2: what walls, colliding discs and ranges require of a model of
+// motion, beyond KineticTraits_2.
 #ifndef KINETRI_KINETIC_CONTACT_KINETIC_TRAITS_2_H
 #define KINETRI_KINETIC_CONTACT_KINETIC_TRAITS_2_H
 
@@ -13,16 +13,16 @@
 
 namespace kinetri {
 
-/// A model of KineticTraits_2 with two conditions more. Their certificates fail at a *contact*: two
-/// discs, or a point and a wall, that touch or overlap *and* approach each other. So a certificate
-/// fails at `t` itself if the two touch or overlap at `t` while they approach; then it makes no
-/// difference on which side of a contact the rounding of a response has put them. A touch without
-/// approach (two discs that pass at just the distance of their diameter) is no contact.
+/// A model of KineticTraits_2 with certificates of contacts and of distances. A *contact*: two
+/// discs, or a point and a wall, touch or overlap *and* approach each other. So the certificate of
+/// a contact fails at `t` itself if the two touch or overlap at `t` while they approach; it does
+/// not matter on which side of a contact the rounding of a response has put them. A touch without
+/// approach is not a contact: for example, two discs pass each other at exactly their diameter.
 ///
 /// | Function | Result |
 /// |---|---|
 /// | `contact_certificate(p, q, diameter, t)` | fails at the contact of the discs about p and q |
-/// | `next_contact_certificate(p, q, diameter, t)` | fails at the contact after a parting |
+/// | `next_contact_certificate(p, q, diameter, t)` | fails at the first contact after they were apart |
 /// | `wall_certificate(p, wall, t)` | fails at the contact of p and the bound of the wall |
 /// | `contact_failure(p, q, diameter, bounds)` | the failure time, from a certificate's bounds |
 /// | `wall_failure(p, wall, bounds)` | the failure time, from a certificate's bounds |
@@ -30,43 +30,40 @@ namespace kinetri {
 /// | `has_approach_speed(p, q, t)` | whether the derivative of their squared distance is negative |
 /// | `has_approach_speed(p, wall, t)` | whether p has a velocity at t that is outward |
 /// | `do_touch(p, q, diameter, t)` | whether their distance at t is at most the diameter |
-/// | `may_overlap(p, q, diameter, t)` | whether it is less just after t; or true if unsure: fast |
+/// | `may_overlap(p, q, diameter, t)` | whether it is less just after t; true if unsure; fast |
 /// | `is_inside(p, wall, t)` | whether p is on the inner side of the bound at t, or at it |
 ///
 /// Points that are discs themselves (HasWeight) add their radii at each time to `diameter`, which
-/// is 0 in the usual case, and to the clearance of a wall for rims. What approaches then is their
-/// rims: in place of the squared distance of p and q its excess over the square of the sum of the
-/// radii decreases, which at a contact has the same sign as the distance of the rims. Precondition:
-/// diameter and radii add up to no negative number; so whoever uses the certificate knows that
-/// radii which shrink are not negative at the times that matter.
+/// is then usually 0, and to the clearance of a wall with `rim`. They approach if their boundaries
+/// do: if the squared distance of p and q minus the square of the sum of diameter and radii
+/// decreases. Precondition: the sum of diameter and radii is not negative at the times of interest;
+/// the caller checks for radii that reach zero.
 ///
 /// A contact certificate of two discs that are certainly apart just after t has `may_vanish` unset.
 ///
-/// Only the first contact of a pair matters. `next_contact_certificate` gives the first contact
-/// after the discs have been apart once, from t on: for discs that a response has left in contact.
+/// Only the first contact of a pair matters. For discs that a response has left in contact,
+/// `next_contact_certificate` gives the first contact after they have been apart.
 ///
-/// Certificates of distances, for who asks which points are near. What they are about is closed: at
-/// most `range` apart includes a touch. Discs with radii of their own are apart by the gap between
-/// their rims.
+/// Certificates of distances tell which points are near. "At most `range` apart" includes equality.
+/// The distance of discs with radii is the gap between their boundaries.
 ///
 /// | Function | Result |
 /// |---|---|
 /// | `apart_certificate(p, q, range, t)` | fails when they are at most `range` apart |
-/// | `next_apart_certificate(p, q, range, t)` | the same after a parting at t |
+/// | `next_apart_certificate(p, q, range, t)` | the same for two that separate at t |
 /// | `near_certificate(p, q, range, t)` | fails when they are farther apart |
 /// | `contact_failure(p, q, range, bounds)` | the failure time of all three, from bounds |
 /// | `closer_certificate(p, q, r, s, t)` | fails when pq is longer than rs |
 /// | `closer_failure(p, q, r, s, bounds)` | the failure time, from bounds |
 ///
-/// `apart_certificate` fails, unlike the others, when its polynomial is zero without being
-/// negative after that: at a touch from outside, be it of no duration, and at `t` itself if they
-/// are not farther apart than `range` at `t`. `next_apart_certificate` is for two that are `range`
-/// apart at `t` and farther apart just after it: it fails at the next such time. The others fail at
-/// the infimum of the times after t at which their condition is violated. `closer_certificate` is
-/// about the points, without radii.
+/// Unlike the others, `apart_certificate` fails as soon as its polynomial is zero, even if only for
+/// a moment, and at `t` itself if the two are at most `range` apart at `t`.
+/// `next_apart_certificate` is for two that are `range` apart at `t` and farther apart just after
+/// it: it fails at the next such time. The others fail at the infimum of the times after t at which
+/// their condition is violated. `closer_certificate` ignores radii.
 ///
-/// And what responses need of a motion, with binary64 numbers (see Linear_motion_2):
-/// `rounded_place(motion, t)`, `rounded_velocity(motion, t)`,
+/// Responses to contacts need these functions of a motion, with binary64 numbers (see
+/// Linear_motion_2): `rounded_place(motion, t)`, `rounded_velocity(motion, t)`,
 /// `with_velocity_at(motion, velocity, t)`, `at_rest_at(motion, t)`, `is_at_rest(motion)`, and
 /// `clamped_inside(motion, wall, times)`.
 template <class Traits>

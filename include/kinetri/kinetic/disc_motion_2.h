@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The motion of a disc: that of its center, and a radius that grows at a constant rate. More
-// generally a moving point with a weight, as regular triangulations and power diagrams have it: a
-// disc has the square of its radius as its weight.
+// The motion of a disc: that of its center, and a radius that changes at a constant rate. More
+// generally, of a moving point with a weight, as in regular triangulations and power diagrams; the
+// weight of a disc is the square of its radius.
 #ifndef KINETRI_KINETIC_DISC_MOTION_2_H
 #define KINETRI_KINETIC_DISC_MOTION_2_H
 
@@ -24,9 +24,9 @@ namespace kinetri {
 ///     radius + growth * (t - epoch),
 ///
 /// an exact polynomial over the rationals in t. Its weight at time t is the square of that, plus
-/// `weight`: a point whose weight is a given number, of either sign, has the radius 0 and that
-/// `weight`; a disc has the `weight` 0. The power of a position x to it is the squared distance of
-/// x and the center minus the weight. All numbers are finite (`is_finite`).
+/// `weight`, which is 0 for a disc; a point with a given weight of either sign has radius and
+/// growth 0 and that `weight`. The power of a position to it is the squared distance to the center
+/// minus the weight. All numbers are finite (`is_finite`).
 template <class CentreMotion>
 struct Basic_disc_motion_2 : CentreMotion {
   using Centre_motion = CentreMotion;  ///< of the center; it has the epoch
@@ -51,7 +51,7 @@ concept HasWeight = requires(const Motion& motion) {
   { motion.radius + motion.growth + motion.weight } -> std::same_as<double>;
 };
 
-/// The motion of the position: of a disc, that of its center, and else the motion itself.
+/// The motion of the center of a disc; any other motion itself.
 template <class Motion>
 const auto& centre(const Motion& motion) {
   if constexpr (HasWeight<Motion>) {
@@ -68,8 +68,8 @@ using Centre_motion_of = std::remove_cvref_t<decltype(centre(std::declval<const 
 /// The same disc, as one whose center may accelerate.
 Polynomial_disc_motion_2 polynomial_motion(const Disc_motion_2& disc);
 
-// As for Linear_motion_2, where `Disc` is Disc_motion_2 or Polynomial_disc_motion_2. What is said
-// of a motion without a radius, such as `rounded_place`, is said of that of the center.
+// As for Linear_motion_2, where `Disc` is Disc_motion_2 or Polynomial_disc_motion_2. Functions of
+// motions without radii, such as `rounded_place`, concern the center.
 
 /// @{
 /// Whether all numbers are finite.
@@ -89,8 +89,8 @@ bool have_equal_weights(const Disc_motion_2& a, const Disc_motion_2& b);
 bool have_equal_weights(const Polynomial_disc_motion_2& a, const Polynomial_disc_motion_2& b);
 /// @}
 
-/// The radius at time t, rounded: for what is shown, not for what is decided. It has an error of a
-/// few units in the last place of the largest term of the formula.
+/// The radius at time t, rounded, for output, not for decisions. The error is a few units in the
+/// last place of the largest term of the formula.
 template <class CentreMotion>
 double rounded_radius(const Basic_disc_motion_2<CentreMotion>& disc, double t) {
   return disc.radius + disc.growth * (t - disc.epoch);
@@ -108,8 +108,8 @@ double rounded_weight(const Basic_disc_motion_2<CentreMotion>& disc, double t) {
 template <class CentreMotion>
 double weight_error(const Basic_disc_motion_2<CentreMotion>& disc, double t,
                     const Double_interval& times) {
-  // The radius is made with three roundings, the weight with two more, each of at most two unit
-  // roundoffs in any rounding mode.
+  // The radius has three roundings, the weight two more, each of at most two unit roundoffs in any
+  // rounding mode.
   const double radius = std::abs(rounded_radius(disc, t));
   const double change = std::abs(disc.growth) * std::abs(t - disc.epoch);
   const double radius_error = disc.growth == 0
@@ -124,10 +124,10 @@ double weight_error(const Basic_disc_motion_2<CentreMotion>& disc, double t,
 /// @{
 /// The disc with the epoch `t` and the given velocity that starts from the position of `disc` at t,
 /// with its radius there and its growth; the position is rounded as for a point. A radius that does
-/// not change is not rounded. One that does is rounded down, by at least as much as the position
-/// may be off, but not below zero: from a time within half a unit in the last place of t on, the
-/// new disc begins inside of the old one. So two growing discs that touch at such a time do not
-/// overlap there after both have been continued so, unless one is as small as the rounding.
+/// not change is not rounded. One that does is rounded down, by at least the error of the position,
+/// but not below zero, so that at times within half a unit in the last place of t the new disc is
+/// inside the old one. So two growing discs that touch at such a time do not overlap after both
+/// have been continued, unless one is as small as the rounding.
 Disc_motion_2 with_velocity_at(const Disc_motion_2& disc, const Vector_2& velocity, double t);
 Polynomial_disc_motion_2 with_velocity_at(const Polynomial_disc_motion_2& disc,
                                           const Vector_2& velocity, double t);
@@ -152,8 +152,8 @@ bool is_at_rest(const Basic_disc_motion_2<CentreMotion>& disc) {
 }
 
 /// @{
-/// As for points, about the center or, if the wall is one for rims, about the rim: the position of
-/// the disc is changed, by about as little as is needed, and not its radius.
+/// As for points, for the center or, if `wall.rim`, for the boundary circle: changes the position
+/// of the disc, by about as little as necessary, and not its radius.
 Disc_motion_2 clamped_inside(const Disc_motion_2& disc, const Wall_2& wall,
                              const Double_interval& times);
 Polynomial_disc_motion_2 clamped_inside(const Polynomial_disc_motion_2& disc, const Wall_2& wall,

@@ -2,7 +2,6 @@
 //
 // An instant: a time and a side of it. "Just after t" means: throughout some open interval that
 // begins at t. A structure that is right just after t is right until its next certificate fails.
-// And the clock that shows one instant after another.
 #ifndef KINETRI_KINETIC_INSTANT_H
 #define KINETRI_KINETIC_INSTANT_H
 
@@ -20,18 +19,18 @@ enum class Time_side {
   after,   ///< throughout some open interval that begins at the time
 };
 
-/// A time, and on which side of it.
+/// A time and a side of it.
 struct Instant {
   Algebraic_number time;           ///< exact
   Time_side side = Time_side::at;  ///< of the time
 };
 
-/// The present instant of predicates that follow it: those of all traits that are made from the
-/// clock, and of their copies (Basic_instantaneous_traits_2). Only the clock can change it. It has
-/// no copies: who owns it, and nobody else, moves a triangulation on such traits in time.
+/// The present instant of all traits made from the clock, and of their copies
+/// (Basic_instantaneous_traits_2). Only the owner of the clock, which cannot be copied, moves a
+/// triangulation with such traits in time.
 class Instant_clock {
  public:
-  /// Shows the given instant; by default 0, at it.
+  /// Shows the given instant; by default at time 0.
   explicit Instant_clock(Instant instant = {})
       : instant_(std::make_shared<Instant>(std::move(instant))) {}
 
@@ -41,13 +40,12 @@ class Instant_clock {
   /// The present instant.
   const Instant& instant() const { return *instant_; }
 
-  /// Shows another instant. No other thread may use the clock, or what follows it, meanwhile. Cost:
-  /// none. What was built on predicates that follow the clock stays right only if no certificate
-  /// fails on the way.
+  /// Shows another instant. No other thread may use the clock, or traits made from it, meanwhile.
+  /// O(1). Structures that use such traits stay right only if no certificate fails in between.
   // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved
   void set(Instant instant) { *instant_ = std::move(instant); }
 
-  /// The present instant, for what follows the clock and may outlive it.
+  /// The present instant, for users of the clock that may outlive it.
   std::shared_ptr<const Instant> shared_instant() const { return instant_; }
 
  private:

@@ -2,8 +2,7 @@
 //
 // A model of CGAL's TriangulationTraits_2 and DelaunayTriangulationTraits_2 whose points move and
 // whose predicates are evaluated, exactly, at one instant. CGAL::Delaunay_triangulation_2 on top of
-// it inserts, removes, locates and dualizes moving points as they stand at that instant, one-sided
-// instants included.
+// it works on the points at that instant, which may be one-sided.
 #ifndef KINETRI_KINETIC_INSTANTANEOUS_TRAITS_2_H
 #define KINETRI_KINETIC_INSTANTANEOUS_TRAITS_2_H
 
@@ -16,31 +15,30 @@
 
 namespace kinetri {
 
-/// Whether decisions are left to floating point if it is certain, or always made exactly. The
-/// decisions are the same.
+/// How predicates and certificates are computed. The results are the same.
 enum class Arithmetic {
-  filtered,    ///< exact arithmetic if floating point does not decide
-  exact_only,  ///< exact arithmetic alone: slow, for tests and audits
+  filtered,    ///< floating point, and exact arithmetic if that does not decide
+  exact_only,  ///< exact arithmetic only: slow, for tests and audits
 };
 
 template <HasWeight Motion>
 class Basic_weighted_instantaneous_traits_2;
 
 /// The traits: a model of TriangulationTraits_2 and DelaunayTriangulationTraits_2, as CGAL 5.5 to
-/// 6.1 document and use them. They stand at one instant, or follow a clock; so do copies, and the
-/// triangulation that copies them. Only the clock can change the instant. Several threads may use
-/// the traits and their copies at once, but not while one sets the clock.
+/// 6.1 document and use them. Their instant is fixed, or that of a clock; copies, also those in a
+/// triangulation, share it. Several threads may use the traits and their copies at once, but not
+/// while one sets the clock.
 ///
-/// Predicates are exact at every instant. The constructions give moving points or pairs of them:
+/// Predicates are exact at every instant. The constructions give moving points or pairs of them: a
 /// circumcenter is a point whose coordinates are rational functions of time; a line is the bisector
-/// of two points; a ray is a source and a line. A predicate is good as long as the traits, a copy
-/// of them or the clock is there. Cost of a predicate: tens to hundreds of floating-point
-/// operations if the filter decides, else the signs of one polynomial
-/// (certificate_polynomials.h) at the instant.
+/// of two points; a ray is a source and a line. A predicate is valid as long as the traits, a copy
+/// of them or the clock exists. Cost of a predicate: tens to hundreds of floating-point operations
+/// if the filter decides, else the signs of one polynomial (certificate_polynomials.h) at the
+/// instant.
 template <class Motion>
 class Basic_instantaneous_traits_2 {
  public:
-  using Point_2 = Basic_moving_point_2<Motion>;  ///< what the predicates are about
+  using Point_2 = Basic_moving_point_2<Motion>;  ///< the points
   /// The segment between two moving points.
   struct Segment_2 {
     Point_2 source;  ///< where it begins
@@ -63,13 +61,13 @@ class Basic_instantaneous_traits_2 {
     Line_2 line;     ///< where it goes
   };
 
-  /// The instant 0, at it.
+  /// At time 0.
   Basic_instantaneous_traits_2() : Basic_instantaneous_traits_2(Instant{}) {}
-  /// The given instant; all decisions are made by the given means.
+  /// At the given instant, in the given arithmetic.
   explicit Basic_instantaneous_traits_2(Instant instant,
                                         Arithmetic arithmetic = Arithmetic::filtered)
       : instant_(std::make_shared<const Instant>(std::move(instant))), arithmetic_(arithmetic) {}
-  /// The present instant of the clock, whatever it shows. The clock may go before the traits do.
+  /// At the present instant of the clock, also after it changes. The traits may outlive the clock.
   explicit Basic_instantaneous_traits_2(const Instant_clock& clock,
                                         Arithmetic arithmetic = Arithmetic::filtered)
       : instant_(clock.shared_instant()), arithmetic_(arithmetic) {}
@@ -99,8 +97,8 @@ class Basic_instantaneous_traits_2 {
     Sign below_segment(const Point_2& p, const Point_2& q, const Point_2& r) const;
 
    private:
-    // What `filter` knows of the motions of the points, and else the sign of the polynomial that
-    // `formula` makes of their trajectories.
+    // The sign that `filter` computes from the motions of the points or, if it does not know, that
+    // of the polynomial that `formula` computes from their trajectories.
     template <class Filter, class Formula, class... Points>
     Sign sign(const Filter& filter, const Formula& formula, const Points&... points) const;
     template <class Filter, class Formula, class... Points>
@@ -160,7 +158,7 @@ class Basic_instantaneous_traits_2 {
       return this->y_order(p, q) == CGAL::NEGATIVE;
     }
   };
-  /// The turn of three points.
+  /// The orientation of three points.
   struct Orientation_2 : Predicate {
     using Predicate::Predicate;
     /// Whether p, q, r make a left turn, a right turn, or are collinear.
@@ -168,14 +166,14 @@ class Basic_instantaneous_traits_2 {
       return this->orientation(p, q, r);
     }
   };
-  /// The position of a point beside a circle.
+  /// The side of a circle on which a point is.
   struct Side_of_oriented_circle_2 : Predicate {
     using Predicate::Predicate;
     /// On which side of the circle through p, q, r the point s is: the positive one is to the left
-    /// of the circle as it goes from p to q to r. On the boundary also if all four are
-    /// collinear. Of points with weights it is the power circle (in_circle_polynomial). Just before
-    /// and just after a time the sign is that of perturbed_in_circle_polynomial: points are on the
-    /// boundary only if all four are collinear, or two are the same.
+    /// of the circle as it goes from p to q to r. If all four are collinear, s is on the boundary.
+    /// With weights the circle is the power circle (in_circle_polynomial). Just before and just
+    /// after a time the sign is that of perturbed_in_circle_polynomial: s is on the boundary only
+    /// if all four are collinear, or two are the same.
     CGAL::Oriented_side operator()(const Point_2& p, const Point_2& q, const Point_2& r,
                                    const Point_2& s) const {
       return this->in_circle(p, q, r, s);
@@ -236,7 +234,7 @@ class Basic_instantaneous_traits_2 {
   };
 
   /// @{
-  /// The function object of the concept, at the instant of this object from then on.
+  /// The function object of the concept, at the instant of these traits.
   Compare_x_2 compare_x_2_object() const { return Compare_x_2(*this); }
   Compare_y_2 compare_y_2_object() const { return Compare_y_2(*this); }
   Compare_xy_2 compare_xy_2_object() const { return Compare_xy_2(*this); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The concept KineticTraits_2: what the kinetic triangulation asks of a model of motion. And the
-// concepts BatchKineticTraits_2: several certificates in one call, which a model offers for speed;
-// and WeightedKineticTraits_2: points with weights, such as discs.
+// The concepts KineticTraits_2, what the kinetic triangulation requires of a model of motion;
+// BatchKineticTraits_2, several certificates in one call, for speed; and WeightedKineticTraits_2,
+// points with weights, such as discs.
 #ifndef KINETRI_KINETIC_KINETIC_TRAITS_2_H
 #define KINETRI_KINETIC_KINETIC_TRAITS_2_H
 
@@ -18,23 +18,23 @@
 
 namespace kinetri {
 
-/// A motion that can go on with another velocity: `with_velocity_at(motion, velocity, t)` is the
-/// motion from then on, as for Linear_motion_2.
+/// A motion whose velocity can be changed: `with_velocity_at(motion, velocity, t)` is the motion
+/// from then on, as for Linear_motion_2.
 template <class Motion>
 concept MotionWithVelocity_2 = requires(const Motion motion, const Vector_2 velocity) {
   { with_velocity_at(motion, velocity, 1.0) } -> std::same_as<Motion>;
 };
 
-/// What the kinetic triangulation asks of a model of motion. The model has these types:
+/// What the kinetic triangulation requires of a model of motion. The model has these types:
 ///
 /// | Type | What it is |
 /// |---|---|
 /// | `Motion` | a trajectory, for which there are `is_finite` and `mirrored` |
-/// | `Point_2` | a moving point: made of a Motion and a Point_id, and gives both back |
+/// | `Point_2` | a moving point: constructed from a Motion and a Point_id, and returns both |
 /// | `Instantaneous_traits` | a model of CGAL's DelaunayTriangulationTraits_2 on `Point_2` |
 ///
-/// `mirrored(motion)` is the motion with -t in place of t. The position of a `Point_2` at a
-/// Rational time, by `position`, is for audits. Times are of type Algebraic_number.
+/// `mirrored(motion)` is the motion with -t in place of t. For audits, `point.position(t)` is the
+/// position at a Rational time. Times are of type Algebraic_number.
 ///
 /// These functions give certificates from the time `t` on; see Certificate. A certificate may stop
 /// short of the failure (Certificate::Kind::holds) if that saves work. For `...` read `t,
@@ -51,26 +51,25 @@ concept MotionWithVelocity_2 = requires(const Motion motion, const Vector_2 velo
 /// collinear or make a right turn, and there is none if p, q, r are collinear at all times. The
 /// failure of a coincidence certificate is the first time *strictly* after t at which p and q are
 /// at one position, and there is none if p and q are at one position at all times. The caller knows
-/// that p and q are apart before `among.lower`, and has no interest in a failure after
-/// `among.upper`. A coincidence certificate never fails, or has Certificate::failure.
+/// that p and q are apart between t and `among.lower`, and ignores failures after `among.upper`. A
+/// coincidence certificate never fails, or has Certificate::failure.
 ///
 /// | Function | Result |
 /// |---|---|
 /// | `in_circle_failure(p, q, r, s, bounds)` | the failure time, from a certificate's bounds |
 /// | `orientation_failure(p, q, r, bounds)` | the failure time, from bounds; for flatness too |
-/// | `instantaneous_traits(instant)` | the predicates at an instant, decided by the same means |
-/// | `instantaneous_traits(clock)` | the same at whatever instant an Instant_clock shows |
-/// | `exact()` | these traits, but deciding everything exactly; for audits |
+/// | `instantaneous_traits(instant)` | the predicates at an instant, in the same arithmetic |
+/// | `instantaneous_traits(clock)` | the same at the present instant of an Instant_clock |
+/// | `exact()` | these traits in exact arithmetic, for audits |
 ///
 /// The functions `..._failure` are called only for certificates without Certificate::failure.
 ///
-/// In-circle certificates, and CGAL's predicate just before and just after a time, leave no choice:
-/// while four points are cocircular, and not on a line, s is inside the circle or outside of it, as
-/// if points were lifted a little more than by x^2 + y^2 (perturbed_in_circle_polynomial). The two
-/// have to agree, and to be those of one lifting of all points. Then the triangulation is a
-/// function of motions and time.
+/// In-circle certificates, and CGAL's predicate just before and just after a time, perturb: while
+/// four points are cocircular and not collinear, s is inside or outside the circle, as if points
+/// were lifted by a little more than x^2 + y^2 (perturbed_in_circle_polynomial). Both must use the
+/// same lifting for all points. Then the triangulation is a function of motions and time.
 ///
-/// A traits object is used from several threads at once.
+/// Several threads use a traits object at once.
 template <class Traits>
 concept KineticTraits_2 = requires(const Traits traits, const typename Traits::Motion motion,
                                    const typename Traits::Point_2 p, const Algebraic_number t,
@@ -92,8 +91,8 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
   { traits.orientation_failure(p, p, p, bounds) } -> std::same_as<Algebraic_number>;
 };
 
-/// Traits that make several decisions in one call, for less than their sum. The triangulation uses
-/// these functions if the traits have them:
+/// Traits that make several certificates in one call, at less cost. The triangulation uses these
+/// functions if the traits have them:
 ///
 /// | Function | Result |
 /// |---|---|
@@ -101,17 +100,16 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
 /// | `certificates_after_flip(around, now)` | the five certificates after a flip |
 /// | `is_surrounded(p, around, now)` | whether p makes left turns with all points around it |
 ///
-/// After a flip the certificate of the flipped edge, the last one, vanishes at the time of the
-/// flip, of which only an interval `now` is given. Each certificate is that of
-/// `in_circle_certificate`, or unknown (Certificate::Kind::unknown); the triangulation then asks
-/// `in_circle_certificate`.
+/// The polynomial of the last of the five, the flipped edge, vanishes at the time of the flip,
+/// which is within `now`. Each certificate is that of `in_circle_certificate`, or unknown
+/// (Certificate::Kind::unknown); the triangulation then calls `in_circle_certificate`.
 ///
-/// `is_surrounded` is about p and each two successive points of `around`, the last and the first
-/// included, throughout `now`. False says nothing.
+/// `is_surrounded` concerns p and every two successive points of `around`, the last and the first
+/// included, throughout `now`. False means unknown.
 ///
-/// `Traits::Batches_of` is `Traits`. So a class that derives from such traits and overrides
-/// `in_circle_certificate` does not inherit batches that know nothing of that: it has batches only
-/// if it says so.
+/// `Traits::Batches_of` is `Traits`: a class that derives from such traits and redefines
+/// `in_circle_certificate` must define this type anew, so that it does not inherit batches that
+/// ignore its redefinition.
 template <class Traits>
 concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
     std::same_as<typename Traits::Batches_of, Traits> &&
@@ -125,12 +123,13 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
   { traits.is_surrounded(p, points, now) } -> std::same_as<bool>;
 };
 
-/// Traits of points with weights, such as discs: those of a regular triangulation. The
+/// Traits of points with weights, such as discs, for regular triangulations. The
 /// Instantaneous_traits are a model of CGAL's RegularTriangulationTraits_2 with Weighted_point_2 =
-/// Point_2 (Basic_weighted_instantaneous_traits_2), an in-circle certificate is about the power
-/// circle, and two points *coincide* if they have the same position and the same weight. There are
-/// four more certificates, which are always exact, and have Certificate::failure if they fail, and
-/// `have_equal_weights(motion, motion)` says whether two weights are equal at all times:
+/// Point_2 (Basic_weighted_instantaneous_traits_2), an in-circle certificate concerns the power
+/// circle, and two points *coincide* if they have the same position and the same weight.
+/// `have_equal_weights(motion, motion)` says whether two weights are equal at all times. There are
+/// four more certificates, which never stop short of the failure, and have Certificate::failure if
+/// they fail:
 ///
 /// | Function | Condition |
 /// |---|---|
@@ -142,8 +141,8 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
 /// An in-circle certificate of points whose weights differ fails at touches as well, with
 /// Certificate::failure: a triangle may turn over there, if its corners, lifted, are on one line.
 ///
-/// `certain_turn(p, q, r, now)` is the turn of the points throughout the interval `now` and
-/// just after it, or COLLINEAR if that is not certain: fast.
+/// `certain_turn(p, q, r, now)` is the orientation of the points throughout the interval `now` and
+/// just after it, or COLLINEAR if that is not certain; fast.
 ///
 /// The points p, q, r of a segment or hiding certificate are collinear at all times, and q is
 /// between p and r; `among` is that of a coincidence certificate. The first holds as long as q is

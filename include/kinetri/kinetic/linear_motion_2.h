@@ -21,7 +21,7 @@ struct Vector_2 {
 };
 
 /// The trajectory position + velocity * (t - epoch), an exact polynomial over the rationals in t.
-/// All five numbers are finite; whoever takes a motion from a user checks that (`is_finite`).
+/// All five numbers are finite (`is_finite`).
 struct Linear_motion_2 {
   Vector_2 position;  ///< the position at the epoch
   Vector_2 velocity;  ///< displacement per unit of time
@@ -37,8 +37,8 @@ bool is_finite(const Linear_motion_2& motion);
 /// Whether the two are at the same position at every time, exactly, whatever their epochs.
 bool same_trajectory(const Linear_motion_2& a, const Linear_motion_2& b);
 
-/// The position at time t, rounded: for what is shown, not for what is decided. It has an error of
-/// a few units in the last place of the largest term of the formula.
+/// The position at time t, rounded, for output, not for decisions. The error is a few units in the
+/// last place of the largest term of the formula.
 inline Vector_2 rounded_place(const Linear_motion_2& motion, double t) {
   const double elapsed = t - motion.epoch;
   return {motion.position.x + motion.velocity.x * elapsed,
@@ -56,15 +56,14 @@ inline double place_error(const Linear_motion_2& motion, double t, const Double_
          std::numeric_limits<double>::min();
 }
 
-/// The velocity at time t, which is the same at all times, exactly.
+/// The velocity, exactly; it is the same at all times.
 inline Vector_2 rounded_velocity(const Linear_motion_2& motion, double /*t*/) {
   return motion.velocity;
 }
 
 /// The motion with the epoch `t` and the given velocity that starts from the position of `motion`
-/// at t, each coordinate of it rounded to the nearest binary64 number, ties to even. With that
-/// rounding, of half a unit in the last place, a trajectory is continued; nothing else in the
-/// library is approximated. The coordinates are infinite if they are too large.
+/// at t, each coordinate of it rounded to the nearest binary64 number, ties to even. Coordinates
+/// that are too large become infinite.
 Linear_motion_2 with_velocity_at(const Linear_motion_2& motion, const Vector_2& velocity, double t);
 
 /// The motion at rest, from its position at t on, rounded as with_velocity_at does.
@@ -78,8 +77,8 @@ inline bool is_at_rest(const Linear_motion_2& motion) {
 }
 
 /// The motion itself if it is on the inner side of the wall, or at its bound, at every time in
-/// `times`; else with the position changed to the nearest one with which it is. Exact.
-/// Precondition: the bounds of `times` are finite.
+/// `times`; else the motion with the nearest position for which it is. Exact. Precondition: the
+/// bounds of `times` are finite.
 Linear_motion_2 clamped_inside(const Linear_motion_2& motion, const Wall_2& wall,
                                const Double_interval& times);
 

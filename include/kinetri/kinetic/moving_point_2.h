@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The moving point: what a vertex of the triangulation holds, and what the predicates at an instant
-// take. Usually an input point with its motion; the constructions of the traits (circumcenter) give
-// points whose coordinates are rational functions of time.
+// The moving point, which vertices store and predicates take: usually an input point with its
+// motion; circumcenters are points whose coordinates are rational functions of time.
 #ifndef KINETRI_KINETIC_MOVING_POINT_2_H
 #define KINETRI_KINETIC_MOVING_POINT_2_H
 
@@ -23,7 +22,7 @@ namespace kinetri {
 /// A trajectory in homogeneous coordinates: the position at time t is (x(t) / w(t), y(t) / w(t)),
 /// and the weight there is weight(t) / w(t)^2. It is undefined when w vanishes.
 struct Trajectory_2 : boost::intrusive_ref_counter<Trajectory_2> {
-  /// Undefined at every time: w is the zero polynomial.
+  /// Undefined: w is the zero polynomial.
   Trajectory_2() = default;
   /// The trajectory (x_ / w_, y_ / w_), of a point with the weight weight_ / w_^2.
   Trajectory_2(Polynomial x_, Polynomial y_, Polynomial w_, Polynomial weight_ = {})
@@ -53,8 +52,8 @@ Trajectory_2 trajectory(const Disc_motion_2& motion);
 Trajectory_2 trajectory(const Polynomial_disc_motion_2& motion);
 /// @}
 
-/// A moving point. A value; equality is not defined, since equal positions at an instant are a
-/// question for the predicates (`Basic_instantaneous_traits_2`).
+/// A moving point. It has no operator==: predicates compare positions at an instant
+/// (`Basic_instantaneous_traits_2`).
 template <class MotionType>
 class Basic_moving_point_2 {
  public:
@@ -94,7 +93,7 @@ class Basic_moving_point_2 {
 };
 
 /// Human-readable, for messages: the id and the motion, or the trajectory of a constructed point.
-/// CGAL's is_valid prints points so. Binary64 numbers are printed with 17 digits.
+/// Binary64 numbers are printed with 17 digits.
 template <class Motion>
 std::ostream& operator<<(std::ostream& out, const Basic_moving_point_2<Motion>& point);
 
@@ -116,10 +115,10 @@ using Moving_point_2 = Basic_moving_point_2<Linear_motion_2>;
 /// A disc whose center is in linear motion.
 using Moving_disc_2 = Basic_moving_point_2<Disc_motion_2>;
 
-/// The trajectories of several points, each in a form that serves predicates which do not change
-/// when the whole plane is scaled: if all the points have motions, x and y are scaled by one common
-/// positive number to integer polynomials, weights by its square, and w is 1; else each is as
-/// `trajectory()` gives it.
+/// The trajectories of several points, in a form for predicates that do not change if the whole
+/// plane is scaled: if all the points have motions, x and y are scaled by one common positive
+/// number to integer polynomials, weights by its square, and w is 1; else each is as `trajectory()`
+/// gives it.
 template <std::size_t N, class Motion>
 std::array<Trajectory_2, N> common_trajectories(
     const std::array<const Basic_moving_point_2<Motion>*, N>& points);

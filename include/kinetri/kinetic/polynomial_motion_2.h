@@ -15,8 +15,7 @@ namespace kinetri {
 ///     position + velocity * s + acceleration * s^2 / 2 + jerk * s^3 / 6,    s = t - epoch,
 ///
 /// an exact polynomial over the rationals in t: the divisions are exact. All nine numbers are
-/// finite; whoever takes a motion from a user checks that (`is_finite`). Points of all degrees may
-/// be mixed: what is zero is of no cost but time.
+/// finite (`is_finite`). Motions of different degrees may be mixed.
 struct Polynomial_motion_2 {
   Vector_2 position;           ///< the position at the epoch
   Vector_2 velocity = {};      ///< its first derivative there
@@ -40,8 +39,8 @@ bool is_finite(const Polynomial_motion_2& motion);
 bool same_trajectory(const Polynomial_motion_2& a, const Polynomial_motion_2& b);
 
 /// @{
-/// The position and the velocity at time t, rounded, with errors of some units in the last place of
-/// the largest term of the formula: for what is shown, not for what is decided.
+/// The position and the velocity at time t, rounded, for output, not for decisions. The errors are
+/// some units in the last place of the largest term of the formula.
 Vector_2 rounded_place(const Polynomial_motion_2& motion, double t);
 Vector_2 rounded_velocity(const Polynomial_motion_2& motion, double t);
 /// @}
@@ -52,7 +51,8 @@ double place_error(const Polynomial_motion_2& motion, double t, const Double_int
 
 /// The motion with the epoch `t` and the given velocity that starts from the position of `motion`
 /// at t, with the acceleration that it has there and its jerk; each coordinate of position and
-/// acceleration rounded to the nearest binary64 number, ties to even. Infinite if too large.
+/// acceleration rounded to the nearest binary64 number, ties to even. Coordinates that are too
+/// large become infinite.
 Polynomial_motion_2 with_velocity_at(const Polynomial_motion_2& motion, const Vector_2& velocity,
                                      double t);
 
@@ -68,7 +68,7 @@ inline bool is_at_rest(const Polynomial_motion_2& motion) {
 }
 
 /// The motion itself if it is certainly on the inner side of the wall, or at its bound, at every
-/// time in `times`; else with the position moved inward, by about as little as makes it certain.
+/// time in `times`; else with the position moved inward, by about as little as necessary.
 /// Precondition: the bounds of `times` are finite.
 Polynomial_motion_2 clamped_inside(const Polynomial_motion_2& motion, const Wall_2& wall,
                                    const Double_interval& times);

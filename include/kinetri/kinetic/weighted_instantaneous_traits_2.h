@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Basic_instantaneous_traits_2 for moving points with weights: a model of CGAL's
-// RegularTriangulationTraits_2. CGAL::Regular_triangulation_2 on top of it inserts, removes,
-// locates and dualizes discs as they stand at one instant, one-sided instants included.
+// RegularTriangulationTraits_2. CGAL::Regular_triangulation_2 on top of it works on discs at one
+// instant, which may be one-sided.
 #ifndef KINETRI_KINETIC_WEIGHTED_INSTANTANEOUS_TRAITS_2_H
 #define KINETRI_KINETIC_WEIGHTED_INSTANTANEOUS_TRAITS_2_H
 
@@ -12,8 +12,8 @@
 namespace kinetri {
 
 /// The traits: a model of RegularTriangulationTraits_2 too, as CGAL 5.5 to 6.1 document and use it.
-/// A weighted point is a moving point like every other; when the concept speaks of a point without
-/// a weight, the weight is not used. All predicates are exact, with CGAL's signs.
+/// Weighted_point_2 and Point_2 are the same type; predicates of points without weights ignore the
+/// weights. All predicates are exact, with CGAL's signs.
 template <HasWeight Motion>
 class Basic_weighted_instantaneous_traits_2 : public Basic_instantaneous_traits_2<Motion> {
   using Base = Basic_instantaneous_traits_2<Motion>;
@@ -22,19 +22,19 @@ class Basic_weighted_instantaneous_traits_2 : public Basic_instantaneous_traits_
  public:
   using Point_2 = typename Base::Point_2;  ///< a moving point
   using Weighted_point_2 = Point_2;        ///< the same
-  /// The positions with equal powers to `first` and `second`, if it is the radical axis of two; see
-  /// the base class.
+  /// A radical axis has the positions with equal powers to `first` and `second`; see the base
+  /// class.
   using Line_2 = typename Base::Line_2;
-  using FT = double;  ///< of weights; CGAL asks for the type only
+  using FT = double;  ///< of weights; CGAL requires the type only
 
   using Base::Base;
 
-  /// The position of a weighted point beside a power circle.
+  /// The side of a power circle on which a weighted point is.
   struct Power_side_of_oriented_power_circle_2 : Predicate {
     using Predicate::Predicate;
     /// On which side of the power circle of p, q, r the point s is: the positive one if p, q, r
-    /// make a left turn and s, lifted by x^2 + y^2 - weight, is below their plane. See
-    /// Side_of_oriented_circle_2 for what is just before and just after a time.
+    /// make a left turn and s, lifted by x^2 + y^2 - weight, is below their plane. Just before and
+    /// just after a time see Side_of_oriented_circle_2.
     CGAL::Oriented_side operator()(const Weighted_point_2& p, const Weighted_point_2& q,
                                    const Weighted_point_2& r, const Weighted_point_2& s) const {
       return this->in_circle(p, q, r, s);
@@ -91,7 +91,7 @@ class Basic_weighted_instantaneous_traits_2 : public Basic_instantaneous_traits_
   };
 
   /// @{
-  /// The function object of the concept, at the instant of this object from then on.
+  /// The function object of the concept, at the instant of these traits.
   Power_side_of_oriented_power_circle_2 power_side_of_oriented_power_circle_2_object() const {
     return Power_side_of_oriented_power_circle_2(*this);
   }
