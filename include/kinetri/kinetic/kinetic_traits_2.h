@@ -107,9 +107,8 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
 /// `is_surrounded` concerns p and every two successive points of `around`, the last and the first
 /// included, throughout `now`. False means unknown.
 ///
-/// `Traits::Batches_of` is `Traits`: a class that derives from such traits and redefines
-/// `in_circle_certificate` must define this type anew, so that it does not inherit batches that
-/// ignore its redefinition.
+/// `Traits::Batches_of` must be `Traits`. So a derived class, which may redefine
+/// `in_circle_certificate`, does not inherit the batches of its base.
 template <class Traits>
 concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
     std::same_as<typename Traits::Batches_of, Traits> &&

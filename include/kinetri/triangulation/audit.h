@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Audits: expensive checks that return a report instead of throwing.
+// Audits: expensive checks that return a report.
 #ifndef KINETRI_TRIANGULATION_AUDIT_H
 #define KINETRI_TRIANGULATION_AUDIT_H
 
@@ -11,19 +11,20 @@
 
 namespace kinetri {
 
-/// The levels of an audit. Each level includes the levels before it. The geometric levels check the
-/// exact positions at a rational time strictly between the current time and the next event.
+/// The levels of an audit. Each level includes the levels before it. `embedding` and `delaunay`
+/// check the exact positions at a rational time strictly between the current time and the next
+/// event.
 enum class Audit_level {
   links,         ///< links between vertices and faces, the queue, and the references between them
-  embedding,     ///< finite triangles are counterclockwise, the hull is convex, points are distinct
+  embedding,     ///< finite triangles are counterclockwise, and the hull is convex
   delaunay,      ///< every edge is locally Delaunay
-  reference,     ///< the edges equal those of a static CGAL triangulation of the exact positions
+  reference,     ///< the edges are those of a CGAL triangulation built anew just after the current time
   certificates,  ///< the next failure of every certificate, computed anew, is in the queue
 };
 
 /// The result of an audit.
 struct Audit_report {
-  /// One line per failure, naming the point ids involved. Empty if the audit passed.
+  /// One line for each failure, with the ids of its points. Empty if the audit passed.
   std::vector<std::string> failures;
 
   /// Whether there are no failures.
@@ -32,7 +33,7 @@ struct Audit_report {
 
 namespace detail {
 
-/// Whether the audit passed. Prints what it found to std::cerr if `verbose`.
+/// Whether the audit passed. Prints the failures to std::cerr if `verbose`.
 bool is_passed(const Audit_report& report, bool verbose);
 
 }  // namespace detail

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The audits of Kinetic_triangulation_2. The geometric levels judge the
-// exact positions at a rational time by CGAL's static predicates and share no formula with the
-// certificates. What these leave open, if points are cocircular, is compared with what CGAL
-// builds anew of the points just after the present time, by the predicates of the traits.
+// The audits of Kinetic_triangulation_2. The geometric levels check exact positions at a rational
+// time with CGAL's static predicates, which share no formula with the certificates. The level
+// `reference`, which also checks the diagonals of cocircular points, compares with a triangulation
+// that CGAL builds just after the present time with the predicates of the traits.
 #ifndef KINETRI_TRIANGULATION_AUDIT_IMPL_H
 #define KINETRI_TRIANGULATION_AUDIT_IMPL_H
 
@@ -46,7 +46,7 @@ class Auditor {
   Audit_report run(Audit_level level);
 
  private:
-  // Lazy numbers decide most predicates by floating-point intervals.
+  // Lazy: floating-point intervals decide most predicates.
   using Exact_number = CGAL::Lazy_exact_nt<Rational>;
   using Kernel = CGAL::Simple_cartesian<Exact_number>;
   using Place = typename Kernel::Point_2;
@@ -81,7 +81,6 @@ class Auditor {
                    const std::optional<Failure>& failure);
 
   const Place& place(Vertex_handle v) const { return places_[v->point().id()]; }
-  // With its weight, if it has one.
   decltype(auto) input(Point_id id) const {
     if constexpr (is_weighted) {
       return Weighted_place(places_[id], weights_[id]);
@@ -89,7 +88,7 @@ class Auditor {
       return (places_[id]);
     }
   }
-  // On which side of the circle, or power circle, through three points another one is.
+  // The side of the circle, or power circle, through three points on which the fourth is.
   template <class Input>
   static CGAL::Oriented_side side_of_circle(const Input& p, const Input& q, const Input& r,
                                             const Input& s) {
@@ -115,14 +114,14 @@ class Auditor {
   const Schedule<Traits>& schedule_;
   const typename Schedule<Traits>::Queue& queue_;
   std::vector<Place> places_;          // at one exact time, by point id
-  std::vector<Exact_number> weights_;  // then, if points have weights
+  std::vector<Exact_number> weights_;  // at the same time, if points have weights
   Audit_report report_;
 };
 
 template <class Traits>
 Audit_report Auditor<Traits>::run(Audit_level level) {
   check_links();
-  // What follows walks the links.
+  // The other checks follow the links.
   if (!report_.passed() || level == Audit_level::links) return std::move(report_);
 
   place_points();
@@ -136,9 +135,8 @@ Audit_report Auditor<Traits>::run(Audit_level level) {
   return std::move(report_);
 }
 
-// Places the points at a rational time strictly between now and the next event. Between events a
-// triangle may touch: be flat at one time without turning over, which is no event and no fault.
-// Such a time is no place to look, so another one is taken, nearer to now.
+// Computes the positions at a rational time strictly between now and the next event. A triangle may
+// be flat at a time between events without turning over (a touch): then an earlier time is taken.
 template <class Traits>
 void Auditor<Traits>::place_points() {
   const Time& now = schedule_.current_time();
@@ -149,7 +147,7 @@ void Auditor<Traits>::place_points() {
     weights_.clear();
     for (const Vertex_handle v : topology_.vertices()) {
       if (v == Vertex_handle()) {
-        places_.emplace_back();  // of no point: nobody asks
+        places_.emplace_back();  // unused: there is no such point
         weights_.emplace_back();
         continue;
       }
@@ -161,7 +159,7 @@ void Auditor<Traits>::place_points() {
   } while (has_touch(end));
 }
 
-// Whether a triangle is flat at `time`, where the points have been placed, but not for a while.
+// Whether a triangle is flat at `time`, that of `places_`, but not just after it.
 template <class Traits>
 bool Auditor<Traits>::has_touch(const Time& time) const {
   if (triangulation_.dimension() < 2) return false;
@@ -173,8 +171,8 @@ bool Auditor<Traits>::has_touch(const Time& time) const {
   });
 }
 
-// Whether the faces fit together. CGAL's data structure knows no hidden vertices: if there are
-// some it counts wrongly.
+// Whether the faces fit together. If there are hidden vertices, CGAL's own check does not count
+// them right.
 template <class Traits>
 bool Auditor<Traits>::are_links_right() const {
   const auto& tds = triangulation_.tds();
@@ -272,7 +270,7 @@ void Auditor<Traits>::check_embedding() {
   }
 }
 
-// Points on a line form a chain whose faces are its edges; at each inner point the neighbors lie on
+// Collinear points form a chain whose faces are its edges; the neighbors of each inner point lie on
 // opposite sides.
 template <class Traits>
 void Auditor<Traits>::check_chain() {
@@ -308,8 +306,8 @@ void Auditor<Traits>::check_delaunay() {
   }
 }
 
-// A hidden point is in the projection of its face, and not below the lifted face. With locally
-// regular edges that makes the triangulation regular for all points.
+// Checks that each hidden point is in its face and not below the lifted face. With locally regular
+// edges that makes the triangulation regular.
 template <class Traits>
 void Auditor<Traits>::check_hidden_points() {
   if constexpr (is_weighted) {
@@ -353,7 +351,6 @@ void Auditor<Traits>::check_hidden_points() {
   }
 }
 
-// Compares edges and hidden points with those that exact insertion gives.
 template <class Traits>
 void Auditor<Traits>::check_reference() {
   auto points = topology_.points();

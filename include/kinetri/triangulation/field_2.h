@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A field on moving points: each point has values, such as a color or a temperature, and every
-// position in the convex hull gets values from the points around it, at the current time.
+// A field on moving points: each point has values, such as a color or a temperature, which are
+// interpolated at positions in the convex hull, at the current time.
 //
-// Which triangle a position belongs to is decided exactly. Then the values are computed in binary64
-// arithmetic by a fixed sequence of additions, multiplications and divisions, from positions that
-// are the nearest binary64 numbers to the exact ones. So the results have the same bits on every
-// machine with binary64 arithmetic that rounds to nearest. That is why all of it is compiled in the
+// The triangle of a position is found exactly. Then values are computed from correctly rounded
+// positions by a fixed sequence of binary64 additions, multiplications and divisions. So the
+// results have the same bits on every machine that rounds to nearest; the code is compiled in the
 // library, where no multiplication is fused with an addition.
 #ifndef KINETRI_TRIANGULATION_FIELD_2_H
 #define KINETRI_TRIANGULATION_FIELD_2_H
@@ -24,8 +23,7 @@
 
 namespace kinetri {
 
-/// A value that changes linearly in time: value + slope * (t - epoch). All numbers are finite; who
-/// takes them from a user checks that (Kinetic_field_2::set_values does).
+/// A value that changes linearly in time: value + slope * (t - epoch). All numbers are finite.
 struct Linear_value {
   double value = 0;  ///< at the epoch
   double slope = 0;  ///< change per unit of time
@@ -34,19 +32,18 @@ struct Linear_value {
   friend bool operator==(const Linear_value&, const Linear_value&) = default;
 };
 
-/// How the values at a position follow from those at the points.
+/// How values are interpolated.
 enum class Interpolation : std::uint8_t {
   /// The mean of the three corners of the triangle. It jumps at edges.
   flat,
   /// The linear function on the triangle that has the values of the corners. It is continuous, but
   /// when an edge is flipped, the values in its quadrilateral jump.
   linear,
-  /// Natural neighbor interpolation with Laplace coordinates. It depends only on the positions of
-  /// the points, not on the triangulation, and so does not jump when an edge is flipped
-  /// (docs/MATH.md, section 16). It reproduces linear functions. Sources: N. H. Christ, R.
-  /// Friedberg, T. D. Lee, Weights of links and plaquettes in a random lattice, Nuclear Physics B
-  /// 210, 1982; V. V. Belikov et al., The non-Sibsonian interpolation, Computational Mathematics
-  /// and Mathematical Physics 37, 1997.
+  /// Natural neighbor interpolation with Laplace coordinates. It does not depend on the
+  /// triangulation, and so does not jump when an edge is flipped (docs/MATH.md, section 16). It
+  /// reproduces linear functions. Sources: N. H. Christ, R. Friedberg, T. D. Lee, Weights of links
+  /// and plaquettes in a random lattice, Nuclear Physics B 210, 1982; V. V. Belikov et al., The
+  /// non-Sibsonian interpolation, Computational Mathematics and Mathematical Physics 37, 1997.
   smooth,
 };
 
@@ -65,28 +62,27 @@ struct Grid_2 {
 /// Values at the points of a triangulation, and between them.
 ///
 /// *The triangle of a position* is one that contains it, inside or on its boundary, of those that
-/// have an area at the current time; of several such triangles the one whose ids, in ascending
-/// order, come first. It is found exactly. A position outside of the convex hull has no triangle,
-/// and no values; nor has any position while all points are on one line.
+/// have an area at the current time; of several, the one whose sorted ids come first. It is found
+/// exactly. Positions outside the convex hull have no triangle and no values; nor has any position
+/// while all points are collinear.
 ///
 /// All values are rounded. Each lies between the least and the greatest value of the points that it
-/// is computed from; so equal values are reproduced exactly. At the rounded position of a point,
-/// `linear` and `smooth` give its value; of points that coincide, that of the corner of the
-/// triangle. A value of `linear` is off by at most 2^-46 (v + d M / h): v is the greatest absolute
-/// value at the corners, d the difference of the greatest and the least, M the greatest absolute
-/// coordinate, and h the least height of the triangle. A value of `smooth` is rounded in the same
-/// way, without such a bound near the hull and near flat triangles.
+/// is computed from; equal values are reproduced exactly. At the rounded position of a point,
+/// `linear` and `smooth` give its value (if points coincide, that of the corner of the triangle). A
+/// value of `linear` is off by at most 2^-46 (v + d M / h): v is the greatest absolute value at the
+/// corners, d the difference of the greatest and the least, M the greatest absolute coordinate, and
+/// h the least height of the triangle. A value of `smooth` is rounded in the same way, without such
+/// a bound near the hull and near flat triangles.
 ///
-/// The field holds a reference to the triangulation, and follows it: values belong to ids. It is
-/// for points without weights. Several threads may call const functions at once, if none changes
-/// the triangulation. Coordinates beyond 1e300 are refused (Precondition_error).
+/// The field refers to the triangulation; values belong to ids. Only for points without weights.
+/// Several threads may call const functions at once, if none changes the triangulation. Coordinates
+/// beyond 1e300 throw Precondition_error.
 template <KineticTraits_2 Traits = Linear_kinetic_traits_2>
 requires(!WeightedKineticTraits_2<Traits>) class Kinetic_field_2 {
  public:
   using Triangulation = Kinetic_triangulation_2<Traits>;  ///< whose points have the values
 
-  /// A field with `channels` values at each point, none of which is set. Precondition: there is at
-  /// least one channel.
+  /// A field with `channels` values at each point, which are not set. Precondition: channels > 0.
   Kinetic_field_2(const Triangulation& triangulation, std::size_t channels);
 
   /// How many values each point has.
@@ -101,17 +97,17 @@ requires(!WeightedKineticTraits_2<Traits>) class Kinetic_field_2 {
 
   /// The values at a position, one for each channel, at the current time; none if the position has
   /// no triangle. The time is rounded to the nearest binary64 number for the values of the points.
-  /// Precondition: the position is finite; the points that are asked have values.
-  /// Cost: a walk, as that of Kinetic_queries_2::locate; `smooth` takes a test of each triangle
-  /// whose circle contains the position.
+  /// Precondition: the position is finite; the points that are used have values. Cost: a walk, as
+  /// that of Kinetic_queries_2::locate; for `smooth` a test of each triangle whose circle contains
+  /// the position.
   std::optional<std::vector<double>> at(const Vector_2& place, Interpolation interpolation) const;
 
   /// The values at all positions of a grid, row by row, the channels of one position side by side:
   /// the same bits as from `at`. NaN if the position has no triangle. Precondition: the grid is
   /// finite, with steps that are not zero; `result` has rows * columns * channels elements; all
-  /// points have values.
-  /// Cost: O(n log n), and some floating-point operations for each position, triangle and row that
-  /// meet; `smooth` takes a test of each triangle whose circle contains the position.
+  /// points have values. Cost: O(n log n), and some floating-point operations for each position,
+  /// triangle and row that meet; for `smooth` a test of each triangle whose circle contains the
+  /// position.
   void raster(const Grid_2& grid, Interpolation interpolation, std::span<double> result) const;
 
  private:
@@ -129,10 +125,9 @@ struct Corner_weights {
       {};  ///< of the corners: at least 0, their sum is 1 up to rounding
 };
 
-/// The weights with which `linear` makes the values at all positions of a grid, row by row, at the
-/// current time: the same bits. For those who look for values that fit given ones. Precondition:
-/// the grid is finite, with steps that are not zero; `result` has rows * columns elements. Cost: as
-/// that of Kinetic_field_2::raster.
+/// The weights that `linear` uses at all positions of a grid, row by row, at the current time: for
+/// fitting values to given ones. Precondition: the grid is finite, with steps that are not zero;
+/// `result` has rows * columns elements. Cost: as that of Kinetic_field_2::raster.
 template <KineticTraits_2 Traits>
 requires(!WeightedKineticTraits_2<Traits>) void find_corner_weights(
     const Kinetic_triangulation_2<Traits>& triangulation, const Grid_2& grid,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A frame: the current triangulation as plain numbers, for pictures and for the files of other
-// programs. Edges and triangles are exact; positions are rounded.
+// A frame: the current triangulation as plain numbers, for pictures and files. Edges and triangles
+// are exact; positions are rounded.
 #ifndef KINETRI_TRIANGULATION_FRAME_2_H
 #define KINETRI_TRIANGULATION_FRAME_2_H
 
@@ -23,10 +23,10 @@ class Kinetic_triangulation_2;
 /// The triangulation just after a time. All indices refer to `ids`, `places` and `velocities`,
 /// which have one element per point, hidden ones included.
 struct Frame_2 {
-  /// What is to be drawn of a point that is a disc.
+  /// What is drawn of a disc.
   struct Disc {
     double radius = 0;       ///< at `time`, by rounded_radius; at least 0
-    bool is_hidden = false;  ///< whether others hide the point: it is a corner of nothing
+    bool is_hidden = false;  ///< whether the point is hidden, and so has no edges
 
     friend bool operator==(const Disc&, const Disc&) = default;
   };
@@ -35,7 +35,7 @@ struct Frame_2 {
   std::vector<Point_id> ids;         ///< ids of the present points, ascending
   std::vector<Vector_2> places;      ///< positions at `time`, by rounded_place
   std::vector<Vector_2> velocities;  ///< velocities at `time`, by rounded_velocity
-  /// One for each point; none if points have no discs.
+  /// One for each point; none if points are not discs.
   std::optional<std::vector<Disc>> discs = std::nullopt;
   std::vector<std::array<std::size_t, 2>> edges;  ///< pairs of indices, the smaller first; sorted
   /// The edges on the boundary of the convex hull, in the same order; all edges if all points are
@@ -49,8 +49,8 @@ struct Frame_2 {
   friend bool operator==(const Frame_2&, const Frame_2&) = default;
 };
 
-/// The frame at the current time. It depends only on the current triangulation and counters, not on
-/// the order of faces or vertices. Cost: O(n log n). Precondition: not called during an event.
+/// The frame at the current time. It does not depend on the order of faces or vertices. Cost: O(n
+/// log n). Precondition: not within an event.
 template <KineticTraits_2 Traits>
 Frame_2 frame_of(const Kinetic_triangulation_2<Traits>& kinetic);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The kinetic triangulation: a CGAL::Delaunay_triangulation_2 of moving points or, if the points
-// have weights, a CGAL::Regular_triangulation_2, that is kept right through time. Its parts are
-// those of detail::Kinetic_core; docs/ARCHITECTURE.md follows one event through them.
+// The kinetic triangulation: a CGAL::Delaunay_triangulation_2 of moving points or, if they have
+// weights, a CGAL::Regular_triangulation_2, updated at each event. docs/ARCHITECTURE.md describes
+// its parts, and follows one event through them.
 #ifndef KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_H
 #define KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_H
 
@@ -24,30 +24,28 @@
 
 namespace kinetri {
 
-/// The Delaunay triangulation of moving points, exact at every time; or the regular triangulation,
-/// if the traits are WeightedKineticTraits_2: the points have weights, and those whose power cell
-/// is empty are hidden. What is said of Delaunay triangulations below is then said of regular ones,
-/// with power circles in place of circles.
+/// The Delaunay triangulation of moving points, exact at every time; or, if the traits are
+/// WeightedKineticTraits_2, the regular triangulation of points with weights, in which points with
+/// empty power cells are hidden. Then read "regular" for "Delaunay" and "power circle" for "circle"
+/// below.
 ///
-/// Just after each time there is one such triangulation, and this is it, whatever came before: it
-/// is a function of the motions and the time alone. If points are cocircular for a while, those
-/// diagonals are edges that are Delaunay if points are lifted by infinitely little more than x^2 +
-/// y^2: by e1 x y + e2 x^2 + e3 y^2, with e1 far greater than e2 and e2 than e3
-/// (perturbed_in_circle_polynomial; docs/MATH.md, section 4).
+/// The triangulation just after a time is a function of the motions and the time alone. If points
+/// are cocircular for a while, a perturbation of the lifting x^2 + y^2 by e1 x y + e2 x^2 + e3 y^2,
+/// with infinitely small e1 >> e2 >> e3, chooses the diagonals (perturbed_in_circle_polynomial;
+/// docs/MATH.md, section 4).
 ///
-/// A hidden point is there, has an id and a motion, and has no edges. Its vertex is `is_hidden()`,
-/// as CGAL has it, and the vertex's `face()` is the triangle that hides it.
+/// A hidden point has an id, a motion and a vertex, but no edges. As in CGAL, `is_hidden()` of the
+/// vertex is true, and its `face()` is the triangle that hides it.
 ///
-/// A flip costs five certificates and as many changes of the queue, whatever the number of points;
-/// memory is O(points), with one entry of the queue for each edge. Several threads may call const
-/// functions of one object at once. Copies are not made: handles and observers belong to one
-/// object.
+/// A flip costs five certificates and as many changes of the queue; memory is O(n), with at most
+/// one queue entry for each edge and hidden point. Several threads may call const functions of one
+/// object at once. Objects cannot be copied, since handles and observers belong to one object.
 ///
-/// Functions that are not const change the object, except set_threads and remove_observer. They
-/// throw Precondition_error if they are called while another one of them runs: by an observer, or
-/// by the function `may_go_on`. So they do when an observer has thrown within an event, since the
-/// change of that event may not have been made, and other observers have not been told of it: make
-/// another object then, or restore a snapshot. Until then only what is const may be called.
+/// Functions that are not const, except set_threads and remove_observer, throw Precondition_error
+/// if they are called while another one runs, that is, by an observer or by `may_go_on`. They also
+/// throw it after an observer has thrown within an event: that event may not have been executed.
+/// Then make another object, or restore an earlier snapshot; of this object only const functions
+/// may be called.
 template <KineticTraits_2 Traits>
 class Kinetic_triangulation_2 {
  public:
@@ -57,20 +55,20 @@ class Kinetic_triangulation_2 {
   using Instantaneous_traits = typename Traits::Instantaneous_traits;  ///< of the traits
   /// CGAL's triangulation, whose points move.
   using Triangulation = typename detail::Kinetic_types<Traits>::Triangulation;
-  using Vertex_handle = typename Triangulation::Vertex_handle;  ///< good while its point is there
-  using Face_handle = typename Triangulation::Face_handle;      ///< good until the next event
-  using Edge = typename Triangulation::Edge;                    ///< a face and an index, as CGAL's
+  using Vertex_handle = typename Triangulation::Vertex_handle;  ///< valid until its point is erased
+  using Face_handle = typename Triangulation::Face_handle;      ///< valid until the next event
+  using Edge = typename Triangulation::Edge;                    ///< a face and an index
   using Observer = Event_observer;                              ///< what add_observer takes
   using Snapshot = Triangulation_snapshot<Traits>;              ///< what snapshot() gives
 
   /// The triangulation of the motions in [first, last), numbered from 0, Delaunay just after
   /// `start`. The input may be degenerate at `start` and at every other time: any number of points,
-  /// collinear, cocircular, or at one position as long as they part.
+  /// collinear, cocircular, or at one position for a moment.
   ///
   /// Throws Coincident_trajectories_error if two motions are the same trajectory, and
-  /// Precondition_error if a number is not finite or there are 2^32 - 1 points or more.
-  /// Cost: expected O(n log n) exact predicates and O(n) failure times, the latter on all threads
-  /// that oneTBB has, with the same result for any number of them.
+  /// Precondition_error if a number is not finite or there are 2^32 - 1 points or more. Cost:
+  /// expected O(n log n) exact predicates and O(n) failure times, the latter on all threads of
+  /// oneTBB, with the same result for any number of threads.
   template <class InputIterator>
   Kinetic_triangulation_2(InputIterator first, InputIterator last, const Time& start = Time(),
                           const Traits& traits = Traits())
@@ -80,10 +78,9 @@ class Kinetic_triangulation_2 {
   explicit Kinetic_triangulation_2(const std::vector<Motion>& motions, const Time& start = Time(),
                                    const Traits& traits = Traits());
 
-  /// The triangulation of the snapshot. It goes on as the triangulation that the snapshot was taken
-  /// of: the same events, with the same numbers, for the same calls. Counters go on too, except
-  /// those of the queue; certificates are made anew, and counted. Observers are not part of a
-  /// snapshot.
+  /// The triangulation of the snapshot. It behaves from here on like the original: the same calls
+  /// give the same events, with the same numbers. Counters continue, except those of the queue;
+  /// certificates are recomputed, and counted. Observers are not part of a snapshot.
   ///
   /// Throws Snapshot_error if a number of the snapshot is not finite, or two points have the same
   /// trajectory (and weight). Cost: as of the constructor.
@@ -97,38 +94,35 @@ class Kinetic_triangulation_2 {
 
   // ---- the present ----
 
-  /// The time just after which the triangulation is Delaunay now.
+  /// The current time: the triangulation is Delaunay just after it.
   const Time& current_time() const { return core_.schedule.current_time(); }
 
-  /// The triangulation. Its predicates are those of the instant just after current_time(), so that
-  /// CGAL's queries (locate, nearest_vertex, dual, ...) are about the points as they stand then. It
-  /// is the object itself, valid until the next call that advances time.
+  /// The triangulation. Its predicates are those of the instant just after current_time(), so
+  /// CGAL's queries (locate, nearest_vertex, dual, ...) answer for that instant. The reference
+  /// stays valid; later calls change the triangulation.
   const Triangulation& triangulation() const { return core_.topology.triangulation(); }
 
-  /// What decides about the points: certificates, and the predicates at an instant.
+  /// The traits: certificates, and the predicates at an instant.
   const Traits& traits() const { return core_.certification.traits(); }
 
-  /// How many points are there now.
+  /// The present number of points, hidden ones included.
   std::size_t number_of_points() const noexcept { return core_.topology.number_of_points(); }
 
-  /// The id that is given next: one more than the greatest so far. Ids are not used again when
-  /// their points have left.
+  /// The id that is given next: one more than the greatest so far. Ids are not reused.
   Point_id next_id() const noexcept {
     return static_cast<Point_id>(core_.topology.vertices().size());
   }
 
-  /// Whether the point `id` is there: has been inserted, and not been erased.
+  /// Whether the point `id` has been inserted, and not been erased.
   bool contains(Point_id id) const noexcept { return core_.topology.contains(id); }
 
-  /// Whether the point `id` has no power cell, and so no edges. Never without weights.
-  /// Precondition: contains(id).
+  /// Whether the point `id` is hidden. Never without weights. Precondition: contains(id).
   bool is_hidden(Point_id id) const;
 
   /// The number of hidden points. O(1).
   std::size_t number_of_hidden_points() const { return core_.topology.number_of_hidden_points(); }
 
-  /// The vertex of the point `id`, the same as long as the point is there.
-  /// Precondition: contains(id).
+  /// The vertex of the point `id`, the same until the point is erased. Precondition: contains(id).
   Vertex_handle vertex(Point_id id) const;
 
   /// The motion of the point `id`. Precondition: contains(id).
@@ -137,92 +131,88 @@ class Kinetic_triangulation_2 {
   /// The ids of the ends of all finite edges, sorted. O(n log n).
   std::vector<Edge_ids> finite_edge_ids() const;
 
-  /// The whole state, to be restored later or elsewhere; see Triangulation_snapshot. O(n).
-  /// Precondition: not within an event, that is, not called by an observer (checked), nor after an
-  /// observer has thrown.
+  /// The whole state; see Triangulation_snapshot. O(n). Precondition: not called by an observer,
+  /// nor after an observer has thrown (checked).
   Snapshot snapshot() const;
 
   // ---- time ----
 
-  /// The time of the next event; empty if the triangulation never changes again. Checks
-  /// certificates again as far as is needed to know. (If points meet at that time, it may turn out
-  /// that no edge has changed just after it.)
+  /// The time of the next event; empty if the triangulation never changes again. May recheck
+  /// certificates. (If points meet at that time, there may be no event: no edge has changed just
+  /// after it.)
   std::optional<Time> next_event_time();
 
   /// Whether next_event_time() is before `time`, exactly; changes nothing. Cost: O(1) after
-  /// next_event_time(), or if no certificate is to be checked again before `time`; else O(n), and
-  /// those certificates are checked in each call.
+  /// next_event_time(), or if no certificate must be rechecked before `time`; else O(n), and each
+  /// call rechecks those certificates.
   bool has_event_before(const Time& time) const;
 
-  /// Goes to the next time at which something changes and executes all events of that time, so that
-  /// the triangulation is Delaunay just after it. Returns their number; 0 if there is no next
-  /// event.
+  /// Advances to the time of the next event and executes all events of that time. Returns their
+  /// number; 0 if there is no next event.
   std::size_t step();
 
-  /// Goes to `time`: every event at or before it has happened, and current_time() is `time`.
-  /// Returns the number of events. Precondition: time >= current_time().
+  /// Advances to `time` and executes every event up to it, included. Returns the number of events.
+  /// Precondition: time >= current_time().
   std::size_t advance_to(const Time& time);
 
-  /// As advance_to(time), but asks `may_go_on` before each time at which something changes; in a
-  /// run by regions (set_threads) before each window of time. If it returns false, nothing more
-  /// happens: current_time() is the time of the last event. It may call current_time() and
-  /// counters() of this object, and no other of its functions.
+  /// As advance_to(time), but calls `may_go_on` before each time with events; with several threads
+  /// (set_threads) before each time window. If it returns false, advance_to returns: current_time()
+  /// is then the time of the last event. `may_go_on` may call current_time() and counters() of this
+  /// object, and no other of its functions.
   std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on);
 
-  /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
-  /// arena if 0. They share the work if there are some 50 000 points or more, with the traits of
-  /// this library, of which at most one in 1000 is hidden, no observer looks at the triangulation
-  /// (Event_observer::looks_at_triangulation), and many events are to come. The result is the same,
-  /// event by event; only counts of certificates, rechecks and the queue, which
-  /// tell how it was found, differ. Some 150 bytes a point more are in use from then on. If an
-  /// observer throws, later events up to the end of a window of time have happened too, and
-  /// observers are not told of them. If memory is missing for a window, the state is that before
-  /// or after its events, if there is memory to schedule all certificates anew.
+  /// How many threads advance_to may use from now on: at first 1; 0 means those of oneTBB's arena.
+  /// Several threads execute events if there are some 50 000 points or more, of which at most one
+  /// in 1000 is hidden, the traits are those of this library, no observer reads the triangulation
+  /// (Event_observer::looks_at_triangulation), and many events are to come (docs/PARALLEL.md). The
+  /// result is the same, event by event; only counts of certificates, rechecks, discarded failures
+  /// and the queue differ. Memory: some 30 bytes a point more, and 60 to 110 in a simulation of
+  /// colliding discs. If an observer throws, the later events of the same time window have been
+  /// executed too, without calls of observers. If a window runs out of memory, the state is that
+  /// before or after its events, if there is memory to schedule all certificates anew.
   void set_threads(std::size_t most) { core_.threads = most; }
 
-  /// As step(), but only if the next event is at or before `until`; else nothing happens, and
-  /// current_time() stays what it is. Returns the number of events.
+  /// As step(), but does nothing if the next event is after `until`. Returns the number of events.
   std::size_t step(const Time& until);
 
-  /// Lets time run backwards: from now on the clock shows -t where it showed t, and each point has
-  /// the mirrored motion (`mirrored`). Past events come again in reverse order, at mirrored times:
-  /// edges that were removed are added. The events of the present time are undone at once; then the
-  /// triangulation is Delaunay just after the new current_time(), which is just before the old one.
-  /// Returns the number of events undone. Motions that were replaced do not come back. Vertices
-  /// keep their handles.
+  /// Reverses time: time t becomes -t, and each point gets the mirrored motion (`mirrored`). Past
+  /// events recur in reverse order, at mirrored times: edges that were removed are added. The
+  /// events of the present time are undone at once; then the triangulation is Delaunay just after
+  /// the new current_time(), which is just before the old one. Returns the number of events undone.
+  /// Replaced motions do not come back. Vertices keep their handles.
   ///
-  /// Cost: O(n) failure times, as at the start; O(n log n) predicates more if three neighbors are
-  /// collinear now.
+  /// Cost: O(n) failure times, as at the start; and O(n log n) predicates if a triangle is flat
+  /// now.
   std::size_t reverse();
 
   // ---- changing points ----
 
   // Each change takes place at current_time(), is an event, and leaves the triangulation Delaunay
   // just after that time; edges that it removes and adds are reported in rebuild events after it.
-  // Other vertices keep their handles, and so does a point that gets a new motion. Expected cost:
-  // proportional to the degree of the point, and to the triangles on the way to its new position;
-  // O(n) if all points are, or become, collinear at all times.
+  // Vertices keep their handles, also if they get new motions. Expected cost: proportional to the
+  // degree of the point, and to the triangles on the way to its new position; O(n log n) if all
+  // points are, or become, collinear at all times.
 
-  /// Gives the point `id` another motion from now on: event `trajectory`. The motion need not go
-  /// through the present position of the point, and may go through that of another point if the two
-  /// part at once.
-  /// Throws Coincident_trajectories_error, and changes nothing, if another point has the same
-  /// trajectory. Precondition: contains(id); the motion is finite.
+  /// Gives the point `id` another motion from now on: event `trajectory`. The point may jump, even
+  /// to the position of another point if the two separate at once. Throws
+  /// Coincident_trajectories_error, and changes nothing, if another point has the same trajectory.
+  /// Precondition: contains(id); the motion is finite.
   void set_motion(Point_id id, const Motion& motion);
 
   /// Inserts a point, which gets the id next_id(), and returns that id: event `insert`. Throws what
   /// set_motion throws. Precondition: the motion is finite, and there is an id left.
   Point_id insert(const Motion& motion);
 
-  /// Erases the point `id`; the handle of its vertex is not valid from then on: event `erase`.
-  /// Precondition: contains(id).
+  /// Erases the point `id` and invalidates the handle of its vertex: event `erase`. Precondition:
+  /// contains(id).
   void erase(Point_id id);
 
-  // Changes of many points at once make each certificate once, on all threads that oneTBB has if
-  // there are many. They are made entirely, or not at all: what throws changes nothing. Points that
-  // turn cost O(1) certificates each, and O(n) together; if most of the points jump, come or go,
-  // the triangulation is built anew, O(n log n). There is one event for each point, in the order of
-  // the ids, then rebuild events for the edges that have changed.
+  // Changes of many points at once compute each certificate once, on all threads of oneTBB if there
+  // are many. What throws Coincident_trajectories_error or Precondition_error changes nothing.
+  // Points whose triangles stay embedded cost O(1) certificates each, and O(n) together; if more
+  // than an eighth of the points jump, are inserted or erased, the triangulation is rebuilt, O(n
+  // log n). There is one event for each point, in the order of the ids, then rebuild events for the
+  // edges that have changed.
 
   /// Gives the points `ids` these motions from now on, as set_motion does: an event `trajectory`
   /// for each point. Throws Coincident_trajectories_error if two points have the same trajectory
@@ -230,10 +220,10 @@ class Kinetic_triangulation_2 {
   /// are finite.
   void set_motions(std::span<const Point_id> ids, std::span<const Motion> motions);
 
-  /// Gives the points `ids` these velocities from now on: set_motions, each point going on from its
-  /// position at the binary64 number nearest to current_time(), rounded as `with_velocity_at` says.
-  /// Throws what set_motions throws. Precondition: as many velocities as ids; each id is contained,
-  /// and named once; velocities and positions are finite.
+  /// Gives the points `ids` these velocities from now on: as set_motions; each point continues from
+  /// its position at the binary64 number nearest to current_time(), rounded as `with_velocity_at`
+  /// says. Throws what set_motions throws. Precondition: as many velocities as ids; each id is
+  /// contained, and named once; velocities and positions are finite.
   void set_velocities(std::span<const Point_id> ids, std::span<const Vector_2> velocities) requires
       MotionWithVelocity_2<typename Traits::Motion>;
 
@@ -249,23 +239,23 @@ class Kinetic_triangulation_2 {
   /// What an event does to a point: gives it another motion or, with none, erases it.
   using Change = detail::Point_change<Motion>;
 
-  /// Makes the changes as one event of the given kind that concerns the given points: for events
-  /// that are not failures of this triangulation's certificates, such as collisions. Returns the
-  /// edges that this has removed and added. Throws what set_motion throws, and changes nothing
-  /// then. Precondition: each point that is named in `changes` is there, and named once.
+  /// Makes the changes as one event of the given kind and points: for events that are not failures
+  /// of certificates, such as collisions. Returns the edges removed and added. Throws what
+  /// set_motion throws, and then changes nothing. Precondition: each point in `changes` is
+  /// contained, and named once.
   Changed_edges apply(Event_kind kind, std::optional<Point_id> point_a,
                       std::optional<Point_id> point_b, std::span<const Change> changes);
 
   // ---- watching ----
 
   /// Calls `observer` before and after each event from now on. It must outlive this object or be
-  /// removed. Costs nothing if there is none.
+  /// removed.
   void add_observer(Observer& observer) {
     core_.reporter.check_may_change();
     core_.reporter.observers().add(observer);
   }
-  /// Calls `observer` no more. Does nothing if it was not called. An observer may remove itself and
-  /// others within an event, of which those are told no more.
+  /// Stops calling `observer`. Does nothing if it was not added. An observer may remove itself and
+  /// others, also within an event.
   void remove_observer(Observer& observer) { core_.reporter.observers().remove(observer); }
 
   /// Counts since the start, those of the snapshot included.
@@ -275,7 +265,8 @@ class Kinetic_triangulation_2 {
   /// Counts of the queue's entries since this object was made.
   Queue_counters queue_counters() const { return core_.schedule.queue().counters(); }
   /// The present number of entries in the queue: failures, and times up to which a certificate
-  /// certainly holds; at most one for each edge, those to the infinite vertex included. O(1).
+  /// certainly holds; at most one for each edge, infinite ones included, and each hidden point.
+  /// O(1).
   std::size_t queue_size() const noexcept { return core_.schedule.queue().size(); }
   /// Counts of certificates since the start, those of the snapshot included.
   const Certificate_counters& certificate_counters() const {
@@ -283,12 +274,11 @@ class Kinetic_triangulation_2 {
   }
 
   /// Checks the present state up to `level`; see Audit_level. Costs from O(n) link checks to O(n)
-  /// failure times. Changes nothing.
+  /// failure times.
   Audit_report audit(Audit_level level) const;
 
-  /// Whether the triangulation is valid, as CGAL's function of this name says it: audit() up to the
-  /// level `links` if `level` is 0, else up to `delaunay`. Prints what is wrong to std::cerr if
-  /// `verbose`.
+  /// Whether the triangulation is valid, like CGAL's function of this name: audit() up to the level
+  /// `links` if `level` is 0, else up to `delaunay`. Prints failures to std::cerr if `verbose`.
   bool is_valid(bool verbose = false, int level = 0) const {
     return detail::is_passed(audit(level > 0 ? Audit_level::delaunay : Audit_level::links),
                              verbose);

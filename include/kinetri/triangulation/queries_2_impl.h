@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_queries_2. Include this only if the class is instantiated for a kinetic
-// traits class of your own, whose points have trajectories (as Moving_point_2 has) and whose times
-// are algebraic numbers; it is compiled into the library for its own traits.
+// Definitions of Kinetic_queries_2. Include this only if you instantiate the class for your own
+// kinetic traits class, whose points have trajectories, as Moving_point_2 has; it is compiled into
+// the library for the library's own traits.
 #ifndef KINETRI_TRIANGULATION_QUERIES_2_IMPL_H
 #define KINETRI_TRIANGULATION_QUERIES_2_IMPL_H
 
@@ -32,7 +32,7 @@ Kinetic_queries_2<Traits>::Kinetic_queries_2(const Kinetic_triangulation_2<Trait
                        "first");
 }
 
-// Hidden points go from triangle to triangle without events.
+// The triangle that hides a point changes without an event.
 template <KineticTraits_2 Traits>
 std::uint64_t Kinetic_queries_2<Traits>::number_of_changes() const {
   const Triangulation_counters& counters = at_.kinetic().counters();
@@ -97,7 +97,7 @@ std::vector<Point_id> Kinetic_queries_2<Traits>::neighbors(Point_id point) const
 template <KineticTraits_2 Traits>
 Voronoi_cell_2<Exact_position_2> Kinetic_queries_2<Traits>::voronoi_cell(Point_id id) const {
   const Vertex_handle v = vertex(id);
-  time().tight_interval();  // finds out whether it is a binary64 number
+  time().tight_interval();  // so that a binary64 number is known to be one
   KINETRI_PRECONDITION(time().is_known_rational(),
                        "at a time that is not known to be rational a Voronoi vertex has no exact "
                        "coordinates; call rounded_voronoi_cell");

@@ -14,16 +14,16 @@ namespace kinetri {
 /// Counts of what the triangulation has done so far.
 struct Triangulation_counters {
   std::array<std::uint64_t, event_kinds> events = {};  ///< by Event_kind
-  /// Failures that were found and did not happen, since the edge went or its neighbors changed; by
-  /// the kind of event that they would have been, coincidences as rebuild.
+  /// Failures that were scheduled and did not happen, since the edge was removed or its neighbors
+  /// changed; by the kind of event, coincidences as rebuild.
   std::array<std::uint64_t, event_kinds> discarded = {};
   std::uint64_t instants = 0;          ///< distinct times of failures
   std::uint64_t largest_instant = 0;   ///< the most events at one time
   std::uint64_t batches = 0;           ///< instants with two events or more
-  std::uint64_t flat_hulls = 0;        ///< instants at which a point reached the hull
-  std::uint64_t points_set_aside = 0;  ///< points taken out and put back, as they met others
-  std::uint64_t reconstructions = 0;   ///< of the whole triangulation, as the hull went flat
-  std::uint64_t rechecks = 0;          ///< certificates checked again, as they held so far
+  std::uint64_t flat_hulls = 0;        ///< instants at which a triangle at the hull became flat
+  std::uint64_t points_set_aside = 0;  ///< coinciding points temporarily removed
+  std::uint64_t reconstructions = 0;   ///< of the whole triangulation, at degenerate times
+  std::uint64_t rechecks = 0;          ///< certificates that held and were checked again
 
   /// The events of all kinds together.
   std::uint64_t number_of_events() const;

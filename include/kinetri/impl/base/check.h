@@ -3,13 +3,14 @@
 // The two tiers of checks that throw. The third tier, audits, returns a report instead
 // (kinetri/triangulation/audit.h).
 //
-//   KINETRI_PRECONDITION(condition, message)  the caller's duty; always on; Precondition_error
-//   KINETRI_ASSERT(condition, message)        our own invariant;  always on; Internal_error
+//   KINETRI_PRECONDITION(condition, message)  the caller's duty; always on; throws
+//   Precondition_error KINETRI_ASSERT(condition, message)        our own invariant; always on;
+//   throws Internal_error
 //
-// The message says what is wrong and, if that is not plain, what to do instead; it may be a
-// std::string, which is made only when it is needed.
+// The message says what is wrong and, if necessary, what to do instead; a std::string is made only
+// when the check fails.
 //
-// Both are for conditions whose cost is nothing beside the work they guard.
+// Both are for conditions that are cheap compared with the work they guard.
 #ifndef KINETRI_IMPL_BASE_CHECK_H
 #define KINETRI_IMPL_BASE_CHECK_H
 
@@ -30,12 +31,13 @@ namespace kinetri::detail {
 
 }  // namespace kinetri::detail
 
-/// Throws Precondition_error, with the condition, the message and the place, if it is false.
+/// Throws Precondition_error, with the condition, the message, the file and the line, if the
+/// condition is false.
 #define KINETRI_PRECONDITION(condition, message) \
   ((condition) ? static_cast<void>(0)            \
                : ::kinetri::detail::precondition_failed(#condition, message, __FILE__, __LINE__))
 
-/// Throws Internal_error with such a message.
+/// Throws Internal_error likewise.
 #define KINETRI_ASSERT(condition, message) \
   ((condition) ? static_cast<void>(0)      \
                : ::kinetri::detail::assertion_failed(#condition, message, __FILE__, __LINE__))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The only installed header that uses compiler extensions: hints to the processor and to
-// ThreadSanitizer. None changes what a program computes, and with a compiler that has no such
-// extension each of them does nothing.
+// ThreadSanitizer. None changes what a program computes; with a compiler without such an extension
+// they do nothing.
 #ifndef KINETRI_IMPL_BASE_COMPILER_H
 #define KINETRI_IMPL_BASE_COMPILER_H
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A closed interval between binary64 bounds: what is known of a real number without exact
-// arithmetic. It stands in the lowest layer so that a header that needs no more than bounds does
-// not take in the exact number types.
+// A closed interval between binary64 bounds. It is in the lowest layer so that headers that need
+// only bounds do not include the exact number types.
 #ifndef KINETRI_IMPL_BASE_DOUBLE_INTERVAL_H
 #define KINETRI_IMPL_BASE_DOUBLE_INTERVAL_H
 

@@ -8,7 +8,7 @@
 
 namespace kinetri::detail {
 
-/// Sets a flag as long as it lives.
+/// Sets the flag during its lifetime.
 class Flag_while {
  public:
   explicit Flag_while(bool& flag) : flag_(flag) { flag_ = true; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// std::from_chars for binary64, which libc++ has from version 20 on only.
+// std::from_chars for binary64, which libc++ before version 20 does not have.
 #ifndef KINETRI_IMPL_BASE_FROM_CHARS_H
 #define KINETRI_IMPL_BASE_FROM_CHARS_H
 
@@ -23,8 +23,8 @@ namespace kinetri {
 
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000
 
-/// As std::from_chars: of the longest beginning that is a number. glibc's strtod_l rounds to
-/// nearest; it takes blanks, signs and prefixes too, which are no part of a number here.
+/// As std::from_chars. glibc's strtod_l rounds to nearest; blanks, signs and prefixes, which it
+/// also accepts, are excluded first.
 inline std::from_chars_result from_chars(const char* first, const char* last, double& value,
                                          std::chars_format format = std::chars_format::general) {
   static const locale_t c_locale = newlocale(LC_ALL_MASK, "C", nullptr);

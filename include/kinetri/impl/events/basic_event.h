@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The kinds of event, whose order is that of simultaneous events, and what an event is apart from
-// the type of its time. Without exact numbers, for what only counts or shows events.
+// The kinds of event, and events with any type of time: without exact numbers, for code that only
+// counts or shows events.
 #ifndef KINETRI_IMPL_EVENTS_BASIC_EVENT_H
 #define KINETRI_IMPL_EVENTS_BASIC_EVENT_H
 
@@ -15,12 +15,11 @@
 
 namespace kinetri {
 
-/// The kinds of event. Up to `collision` the enumerators' order is the order in which simultaneous
-/// events are taken from the queue, before their point ids decide; changes that were scheduled
-/// follow (Simulation_2). It is not arbitrary: points that coincide are
-/// set aside first, since all else is about distinct points; flat hull triangles are removed next,
-/// since every later flip relies on a triangulation that is properly embedded. The edges of a
-/// rebuild are reported when its instant is done, those removed first.
+/// The kinds of event. Up to `collision`, simultaneous events are taken from the queue in the order
+/// of the enumerators, then of point ids; scheduled changes follow (Simulation_2). First coinciding
+/// points are temporarily removed, since all other events concern distinct points; then flat hull
+/// triangles, since flips require an embedded triangulation. The edges of a rebuild are reported at
+/// the end of the instant, those removed first.
 enum class Event_kind : std::uint8_t {
   rebuild,      ///< an edge removed or added by reconstruction at a degenerate instant
   hull_insert,  ///< a vertex becomes a hull vertex: the hull edge in front of it is removed
@@ -38,7 +37,7 @@ enum class Event_kind : std::uint8_t {
 /// The number of kinds.
 inline constexpr std::size_t event_kinds = 11;
 
-/// The kind's name in files: "flip", "hull_insert", ...
+/// The name of the kind in files: "flip", "hull_insert", ...
 std::string_view name(Event_kind kind);
 
 /// The ends of an edge, the smaller id first.
@@ -49,20 +48,20 @@ constexpr Edge_ids edge_ids(Point_id a, Point_id b) {
   return a < b ? Edge_ids{a, b} : Edge_ids{b, a};
 }
 
-/// The edges that a change has removed and added in the end, each sorted.
+/// The edges that a change has removed and added in the end, both sorted.
 struct Changed_edges {
   std::vector<Edge_ids> removed;  ///< that were there before
   std::vector<Edge_ids> added;    ///< that are there now
 };
 
-/// What happened at one time, in terms of point ids. `removed` and `added` are finite edges. These
-/// fields are present; the others are empty:
+/// An event, in terms of point ids. `removed` and `added` are finite edges. Each kind has these
+/// fields; the others are empty:
 ///
 /// | Kind | Fields |
 /// |---|---|
 /// | `flip` | `removed`, `added` |
-/// | `hull_insert` | `removed`; `apex`, which comes to the hull there |
-/// | `hull_remove` | `added`; `apex`, which leaves the hull there |
+/// | `hull_insert` | `removed`; `apex`, the new hull vertex |
+/// | `hull_remove` | `added`; `apex`, the former hull vertex |
 /// | `rebuild` | `removed` or `added`: each edge has an event of its own |
 /// | `hide`, `reveal` | `point_a`; its edges have `rebuild` events after it |
 /// | `wall`, `insert`, `erase`, `trajectory` | `point_a` |
@@ -76,7 +75,7 @@ struct Basic_event {
   std::optional<Edge_ids> added = std::nullopt;    ///< the edge that comes
   std::optional<Point_id> point_a = std::nullopt;  ///< the point, or the first of two
   std::optional<Point_id> point_b = std::nullopt;  ///< the second of two points
-  /// The third corner of the triangle that goes or comes at a hull edge. Files do not have it.
+  /// The third corner of the triangle removed or added at a hull edge. Not in files.
   std::optional<Point_id> apex = std::nullopt;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The slots of a calendar queue. It stores handles only: what they name, and which of them are
-// still in their slot, is for the queue to know.
+// The slots of a calendar queue. It stores handles only; the queue knows the items, and which
+// records are still valid.
 #ifndef KINETRI_IMPL_EVENTS_CALENDAR_H
 #define KINETRI_IMPL_EVENTS_CALENDAR_H
 
@@ -20,16 +20,16 @@
 namespace kinetri::detail {
 
 /// Slots of equal width, in ascending order, that are opened one after the other. A slot holds
-/// records: handles in no order. A slot is named by a number that need not be an integer: the
-/// integer part is its index. Numbers beyond the last slot are allowed; nothing is recorded there.
+/// records: handles in no order. A slot is given by a number whose integer part is its index.
+/// Numbers beyond the last slot are allowed; nothing is recorded for them.
 class Calendar {
  public:
-  /// The fewest items for which slots are worth their cost.
+  /// The fewest items for which slots pay.
   static constexpr std::size_t least_items = 9;
 
-  /// The slot of a bound; monotone in the bound, even as rounded.
+  /// The slot of a bound; monotone in the bound, in spite of rounding.
   double slot(double bound) const { return (bound - origin_) * slots_per_unit_; }
-  /// Whether the slot has been opened. So is what has no slot (0 times infinity).
+  /// Whether the slot has been opened; true for NaN (0 times infinity).
   bool is_open(double slot) const { return !(slot >= open_slots_); }
   /// Whether there is a slot of that number.
   bool has_slot(double slot) const { return slot < static_cast<double>(std::ssize(slots_)); }
@@ -51,14 +51,13 @@ class Calendar {
   template <class Visit>
   void open_next(const Visit& visit);
 
-  /// Removes all slots and records: every bound is in an open slot then.
+  /// Removes all slots and records; then every bound is in an open slot.
   void reset();
 
-  /// Makes slots for `items` items from `least`, their least bound, on, of whose bounds `sample` is
-  /// a sorted sample: for the nearest three quarters of them, or for more of them if these have
-  /// one bound; for fewer of them if only those up to `greatest` matter. Leaves the calendar
-  /// without slots if the bounds are too near to one another or too far apart. Precondition:
-  /// reset() was called.
+  /// Makes slots for the first three quarters of `items` items, whose least bound is `least` and of
+  /// whose bounds `sample` is a sorted sample; for more of them if these have one bound, for fewer
+  /// if only bounds up to `greatest` matter. Makes no slots if the bounds are too near to each
+  /// other or too far apart. Precondition: reset() was called.
   void choose_slots(double least, std::span<const double> sample, std::size_t items,
                     double greatest);
 
@@ -140,7 +139,7 @@ inline void Calendar::choose_slots(double least, std::span<const double> sample,
                                    double greatest) {
   constexpr std::size_t least_per_slot = 4;
   constexpr std::size_t most_per_slot = 16;
-  // Few items in a slot make a small heap, few slots can stay in the processor's cache.
+  // Few items per slot keep the heap small, few slots stay in the cache.
   const std::size_t per_slot = std::clamp(items / 4096, least_per_slot, most_per_slot);
   for (std::size_t rest = sample.size() / 4; rest > 0; rest /= 2) {
     std::size_t nearer = sample.size() - rest;

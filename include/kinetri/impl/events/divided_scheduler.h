@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A scheduler in parts: several Event_schedulers that look like one. A run by regions gives each
-// region a part of its own, which one thread may use while others use other parts. In one part it
-// is an Event_scheduler, and costs no more than that.
+// A scheduler in parts: several Event_schedulers with the interface of one. With several threads
+// (docs/PARALLEL.md), each node of the tree of regions has parts of its own, which one thread may
+// use while others use other parts. A single part costs no more than an Event_scheduler.
 #ifndef KINETRI_IMPL_EVENTS_DIVIDED_SCHEDULER_H
 #define KINETRI_IMPL_EVENTS_DIVIDED_SCHEDULER_H
 
@@ -21,27 +21,25 @@
 
 namespace kinetri::detail {
 
-/// Entries in parts. A handle names the part in its highest bits, so that whoever has a handle
-/// needs nothing else to find the entry. `Policy` has the functions that Event_scheduler asks for,
-/// and these, which are called only if there are several parts, or to make them. A *subject* is
-/// what an entry is about, entry.subject().
+/// Entries in parts. The highest bits of a handle are the number of the part. `Policy` has the
+/// functions that Event_scheduler requires, and these, which are called only if there are several
+/// parts, or to make them. The *subject* of an entry, entry.subject(), is what it is about.
 ///
 /// | Function | Result |
 /// |---|---|
 /// | `part_of(subject)` | the part in which an entry about it belongs |
 /// | `handle(subject)` | the handle of its entry in the scheduler |
-/// | `set_handle(subject, handle)` | notes that its entry has another handle from now on |
+/// | `set_handle(subject, handle)` | stores the new handle of its entry |
 ///
-/// `Entry::Kept` is what an entry says besides: `entry.kept()`, and Entry(subject, bounds, kept)
-/// without its exact time.
+/// `Entry::Kept`, given by `entry.kept()`, is an entry without subject and times: Entry(subject,
+/// bounds, kept) makes it again, without its exact time.
 ///
-/// The order of entries is that of one scheduler, whatever their parts are. Several threads may
-/// call const functions at once, and functions of different parts; between forget_first() and the
-/// next settle() or pop() they may also call `erase` and `emplace` for entries of different parts.
+/// The order of entries does not depend on the parts. Several threads may call const functions at
+/// once, and functions of different parts; between forget_first() and the next settle() or pop()
+/// they may also call `erase` and `emplace` for entries of different parts.
 ///
-/// The part that has the first entry is found by a tournament of all parts, which settle() and
-/// pop() begin and which later changes follow: so an operation costs O(log parts) comparisons more
-/// than in one part.
+/// A tournament finds the part with the first entry; settle() and pop() begin it, and later changes
+/// update it. So an operation costs O(log parts) comparisons more than in one part.
 template <class Entry, class Policy>
 class Divided_scheduler {
  public:
@@ -55,17 +53,17 @@ class Divided_scheduler {
   /// Whether there are several parts.
   bool is_divided() const noexcept { return !parts_.empty(); }
 
-  /// Distributes the entries over `count` parts, at most 65536; handles are others then. `blocks`
-  /// are entries that one thread moves: for_each_subject(block, function) calls function(subject)
-  /// with what each of them is about, in the same order each time. in_parallel(vector, work) calls
-  /// work with each element of a vector, by several threads if that helps. O(n). Until it is done,
-  /// entries take half as much memory again. If it throws, the scheduler can only be cleared.
+  /// Distributes the entries over `count` parts, at most 65536; invalidates handles. One thread
+  /// moves the entries of a block: for_each_subject(block, function) calls function(subject) with
+  /// the subjects, in the same order each time. in_parallel(vector, work) calls work with each
+  /// element of a vector, on several threads if that helps. O(n). Meanwhile entries take half as
+  /// much memory again. If it throws, the scheduler can only be cleared.
   template <class Block, class For_each_subject, class In_parallel>
   void distribute(std::size_t count, const std::vector<Block>& blocks,
                   const For_each_subject& for_each_subject, const In_parallel& in_parallel) {
     if (count == 1 && !is_divided()) return;
     Queue_counters before = counters();
-    if (count == number_of_parts()) before.peak = first_.counters().peak;  // no moment of its own
+    if (count == number_of_parts()) before.peak = first_.counters().peak;  // parts peak at different times
     forget_first();
     if (is_divided()) {
       in_parallel(parts_, [](const std::unique_ptr<Part>& part) { part->forget_order(); });
@@ -77,7 +75,7 @@ class Divided_scheduler {
       std::vector<Queue_handle> next;                               // of each part
       std::size_t first = 0;                                        // of its entries among all
       std::vector<std::uint16_t> parts;                             // of each of them
-      std::vector<std::pair<std::size_t, Algebraic_number>> times;  // of few: their numbers
+      std::vector<std::pair<std::size_t, Algebraic_number>> times;  // with the number of the entry; few have one
     };
     std::vector<Share> shares;
     for (const Block& block : blocks) {
@@ -92,7 +90,7 @@ class Divided_scheduler {
     });
     std::size_t number = 0;
     for (Share& share : shares) share.first = std::exchange(number, number + share.parts.size());
-    // All in one piece, which goes back to the system when it is freed.
+    // One large block, which is returned to the system when it is freed.
     std::vector<Double_interval> bounds(number);
     std::vector<typename Entry::Kept> kept(number);
     in_parallel(shares, [&](Share& share) {
@@ -110,7 +108,7 @@ class Divided_scheduler {
         share.times.emplace_back(k, part(part_of_handle(handles[k])).time_of(entry));
       }
     });
-    // The memory of the entries is free again before they are made anew.
+    // Frees the memory of the entries before they are made anew.
     first_.clear();
     in_parallel(parts_, [](std::unique_ptr<Part>& part) { part.reset(); });
     parts_.clear();
@@ -160,14 +158,13 @@ class Divided_scheduler {
     first_.count_as(before);
   }
 
-  /// How many parts there are; at least one.
+  /// The number of parts; at least one.
   std::size_t number_of_parts() const noexcept { return is_divided() ? parts_.size() : 1; }
-  /// A part; the only one has the number 0.
+  /// A part; numbers begin at 0.
   Part& part(std::size_t number) { return is_divided() ? *parts_[number] : first_; }
   const Part& part(std::size_t number) const { return is_divided() ? *parts_[number] : first_; }
 
-  /// To be called before the functions of parts change them: what is known of which part comes
-  /// first is forgotten. O(1).
+  /// Forgets which part comes first; call it before the functions of parts change them. O(1).
   void forget_first() noexcept { winners_.clear(); }
 
   /// The part that holds the entry of a handle.
@@ -185,13 +182,13 @@ class Divided_scheduler {
     source.pop();
     policy_.set_handle(entry.subject(), named(to, handle));
   }
-  /// Moves the entries of a part to where they belong.
+  /// Moves each entry of a part to the part in which it belongs.
   void move_home(std::size_t from) {
     Part& source = part(from);
     while (!source.empty()) move_first(from, policy_.part_of(source.top().subject()));
   }
 
-  /// The handle here of what has this handle in its part.
+  /// The handle of the entry with this handle in its part.
   Queue_handle named(std::size_t part, Queue_handle handle) const {
     return named(part, handle, shift_);
   }
@@ -208,7 +205,7 @@ class Divided_scheduler {
     for (const auto& part : parts_) result += part->size();
     return result;
   }
-  /// Without what a division has moved.
+  /// Without the moves between parts.
   Queue_counters counters() const noexcept {
     Queue_counters result = first_.counters();
     for (const auto& part : parts_) {
@@ -281,7 +278,7 @@ class Divided_scheduler {
       return erase_from_parts(handle);
     return first_.erase(handle);
   }
-  /// Takes all entries out, and leaves one part.
+  /// Removes all entries, and leaves one part.
   void clear() {
     Queue_counters cleared = counters();
     cleared.discarded += size();
@@ -308,7 +305,7 @@ class Divided_scheduler {
   }
 
  private:
-  // What is done if there are several parts: not inlined, so that one part costs no more.
+  // The functions for several parts are not inlined, so that one part costs no more.
   template <class Is_due, class Recheck>
   bool settle_parts(const Is_due& is_due, const Recheck& recheck) {
     find_first();
@@ -316,12 +313,12 @@ class Divided_scheduler {
       if (!policy_.is_recheck(top())) return true;
       const Entry entry = pop();
       recheck(std::span<const Entry>(&entry, 1));
-      find_first();  // what has been rechecked may have changed anything
+      find_first();  // recheck may have changed any part
     }
     return false;
   }
 
-  // How many bits handles have in a part, of so many.
+  // How many bits handles have in a part if there are so many parts.
   static unsigned shift_of(std::size_t count) {
     return 32 - static_cast<unsigned>(std::bit_width(count - 1));
   }
@@ -378,14 +375,14 @@ class Divided_scheduler {
     }
   }
 
-  // A part has changed. If memory is missing, the first entry is found again later.
+  // A part has changed. If memory is missing, the tournament is repeated later.
   void follow(std::size_t changed) noexcept {
     if (!is_first_known()) return;
     try {
       for (std::size_t match = (parts_.size() + changed) / 2; match > 0; match /= 2) {
         const std::size_t before = winners_[match];
         set_winner(match);
-        // Nothing that it has changed goes further.
+        // The change has no effect higher up.
         if (winners_[match] == before && before != changed) return;
       }
     } catch (...) {
@@ -419,10 +416,10 @@ class Divided_scheduler {
     return is_divided() ? part(part_of_handle(policy_.handle(entry.subject()))) : first_;
   }
 
-  // An exact time that is not kept, so that several threads may ask for it.
+  // An exact time that is not stored, so that several threads may compute it.
   static Algebraic_number made(const Part& part, const Entry& entry) { return part.time_of(entry); }
 
-  // The first entries of two parts.
+  // Compares the first entries of two parts.
   template <class Time_in>
   bool precedes(Part& p, Part& q, const Time_in& time_in) const {
     const Entry& a = p.top();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The scheduler: an event queue in the exact order of time. Of most entries it holds only an
-// interval that contains the time; the exact number is made the first time that intervals do not
-// decide. The triangulation schedules the failures of its certificates with it, the simulation its
-// contacts.
+// The scheduler: an event queue in the exact order of time. Most entries have only an interval that
+// contains the time; the exact number is made when intervals do not decide. The triangulation
+// schedules failures of certificates, the simulation contacts.
 #ifndef KINETRI_IMPL_EVENTS_EVENT_SCHEDULER_H
 #define KINETRI_IMPL_EVENTS_EVENT_SCHEDULER_H
 
@@ -22,10 +21,10 @@
 
 namespace kinetri::detail {
 
-/// What the scheduler knows of an entry. An entry derives from it and adds what it is about.
+/// The times of an entry. Entries derive from it and add their subjects.
 struct Scheduled {
   Double_interval bounds = {};  ///< contain the time
-  /// Where the scheduler keeps the exact time, if it has been made.
+  /// The exact time in the scheduler's pool, if it has been made.
   mutable Time_pool::Index time = Time_pool::none;
 };
 
@@ -36,7 +35,7 @@ struct Scheduled {
 /// | `entry_time(entry)` | the exact time of an entry that was scheduled by bounds alone |
 /// | `precedes(a, b)` | the order of two entries of one time, strict and total |
 /// | `is_recheck(entry)` | whether the entry is no event, but a time to check a certificate again |
-/// | `prefetch(entry)` | starts to load memory for an entry whose turn comes near; static |
+/// | `prefetch(entry)` | starts to load memory for an entry that will be first soon; static |
 /// | `prefetch_more(entry)` | the same, one step later; static |
 /// | `prefetch_first(entry)` | the same, when the entry has become the first one |
 ///
@@ -51,7 +50,7 @@ class Event_scheduler {
   Event_scheduler(const Event_scheduler&) = delete;
   Event_scheduler& operator=(const Event_scheduler&) = delete;
 
-  // ---- the entries, as Indexed_queue says ----
+  // ---- the entries, as in Indexed_queue ----
 
   bool empty() const noexcept { return queue_.empty(); }
   std::size_t size() const noexcept { return queue_.size(); }
@@ -59,7 +58,6 @@ class Event_scheduler {
   void count_as(const Queue_counters& counters) noexcept { queue_.count_as(counters); }
   bool contains(Queue_handle handle) const noexcept { return queue_.contains(handle); }
   const Entry& operator[](Queue_handle handle) const { return queue_[handle]; }
-  /// As Indexed_queue says.
   template <class Amend>
   void amend(Queue_handle handle, const Amend& function) {
     queue_.amend(handle, function);
@@ -115,22 +113,21 @@ class Event_scheduler {
   void end_assign() { queue_.end_assign(); }
   /// @}
 
-  /// As Indexed_queue says.
   void expect(double bound) { queue_.expect(bound); }
-  /// As Indexed_queue says. Exact times are kept.
+  ///  Exact times are kept.
   void forget_order() { queue_.forget_order(); }
 
-  /// Takes the first entry out. Precondition: not empty.
+  /// Removes the first entry. Precondition: not empty.
   Entry pop() {
     const Entry entry = forgotten(queue_.pop());
     if (!empty()) policy_.prefetch_first(top());
     return entry;
   }
 
-  /// Takes an entry out. Precondition: contains(handle).
+  /// Removes an entry. Precondition: contains(handle).
   Entry erase(Queue_handle handle) { return forgotten(queue_.erase(handle)); }
 
-  /// Takes all entries out.
+  /// Removes all entries.
   void clear() {
     queue_.clear();
     times_.clear();
@@ -138,16 +135,16 @@ class Event_scheduler {
 
   // ---- time ----
 
-  /// The exact time of an entry of the queue. Made once, and kept until the entry leaves.
+  /// The exact time of an entry of the queue, stored until the entry leaves.
   const Algebraic_number& time(const Entry& entry) { return kept_time(entry); }
 
-  /// The exact time of an entry of the queue, of which nothing is kept.
+  /// The same, not stored.
   Algebraic_number time_of(const Entry& entry) const {
     return entry.time == Time_pool::none ? policy_.entry_time(entry) : times_[entry.time];
   }
 
-  /// Whether the time of an entry of the queue is at or before `time`, which is within `bounds`.
-  /// `time` is a function that returns it: it is called only if intervals do not decide.
+  /// Whether the time of an entry of the queue is at or before exact_time(), which is within
+  /// `bounds`; exact_time is called only if intervals do not decide.
   template <class Exact_time>
   bool is_due(const Entry& entry, const Double_interval& bounds, const Exact_time& exact_time) {
     if (entry.bounds.upper < bounds.lower) return true;
@@ -155,9 +152,9 @@ class Event_scheduler {
     return time(entry) <= exact_time();
   }
 
-  /// Has certificates checked again until the first entry is an event, or is none that `is_due`.
-  /// Returns whether it is an event that is due. `recheck` is called with one entry, or two of
-  /// consecutive times, which have been taken out.
+  /// Rechecks certificates until the first entry is an event or is not due. Returns whether it is
+  /// an event that is due. Calls `recheck` with one entry or two successive ones, which have been
+  /// removed.
   template <class Is_due, class Recheck>
   KINETRI_ALWAYS_INLINE bool settle(const Is_due& is_due, const Recheck& recheck) {
     while (!empty() && is_due(top())) {
@@ -171,7 +168,7 @@ class Event_scheduler {
   }
 
  private:
-  /// What becomes of an exact time that a comparison needs.
+  /// Whether an exact time that a comparison needs is stored.
   enum class Time_use : bool { discard, keep };
 
   struct Order {
@@ -190,7 +187,7 @@ class Event_scheduler {
     }
   };
 
-  // Const for the order, which the queue calls only when it changes.
+  // Const because the order, which the queue calls only when it changes, is const.
   const Algebraic_number& kept_time(const Entry& entry) const {
     if (entry.time == Time_pool::none) entry.time = times_.keep(policy_.entry_time(entry));
     return times_[entry.time];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The event queue: a priority queue whose items are reached by handle, so that an event that became
-// illegal is erased at once. It knows no geometry; the order is a parameter.
+// The event queue: a priority queue whose items have handles, so that events can be erased. The
+// order is a parameter.
 #ifndef KINETRI_IMPL_EVENTS_INDEXED_QUEUE_H
 #define KINETRI_IMPL_EVENTS_INDEXED_QUEUE_H
 
@@ -20,23 +20,21 @@
 
 namespace kinetri {
 
-/// How the queue was used. At any time pushed = popped + discarded + size.
+/// Counts of the queue. `pushed` is the number of items popped, discarded and present.
 struct Queue_counters {
   std::uint64_t pushed = 0;     ///< items that entered
-  std::uint64_t discarded = 0;  ///< items that left without having been popped: erased or cleared
+  std::uint64_t discarded = 0;  ///< items erased or cleared
   std::uint64_t peak = 0;       ///< the largest size so far
 
   friend bool operator==(const Queue_counters&, const Queue_counters&) = default;
 };
 
-/// A strict weak order that bounds its items: `bounds` gives an interval for each item, and items
-/// with disjoint intervals are in the order of their intervals. The queue calls the order itself,
-/// which costs memory accesses, only with items whose bounds overlap.
+/// A strict weak order with bounds: items with disjoint intervals `bounds(item)` are in the order
+/// of these. The queue calls the order only for items whose bounds overlap.
 ///
-/// `prefetch` and `prefetch_more` may prefetch the memory that an item will need soon. When several
-/// items are about to be needed the queue calls `prefetch` with each of them, then `prefetch_more`
-/// with each of them; `prefetch_more` may read what `prefetch` has prefetched. Both must be
-/// KINETRI_ALWAYS_INLINE (see detail::prefetch_address), and both may do nothing.
+/// `prefetch` and `prefetch_more` may prefetch memory of items that will be first soon: the queue
+/// calls `prefetch` for several items, then `prefetch_more` for each of them, which may read what
+/// `prefetch` has prefetched. Both must be KINETRI_ALWAYS_INLINE (see detail::prefetch_address).
 template <class Less, class Item>
 concept Bounding_order = requires(const Less& less, const Item& item) {
   { less(item, item) } -> std::convertible_to<bool>;
@@ -45,17 +43,16 @@ concept Bounding_order = requires(const Less& less, const Item& item) {
   less.prefetch_more(item);
 };
 
-/// A calendar queue with an index: the items whose turn is near are in a 4-ary implicit heap, the
-/// others lie unordered in slots by their lower bounds, and reach the heap slot by slot. An item
-/// that is erased before its slot is opened, as most are, is never compared with another item.
+/// A calendar queue with an index: items that will be first soon are in a 4-ary implicit heap; the
+/// others are unordered in slots by their lower bounds, and enter the heap slot by slot. An item
+/// that is erased before its slot is opened, as most are, is never compared.
 ///
-/// Give a total order, and the order of pops depends on the items alone, not on the history of the
-/// queue. `Item` is movable and has a default constructor; it need not be copyable.
+/// If the order is total, the order of pops does not depend on the history of the queue. `Item` is
+/// movable and has a default constructor.
 ///
-/// push, pop, erase: constant expected cost if the bounds spread evenly, never more than O(log
-/// n) comparisons; items stay where they are until they leave, and are then destroyed or moved from
-/// at once. top, contains, operator[]: O(1). An exception thrown by the order leaves the queue
-/// unusable but destructible.
+/// push, pop, erase: constant expected cost if the bounds are evenly distributed, O(log n)
+/// comparisons at most, amortized. top, contains, operator[]: O(1). An insertion may move items in
+/// memory. After the order has thrown, the queue can only be destroyed.
 ///
 /// Source: R. Brown, Calendar queues: a fast O(1) priority queue implementation for the simulation
 /// event set problem, Communications of the ACM 31, 1988.
@@ -78,16 +75,15 @@ class Indexed_queue {
   /// Inserts `item` and returns its handle. Precondition: size() < 2^32 - 2.
   Queue_handle push(Item item) { return emplace(std::move(item)); }
 
-  /// Inserts an item that is constructed from `parts` in the place where it stays. Its constructor
-  /// must not throw, and `parts` must not refer to an item of the queue. Precondition: size() <
-  /// 2^32 - 2.
+  /// Inserts an item, constructed in the queue from `parts`. Its constructor must not throw, and
+  /// `parts` must not refer to an item of the queue. Precondition: size() < 2^32 - 2.
   template <class... Parts>
   Queue_handle emplace(Parts&&... parts);
 
-  /// Inserts items under handles less than `size`, faster than one by one. Calls `fill` with a
-  /// function put(handle, item), which is to be called at most once for each handle, in any order,
-  /// by several threads if that helps. A handle for which it is not called stays free. Linear in
-  /// `size`. Precondition: the queue is empty and has had no item since it was made or cleared.
+  /// Inserts many items, faster than one by one. Calls `fill` with a function put(handle, item),
+  /// which several threads may call, at most once for each handle below `size`. The other handles
+  /// stay free. Linear in `size`. Precondition: the queue is empty and has had no item since it was
+  /// made or cleared.
   template <class Fill>
   void assign(std::size_t size, Fill fill) {
     begin_assign(size);
@@ -106,8 +102,8 @@ class Indexed_queue {
   void end_assign();
   /// @}
 
-  /// Gives the memory back that keeps items in order. From then on no function may be called but
-  /// contains, operator[], size, counters and clear.
+  /// Frees the memory for the order. From then on only contains, operator[], prefetch, size,
+  /// counters and clear may be called.
   void forget_order();
 
   /// The handle of the least item. Precondition: not empty.
@@ -127,7 +123,7 @@ class Indexed_queue {
     return places_[handle].item;
   }
 
-  /// Calls function(item) with the item of `handle`, to change what says nothing about its order.
+  /// Calls function(item) with the item of `handle`, to change what does not concern the order.
   /// Precondition: contains(handle).
   template <class Amend>
   void amend(Queue_handle handle, const Amend& function) {
@@ -135,13 +131,13 @@ class Indexed_queue {
     function(places_[handle].item);
   }
 
-  /// Says that items with lower bounds up to `bound` will be first soon, and others not: these are
-  /// not put in order before. Changes nothing but the cost of what follows. Linear in the largest
-  /// size so far.
+  /// Announces that only items with lower bounds up to `bound` will be first soon: the others are
+  /// not put in order before. Changes only the cost of later calls. Linear in the largest size so
+  /// far.
   void expect(double bound);
 
   /// Prefetches the item of `handle`; does nothing for no_event. Precondition: `handle` is no_event
-  /// or a handle that the queue has given out, whose item may have left.
+  /// or a handle of the queue, whose item may have left.
   KINETRI_ALWAYS_INLINE void prefetch(Queue_handle handle) const {
     if (handle != no_event) detail::prefetch_address(&places_[handle]);
   }
@@ -160,12 +156,12 @@ class Indexed_queue {
   /// Counts since the queue was made; clear() does not reset them.
   const Queue_counters& counters() const noexcept { return counters_; }
 
-  /// Goes on counting from these counts.
+  /// Continues counting from these counts.
   void count_as(const Queue_counters& counters) noexcept { counters_ = counters; }
 
   /// Whether heap order, slots and index are intact. O(n); for audits.
   bool is_valid() const { return is_valid(less_); }
-  /// The same, asking another order object about items whose bounds overlap.
+  /// The same with another order object.
   bool is_valid(const Less& order) const;
 
  private:
@@ -185,8 +181,8 @@ class Indexed_queue {
   };
 
   Double_interval bounds(Queue_handle handle) const { return less_.bounds(places_[handle].item); }
-  // The slot of an item. It reads the lower bound alone: the two bounds were written one by one,
-  // and the processor waits when it reads both at once soon after.
+  // The slot of an item. Reads only the lower bound: both at once would stall the processor, since
+  // they have just been written one by one.
   double slot(const Item& item) const { return calendar_.slot(less_.bounds(item).lower); }
 
   bool less(const Node& a, const Node& b, const Less& order) const {
@@ -225,16 +221,15 @@ class Indexed_queue {
   bool is_heap_valid(const Less& order) const;
   bool is_calendar_valid() const;
 
-  // Invariants: an item is in the heap if its lower bound is in an open slot, else it is far. So
-  // long as the upper bound of the heap's least item is in an open slot, that item is the least of
-  // all; between two calls from outside it is. A far item is recorded in its slot, unless that is
-  // beyond the last one; slots may also hold records of items that have left or moved, which are
-  // recognized when they are opened.
+  // Invariants: an item is in the heap if its lower bound is in an open slot, else it is far. If
+  // the upper bound of the first item of the heap is in an open slot, that item is the least of
+  // all; between public calls it is. A far item is recorded in its slot, unless that is beyond the
+  // last one. Slots may also hold obsolete records, which are recognized when the slot is opened.
   std::vector<Node> heap_;
   std::vector<Place> places_;       // by handle
   std::vector<Queue_handle> free_;  // a stack
   detail::Calendar calendar_;
-  std::size_t size_ = 0;            // of heap_ and far_ together: read at every change
+  std::size_t size_ = 0;            // of heap_, and far_
   std::size_t far_ = 0;             // the number of far items
   std::size_t size_at_spread_ = 0;  // when the slots were chosen
   Queue_counters counters_;

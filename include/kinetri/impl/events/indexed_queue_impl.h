@@ -79,7 +79,7 @@ void Indexed_queue<Item, Less>::for_each(Function function) const {
   }
 }
 
-// A handle that is not in use yet; the last one that became free first.
+// A free handle; the one that was freed last.
 template <class Item, Bounding_order<Item> Less>
 inline Queue_handle Indexed_queue<Item, Less>::acquire_handle() {
   if (free_.empty()) [[unlikely]]
@@ -89,8 +89,7 @@ inline Queue_handle Indexed_queue<Item, Less>::acquire_handle() {
   return handle;
 }
 
-// Makes another handle. A queue may be a large part of the memory of a program, so it does not grow
-// to double its size.
+// Makes another handle. Grows by an eighth, not by half or more, since queues are large.
 template <class Item, Bounding_order<Item> Less>
 void Indexed_queue<Item, Less>::add_handle() {
   const std::size_t size = places_.size();
@@ -107,7 +106,7 @@ inline Item Indexed_queue<Item, Less>::take(Queue_handle handle) {
   return std::move(places_[handle].item);
 }
 
-// Takes the item of `handle` out of the heap; of a far one the record stays until its slot is
+// Removes the item of `handle` from the heap; the record of a far item stays until its slot is
 // opened.
 template <class Item, Bounding_order<Item> Less>
 inline void Indexed_queue<Item, Less>::remove(Queue_handle handle) {
@@ -129,8 +128,8 @@ inline void Indexed_queue<Item, Less>::remove(Queue_handle handle) {
 
 // --- The calendar -------------------------------------------------------------------------------
 
-// Puts the item of `handle`, which is nowhere, where it belongs. Returns false if the least item is
-// first in the heap as it was before, and no slot has become long.
+// Puts the item of `handle`, which is nowhere, into the heap or a slot. Returns false if the first
+// item of the heap is still the least, and no slot has become longer.
 template <class Item, Bounding_order<Item> Less>
 inline bool Indexed_queue<Item, Less>::insert(Queue_handle handle) {
   const double s = slot(places_[handle].item);
@@ -141,13 +140,13 @@ inline bool Indexed_queue<Item, Less>::insert(Queue_handle handle) {
   places_[handle].position = far;
   ++far_;
   const bool is_longer = calendar_.record(s, handle);
-  // If there was no far item the heap may be empty, or its first item have bounds that reach
+  // If there was no far item, the heap may be empty, or the bounds of its first item may extend
   // beyond the open slots.
   return is_longer || far_ == 1;
 }
 
-// Spreads all items over slots anew if these have become too long, and opens slots until the
-// least item of all is in the heap.
+// Distributes all items over new slots if the slots are too long, and opens slots until the least
+// item of all is in the heap.
 template <class Item, Bounding_order<Item> Less>
 void Indexed_queue<Item, Less>::keep_in_order() {
   if (has_long_slots()) spread_all();
@@ -194,7 +193,7 @@ void Indexed_queue<Item, Less>::open_next_slot() {
   if (!calendar_.has_next()) return spread();
   calendar_.open_next([this](std::span<const Queue_handle> handles) {
     for (const Queue_handle handle : handles) detail::prefetch_address(&places_[handle]);
-    // Which are due is chosen without branches, which nothing could predict.
+    // Without branches, which would be mispredicted.
     std::array<Queue_handle, detail::Calendar::Chunk::capacity> due;
     std::size_t number_due = 0;
     for (const Queue_handle handle : handles) {
@@ -215,9 +214,8 @@ void Indexed_queue<Item, Less>::open_next_slot() {
   });
 }
 
-// Distributes the far items over slots chosen for them, or for those up to `greatest`. Costs O(n),
-// and happens when the queue has grown to a multiple, or when the nearer part of the items has been
-// opened.
+// Distributes the far items over slots chosen for them, or for those up to `greatest`. O(n); called
+// when the queue has grown to a multiple, or all slots are open.
 template <class Item, Bounding_order<Item> Less>
 void Indexed_queue<Item, Less>::spread(double greatest) {
   calendar_.reset();
@@ -229,8 +227,8 @@ void Indexed_queue<Item, Less>::spread(double greatest) {
   }
 }
 
-// Chooses slots for the far items. There are none, and every item goes to the heap, if the items
-// are too few, or too near to one another, or too far apart.
+// Chooses slots for the far items. There are none, and all items go to the heap, if the items are
+// too few, too near to each other, or too far apart.
 template <class Item, Bounding_order<Item> Less>
 void Indexed_queue<Item, Less>::choose_slots(double greatest) {
   if (far_ < detail::Calendar::least_items) return;
@@ -260,7 +258,7 @@ void Indexed_queue<Item, Less>::insert_into_heap(const Node& node) {
 template <class Item, Bounding_order<Item> Less>
 std::size_t Indexed_queue<Item, Less>::least_child(std::size_t first_child) const {
   const std::size_t end = std::min(first_child + arity, heap_.size());
-  // By the bounds first, without branches, which nothing could predict.
+  // By the bounds first, without branches, which would be mispredicted.
   std::size_t least = first_child;
   bool overlap = false;
   for (std::size_t child = first_child + 1; child < end; ++child) {
@@ -277,8 +275,8 @@ std::size_t Indexed_queue<Item, Less>::least_child(std::size_t first_child) cons
   return least;
 }
 
-// Moves the hole at `position` up to where `node` belongs and fills it. Returns false, and has
-// done nothing, if the node does not belong above `position`.
+// Moves the hole at `position` up to where `node` belongs and fills it. Returns false, and does
+// nothing, if the node does not belong above `position`.
 template <class Item, Bounding_order<Item> Less>
 bool Indexed_queue<Item, Less>::sift_up(std::size_t position, const Node& node) {
   const std::size_t start = position;

@@ -18,7 +18,6 @@ namespace kinetri::detail {
 template <class Observer>
 class Observer_list {
  public:
-  /// Whether there is none.
   bool empty() const noexcept { return observers_.empty(); }
 
   void add(Observer& observer) { observers_.push_back(&observer); }
@@ -33,7 +32,6 @@ class Observer_list {
     }
   }
 
-  /// Calls `function` with each observer.
   template <class Function>
   void call(const Function& function) {
     const Call call(*this);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The handles of the event queue, for those who store handles and need no queue.
+// The handles of the event queue, for code that stores handles and needs no queue.
 #ifndef KINETRI_IMPL_EVENTS_QUEUE_HANDLE_H
 #define KINETRI_IMPL_EVENTS_QUEUE_HANDLE_H
 
@@ -11,7 +11,7 @@
 
 namespace kinetri {
 
-/// Names an item of an Indexed_queue from its push to its pop or erase; then it may be reused.
+/// A handle of an item of an Indexed_queue; reused after the item has left.
 using Queue_handle = std::uint32_t;
 
 /// The handle of no item.

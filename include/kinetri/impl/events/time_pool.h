@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the exact times of queue entries are kept: few entries need one, so that an entry holds an
-// index instead of a time.
+// The exact times of queue entries. Few entries need one, so an entry has an index instead of a
+// time.
 #ifndef KINETRI_IMPL_EVENTS_TIME_POOL_H
 #define KINETRI_IMPL_EVENTS_TIME_POOL_H
 

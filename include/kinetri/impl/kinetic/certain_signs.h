@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The signs of predicates of positions that are known up to an error: those that are certain all
-// the same.
+// Signs of predicates of positions that are known up to an error, if they are certain.
 #ifndef KINETRI_IMPL_KINETIC_CERTAIN_SIGNS_H
 #define KINETRI_IMPL_KINETIC_CERTAIN_SIGNS_H
 

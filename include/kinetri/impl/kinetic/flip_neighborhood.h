@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the certificates that a flip makes are about.
+// The points of the certificates that a flip makes.
 #ifndef KINETRI_IMPL_KINETIC_FLIP_NEIGHBORHOOD_H
 #define KINETRI_IMPL_KINETIC_FLIP_NEIGHBORHOOD_H
 
@@ -16,7 +16,7 @@ namespace kinetri {
 template <class Point>
 using Quadruple = std::array<const Point*, 4>;
 
-/// The points around an edge that has just been flipped, all of them there: the corners of its two
+/// The points around an edge that has just been flipped, all of them finite: the corners of its two
 /// triangles, counterclockwise from one of its ends, so that the triangles are the corners 0, 1, 2
 /// and 0, 2, 3; and of each outer edge, from the corner k to the next one, the point beyond it.
 ///

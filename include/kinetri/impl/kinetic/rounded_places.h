@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The positions of moving points at one time, in doubles, with a bound for their errors: for signs
-// that are certain all the same, and for searches that may begin anywhere.
+// that are certain despite the errors, and for searches that may begin anywhere.
 #ifndef KINETRI_IMPL_KINETIC_ROUNDED_PLACES_H
 #define KINETRI_IMPL_KINETIC_ROUNDED_PLACES_H
 
@@ -30,16 +30,15 @@ concept HasRoundedPlace = requires(const Motion& motion, const Double_interval& 
   { place_error(motion, 1.0, times) } -> std::same_as<double>;
 };
 
-/// The positions, by point id, each of which is exact up to one error in each coordinate. The signs
-/// are those at the time and just after it, or ZERO if that is not certain. All functions are
-/// O(1).
+/// The positions, by point id, with one bound for the errors of all coordinates. The signs are
+/// those at the time and just after it, or ZERO if that is not certain. Signs are O(1).
 class Rounded_places {
  public:
   /// No positions: no sign is certain.
   Rounded_places() = default;
 
-  /// The positions of the points that `point_of` makes of the elements of a range, at `time`. O(the
-  /// range of their ids).
+  /// The positions of the points `point_of(element)` of a range at `time`. Linear in the greatest
+  /// minus the least id.
   template <class Range, class Projection = std::identity>
   Rounded_places(const Range& range, const Algebraic_number& time,
                  const Projection& point_of = Projection()) {
