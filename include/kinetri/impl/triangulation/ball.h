@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ball arithmetic: a real number is known by a midpoint, which is an unevaluated sum of two
-// binary64 numbers, and a radius. What is rounded correctly, and decided, from about 100 bits needs
-// no exact arithmetic; if the radius is too large, the caller turns to that. Sources: T. Dekker,
-// A floating-point technique for extending the available precision, Numerische Mathematik 18, 1971;
+// Ball arithmetic: a real number is enclosed by a midpoint, which is an unevaluated sum of two
+// binary64 numbers, and a radius. About 100 bits are enough for most decisions and correct
+// rounding; if the radius is too large, the caller uses exact arithmetic. Sources: T. Dekker, A
+// floating-point technique for extending the available precision, Numerische Mathematik 18, 1971;
 // F. Johansson, Arb: efficient arbitrary-precision midpoint-radius interval arithmetic, IEEE
 // Transactions on Computers 66, 2017. docs/MATH.md, section 10, derives the constants.
 #ifndef KINETRI_IMPL_TRIANGULATION_BALL_H
@@ -22,10 +22,10 @@
 
 namespace kinetri::detail {
 
-/// Contains a real number: it is at most `radius` away from high + low, but for factors near 1 from
-/// the rounding of radii. Therefore what is decided uses twice the radius. |low| is at most half a
-/// unit in the last place of `high`. Nothing is known if a member is not finite. Right only
-/// if rounding is to nearest, as ball_of checks.
+/// Contains a real number: its distance from high + low is at most `radius`, up to factors near 1
+/// from the rounding of radii. Therefore decisions use twice the radius. |low| is at most half a
+/// unit in the last place of `high`. A member that is not finite means unknown. Right only if
+/// rounding is to nearest, which ball_of checks.
 struct Ball {
   double high = 0;
   double low = 0;
@@ -75,7 +75,7 @@ KINETRI_ALWAYS_INLINE void fast_exact_sum(double a, double b, double& high, doub
   low = b - (high - a);
 }
 
-// The rest a b - product, exactly but for underflow, without an instruction that not every
+// The rest a b - product, exact except for underflow, without a fused multiply-add, which not every
 // processor has. NaN if a factor is 2^996 or more.
 KINETRI_ALWAYS_INLINE double rest_of_product(double a, double b, double product) {
   constexpr double splitter = 0x1p27 + 1;
@@ -94,7 +94,7 @@ KINETRI_ALWAYS_INLINE Ball operator-(const Ball& a) {
   return {-a.high, -a.low, a.radius};
 }
 
-/// Of two binary64 numbers exact.
+/// Exact for two binary64 numbers.
 KINETRI_ALWAYS_INLINE Ball operator+(const Ball& a, const Ball& b) {
   double sum = 0;
   double rest = 0;
@@ -112,7 +112,7 @@ KINETRI_ALWAYS_INLINE Ball operator-(const Ball& a, const Ball& b) {
   return a + -b;
 }
 
-/// Of two binary64 numbers exact, short of underflow.
+/// Exact for two binary64 numbers, except for underflow.
 KINETRI_ALWAYS_INLINE Ball operator*(const Ball& a, const Ball& b) {
   const double product = a.high * b.high;
   const double rest = ball::rest_of_product(a.high, b.high, product);
@@ -127,7 +127,7 @@ KINETRI_ALWAYS_INLINE Ball operator*(const Ball& a, const Ball& b) {
   return result;
 }
 
-/// Unknown if the divisor is not known well.
+/// Unknown if the relative radius of the divisor is 2^-20 or more.
 KINETRI_ALWAYS_INLINE Ball operator/(const Ball& a, const Ball& b) {
   const double size = std::abs(b.high);
   if (!(b.radius < 0x1p-20 * size)) return Ball::unknown();
@@ -146,7 +146,7 @@ inline Ball twice(const Ball& a) {
   return {2 * a.high, 2 * a.low, 2 * a.radius};
 }
 
-/// Contains the number. Refines it to some 128 bits if it is not a binary64 number. Unknown
+/// Contains the number, which is refined to some 128 bits unless it is a binary64 number. Unknown
 /// if this thread does not round to nearest.
 inline Ball ball_of(const Algebraic_number& number) {
   if (std::fegetround() != FE_TONEAREST) return Ball::unknown();
@@ -195,7 +195,7 @@ inline Ball_2 ball_place(const Polynomial_motion_2& motion, const Ball& t) {
   };
   return {place(&Vector_2::x), place(&Vector_2::y)};
 }
-/// Of another motion nothing is known.
+/// Unknown for other motions.
 template <class Motion>
 Ball_2 ball_place(const Motion& /*motion*/, const Ball& /*t*/) {
   return {Ball::unknown(), Ball::unknown()};
@@ -209,7 +209,7 @@ Ball ball_weight(const Basic_disc_motion_2<CentreMotion>& disc, const Ball& t) {
                           : Ball(disc.radius) + Ball(disc.growth) * (t - Ball(disc.epoch));
   return radius * radius + Ball(disc.weight);
 }
-/// Of another motion nothing is known.
+/// Unknown for other motions.
 template <class Motion>
 Ball ball_weight(const Motion& /*motion*/, const Ball& /*t*/) {
   return Ball::unknown();
@@ -221,7 +221,7 @@ struct Approximate_place {
   double error = std::numeric_limits<double>::infinity();
 };
 
-/// The position at a time that `t` is off from by at most half a unit in its last place.
+/// The position at a time of which `t` is a rounding, by at most half a unit in the last place.
 inline Approximate_place approximate_place(const Linear_motion_2& motion, double t) {
   const auto& [position, velocity, epoch] = motion;
   const double size =
@@ -238,7 +238,7 @@ inline Approximate_place approximate_place(const Polynomial_motion_2& motion, do
                                span * (size(motion.acceleration) + span * size(motion.jerk)));
   return {rounded_place(motion, t), 0x1p-47 * sizes + ball::tiny};
 }
-/// Of another motion nothing is known.
+/// Unknown for other motions.
 template <class Motion>
 Approximate_place approximate_place(const Motion& /*motion*/, double /*t*/) {
   return {};

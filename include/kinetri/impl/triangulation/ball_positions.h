@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The positions of points at one time in ball arithmetic, which decides most comparisons of
-// distances, also of equal ones if no rounding is needed, and rounds most positions.
+// distances (also of equal ones, if there is no rounding), and rounds most positions.
 #ifndef KINETRI_IMPL_TRIANGULATION_BALL_POSITIONS_H
 #define KINETRI_IMPL_TRIANGULATION_BALL_POSITIONS_H
 
@@ -28,7 +28,7 @@ inline std::optional<Vector_2> rounded(const Ball_2& position) {
   return x && y ? std::optional(Vector_2{*x, *y}) : std::nullopt;
 }
 
-/// The time in ball arithmetic, and what follows from it. Exact predicates decide what it leaves
+/// Positions and distances at one time in ball arithmetic. Exact predicates decide what it leaves
 /// open.
 template <KineticTraits_2 Traits>
 class Ball_positions {
@@ -70,8 +70,8 @@ class Ball_positions {
     const auto order = compare(a.squared_distance, b.squared_distance);
     return order ? *order : at_.compare_distance(v, a.vertex, b.vertex);
   }
-  /// The center of the circle through `v`, which is `here`, and two neighbors, rounded; `center` is
-  /// the vector to it, if that is known.
+  /// The center, rounded, of the circle through `v`, whose position is `here`, and two neighbors;
+  /// `center` is the vector to it, if known.
   Vector_2 rounded_center(Vertex_handle v, const Ball_2& here, const Neighbor& a, const Neighbor& b,
                           const std::optional<Ball_2>& center) const {
     if (center) {

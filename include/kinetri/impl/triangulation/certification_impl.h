@@ -96,7 +96,7 @@ void Kinetic_types<Traits>::Certification::certify(std::span<const Two_sided_edg
   }
 }
 
-// Points on a line, or fewer than two.
+// For collinear points, or fewer than two.
 template <class Traits>
 template <class Put>
 void Kinetic_types<Traits>::Certification::certify_chain(std::span<const Two_sided_edge> edges,
@@ -120,9 +120,8 @@ void Kinetic_types<Traits>::Certification::certify_chain(std::span<const Two_sid
   }
 }
 
-// The certificate of an edge of points on a line, whose weights differ: its ends are apart, and its
-// first vertex is not above the edge between its neighbors. Precondition: dimension 1, the edge is
-// finite.
+// The certificate of an edge of collinear points with different weights: its ends are apart, and
+// its first vertex is not hidden by its neighbors. Precondition: dimension 1, the edge is finite.
 template <class Traits>
 Certificate Kinetic_types<Traits>::Certification::chain_certificate(const Edge& edge,
                                                                     const Time& after) const {
@@ -149,7 +148,7 @@ inline void Kinetic_types<Traits>::Certification::certify_after_flip(
   certify(outer, now(), Certificate_state::any, counters, put);
 }
 
-// Does nothing and returns false if a point is infinite, or if the traits make no batches.
+// Does nothing and returns false if a point is infinite, or the traits have no batches.
 template <class Traits>
 template <class Now, class Put>
 inline bool Kinetic_types<Traits>::Certification::certify_together(
@@ -203,10 +202,10 @@ auto Kinetic_types<Traits>::Certification::certificate_of(const Two_sided_edge& 
   return result;
 }
 
-// Turns the certificate that an edge belongs to the triangulation, whose failure is of the given
-// kind, into the certificate of the edge, and returns the kind of that one's failure. Points that
-// come together share edges just before, so that watching edges finds every coincidence. While an
-// in-circle or orientation polynomial is positive, no two of its points coincide.
+// Turns the certificate that an edge is Delaunay (or a hull edge), whose failure is of the given
+// kind, into that of the first failure of the edge, and returns the kind of that failure. Points
+// that meet share edges just before, so the edges find every coincidence. While an in-circle or
+// orientation polynomial is positive, no two of its points coincide.
 template <class Traits>
 template <class After>
 inline Entry_kind Kinetic_types<Traits>::Certification::first_failure(
@@ -296,8 +295,8 @@ auto Kinetic_types<Traits>::Certification::hidden_points(Vertex_handle v, std::u
            &face->vertex(Triangulation::cw(condition))->point(), &v->point()}};
 }
 
-// In dimension 2 the condition of a side or of the plane. Below, of the segment or vertex that
-// hides the point (`plane_condition`), or of an end of the segment.
+// In dimension 2 the condition of a side or of the plane. In lower dimensions that of the segment
+// or vertex that hides the point (`plane_condition`), or of an end of the segment.
 template <class Traits>
 Certificate Kinetic_types<Traits>::Certification::hidden_certificate(
     Vertex_handle v, std::uint8_t condition, const Time& after, Certificate_state state) const {
@@ -318,7 +317,7 @@ Certificate Kinetic_types<Traits>::Certification::hidden_certificate(
   return traits_.meeting_certificate(condition == 0 ? first : second, point, after, from(after));
 }
 
-// Whether the first fails, or is to be checked again, before the second.
+// Whether the first fails, or must be rechecked, before the second.
 template <class Traits>
 bool Kinetic_types<Traits>::Certification::is_earlier(Vertex_handle v, const Condition& a,
                                                       const Condition& b) const {
@@ -341,7 +340,7 @@ template <class Is_left_turn>
 bool Kinetic_types<Traits>::Certification::is_embedded_around(
     Vertex_handle v, const Double_interval& bounds, const Is_left_turn& is_left_turn) const {
   if constexpr (BatchKineticTraits_2<Traits>) {
-    // Mostly it is an inner vertex of few neighbors.
+    // The usual case: an inner vertex with few neighbors.
     std::array<const Point_2*, 16> around;
     std::size_t number = 0;
     bool is_inner = true;

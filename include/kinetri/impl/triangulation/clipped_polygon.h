@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A polygon from which half planes are cut off, in binary64 arithmetic, for areas.
+// Intersections of a polygon with half planes, in binary64 arithmetic, for areas.
 #ifndef KINETRI_IMPL_TRIANGULATION_CLIPPED_POLYGON_H
 #define KINETRI_IMPL_TRIANGULATION_CLIPPED_POLYGON_H
 
@@ -19,10 +19,10 @@ struct Half_plane {
   double bound = 0;
 };
 
-/// What is left of a polygon. Each half plane replaces what lies outside of it by segments along
-/// its boundary, as I. E. Sutherland and G. W. Hodgman do it (Reentrant polygon clipping,
-/// Communications of the ACM 17, 1974). If the polygon is not convex the result may run along
-/// that boundary to and fro; its winding numbers, and so its area, are right all the same.
+/// The intersection of a polygon with half planes, by the algorithm of I. E. Sutherland and G. W.
+/// Hodgman (Reentrant polygon clipping, Communications of the ACM 17, 1974). If the polygon is not
+/// convex, the result may overlap itself along the boundary of a half plane, which does not change
+/// its area.
 class Clipped_polygon {
  public:
   /// All of the polygon.
@@ -82,8 +82,8 @@ class Clipped_polygon {
   std::vector<double> beyond_;  // of each vertex, the distance beyond the half plane
 };
 
-/// Throws Precondition_error if it is not a polygon whose area can be asked for: if it has fewer
-/// than three vertices, a coordinate that is not finite or beyond 1e150, or is not simple.
+/// Throws Precondition_error if the polygon has fewer than three vertices, or a coordinate that is
+/// not finite or beyond 1e150, or is not simple.
 void check_polygon(std::span<const Vector_2> polygon);
 
 }  // namespace kinetri::detail

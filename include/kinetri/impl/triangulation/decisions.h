@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the failure of an edge's certificate leads to, by exact predicates at its time. Nothing here
-// changes anything.
+// What the failure of the certificate of an edge leads to, by exact predicates at its time.
 #ifndef KINETRI_IMPL_TRIANGULATION_DECISIONS_H
 #define KINETRI_IMPL_TRIANGULATION_DECISIONS_H
 
@@ -13,13 +12,13 @@
 
 namespace kinetri::detail {
 
-/// What is done with an edge whose certificate has failed.
+/// What happens to an edge whose certificate has failed.
 enum class Action : std::uint8_t {
   flip,        ///< the edge is flipped
   hide,        ///< a vertex is hidden
-  reschedule,  ///< the certificate has touched zero, and is made again from now on
-  postpone,    ///< another event of the same time comes first
-  rebuild,     ///< flips alone do not pass this time
+  reschedule,  ///< the polynomial only touches zero: a new certificate
+  postpone,    ///< another event of the same time must come first
+  rebuild,     ///< flips alone are not enough at this time
 };
 
 /// Decides failures of edges. docs/MATH.md, sections 5 and 11, proves that these actions lead to
@@ -30,7 +29,7 @@ class Kinetic_types<Traits>::Decisions {
   struct Decision {
     Action action = Action::flip;
     Vertex_handle hidden = {};  ///< which vertex to hide
-    bool is_hull_flat = false;  ///< whether a hull triangle has gone flat and does not turn back
+    bool is_hull_flat = false;  ///< whether a hull triangle is flat and turns over
   };
 
   /// The certification must outlive this object.
@@ -39,8 +38,8 @@ class Kinetic_types<Traits>::Decisions {
         topology_(certification.topology()),
         triangulation_(topology_.triangulation()) {}
 
-  /// What to do with an edge whose certificate fails, no coincidence, at the time now(), which is
-  /// within `bounds`.
+  /// What to do with an edge whose certificate fails at the time now(), which is within `bounds`.
+  /// Precondition: not a coincidence.
   template <class Now>
   Decision decide(const Entry& failure, const Two_sided_edge& edge, const Double_interval& bounds,
                   const Now& now) const {
@@ -55,7 +54,7 @@ class Kinetic_types<Traits>::Decisions {
     return {Action::flip};
   }
 
-  /// The turn of three points just after now(), which is within `bounds`.
+  /// The orientation of three points just after now(), which is within `bounds`.
   template <class Now>
   Sign turn(const Point_2& p, const Point_2& q, const Point_2& r, const Double_interval& bounds,
             const Now& now) const {
@@ -108,9 +107,9 @@ auto Kinetic_types<Traits>::Decisions::decide_at_hull(const Two_sided_edge& edge
   return {can_flip ? Action::flip : Action::rebuild, {}, true};
 }
 
-// Four points whose weights differ are on one power circle. The edge is flipped if that leaves the
-// triangulation embedded; else the end of the edge at which its quadrilateral is not convex is
-// hidden, if it has degree 3; else another event of this time has to come first.
+// Four points whose weights differ are on one power circle. The edge is flipped if the
+// triangulation stays embedded; else the end at which its quadrilateral is not convex is hidden, if
+// it has degree 3; else another event of this time must come first.
 //
 //          c                      c
 //        / | \                  /   \                                                      .
@@ -118,9 +117,8 @@ auto Kinetic_types<Traits>::Decisions::decide_at_hull(const Two_sided_edge& edge
 //      / / | \ \              /       \                                                    .
 //     d ---+--- b            d ------- b        (the edge is any of the three at a)
 //
-// The quadrilateral is strictly convex just after now if both its turns are left turns. But c and d
-// may have an edge while several events of one time are executed, as long as another triangle is
-// not yet what it is just after that time.
+// The quadrilateral is strictly convex just after now if both turns are left turns. But while
+// several events of one time are executed, c and d may already have an edge.
 template <class Traits>
 template <class Now>
 auto Kinetic_types<Traits>::Decisions::decide_inside(const Two_sided_edge& edge, bool changes_sign,
@@ -163,9 +161,9 @@ bool Kinetic_types<Traits>::Decisions::is_touch(Face_handle face, const Time& no
                                            face->vertex(2)->point()) == CGAL::LEFT_TURN;
 }
 
-// Whether two corners of a triangle, whose weights may differ, are at one position at this time.
-// They may exchange their order along a side of the hull on which all their neighbors are, so that
-// no orientation changes its sign. Points without weights have been taken out.
+// Whether two corners of a triangle coincide at this time. Only with different weights, since other
+// coinciding points have been removed. They may exchange their order along a side of the hull on
+// which all their neighbors are, so that no orientation changes its sign.
 template <class Traits>
 bool Kinetic_types<Traits>::Decisions::do_corners_meet(Face_handle face, const Time& time) const {
   if (topology_.are_weights_equal()) return false;
@@ -180,7 +178,8 @@ bool Kinetic_types<Traits>::Decisions::do_corners_meet(Face_handle face, const T
 }
 
 // Whether the triangle at a hull edge and one beside it are flat at this time and one of the two
-// does not turn over: then others may turn over behind it that no hull edge tells of.
+// does not turn over: then triangles behind it may turn over although no certificate of a hull edge
+// fails.
 template <class Traits>
 bool Kinetic_types<Traits>::Decisions::may_hide_a_turn(const Edge& hull_triangle,
                                                        const Time& time) const {
@@ -198,8 +197,8 @@ bool Kinetic_types<Traits>::Decisions::may_hide_a_turn(const Edge& hull_triangle
   return false;
 }
 
-// Whether all points lie on the line of a triangle that is flat at this time. Usually the first one
-// that is looked at does not.
+// Whether all points lie on the line of a triangle that is flat at this time. Usually the first
+// point that is tested does not.
 template <class Traits>
 bool Kinetic_types<Traits>::Decisions::are_all_collinear(Face_handle face, const Time& time) const {
   const auto now = at(time);
@@ -210,9 +209,9 @@ bool Kinetic_types<Traits>::Decisions::are_all_collinear(Face_handle face, const
   });
 }
 
-// Whether the triangle at a hull edge, flat at this time, can be taken away: its apex lies between
-// the ends of the edge, and is no hull vertex yet. Otherwise several hull triangles went flat
-// together, possibly all of the triangulation.
+// Whether the triangle at a hull edge, flat at this time, can be removed: its apex lies between the
+// ends of the edge and is not yet a hull vertex. Otherwise several hull triangles become flat
+// together, possibly all triangles.
 template <class Traits>
 bool Kinetic_types<Traits>::Decisions::can_insert_into_hull(const Edge& hull_triangle,
                                                             const Time& time) const {
@@ -224,8 +223,8 @@ bool Kinetic_types<Traits>::Decisions::can_insert_into_hull(const Edge& hull_tri
       face->vertex(Triangulation::ccw(i))->point());
 }
 
-// The hull vertex that the segment of its hull neighbors hides: of a triangle, flat at this time,
-// that has two hull edges.
+// The vertex between the two hull edges of a triangle that is flat at this time, if the segment of
+// its neighbors hides it.
 //
 //         v
 //       /   \                                  v reaches the segment from outside and is above

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Edges that come and go during a change that is reported as a whole.
+// The edges added and removed during a change that is reported as a whole.
 #ifndef KINETRI_IMPL_TRIANGULATION_EDGE_CHANGES_H
 #define KINETRI_IMPL_TRIANGULATION_EDGE_CHANGES_H
 
@@ -11,11 +11,11 @@
 
 namespace kinetri::detail {
 
-/// Notes edges that are added and removed, in any order and as often as it happens, and adds up at
-/// the end. O(k log k) for k notes.
+/// Notes edges that are added and removed, possibly several times, and gives the net changes. O(k
+/// log k) for k notes.
 class Edge_changes {
  public:
-  /// An edge, and what became of it.
+  /// An edge and its net change.
   struct Change {
     Edge_ids edge;
     int net;  ///< 1: added; -1: removed; 0: as it was before
@@ -24,7 +24,7 @@ class Edge_changes {
   /// Notes that the edge has been added (1) or removed (-1).
   void note(const Edge_ids& edge, int change) { notes_.push_back({edge, change}); }
 
-  /// The edges that have been noted, each once, in the order of their ids. Nothing is noted then.
+  /// The noted edges, each once, in the order of their ids. Forgets the notes.
   std::vector<Change> take() {
     std::ranges::sort(notes_, {}, &Change::edge);
     std::vector<Change> result;

@@ -32,12 +32,12 @@ class Kinetic_types<Traits>::Event_loop {
         reporter_(reporter),
         updates_(updates) {}
 
-  /// Executes all events up to `time`, as long as may_go_on() is true before each time at which
-  /// something changes, if it is given. Returns their number.
+  /// Executes all events up to `time`, as long as may_go_on(), if given, is true before each time
+  /// with events. Returns their number.
   std::size_t run_to(const Time& time, const std::function<bool()>& may_go_on);
-  /// Goes to the next time, up to `until` if that is given, at which something changes, and
-  /// executes its events. Returns their number. Points may meet, and part, without an event: so
-  /// several times may be passed; after_instant() is called after each.
+  /// Executes the events of the next time that has some, up to `until` if given. Returns their
+  /// number. Points may meet and separate without an event, so several times may be passed; calls
+  /// after_instant() after each.
   template <class After_instant>
   std::size_t step(const Time* until, const After_instant& after_instant) {
     std::size_t events = 0;
@@ -54,14 +54,13 @@ class Kinetic_types<Traits>::Event_loop {
   /// Executes every event of the first time in the queue. Precondition: the first entry of the
   /// queue is a failure (see Schedule::settle).
   std::size_t run_instant();
-  /// Executes the failures at the present time, until there is none. Each flip makes the
-  /// triangulation more nearly Delaunay just after that time, and an edge that a flip leaves
-  /// violated then has its event at that time; so the state is Delaunay when none is left.
-  /// docs/MATH.md, section 5, has the argument, and why it ends.
+  /// Executes the failures at the present time until there is none. An edge that a flip leaves
+  /// violated just after that time fails at that time; so the triangulation is Delaunay when no
+  /// failure is left. docs/MATH.md, section 5, proves this and that it ends.
   void execute_due_events();
   /// Reconstructs the triangulation just after the present time.
   void rebuild();
-  /// Lets time run backwards: motions are mirrored, and the events of the present time are undone.
+  /// Reverses time: mirrors the motions, and undoes the events of the present time.
   void reverse();
   /// Whether coinciding points are temporarily removed at the present instant.
   bool has_points_set_aside() const { return !points_set_aside_.empty(); }
@@ -84,7 +83,7 @@ class Kinetic_types<Traits>::Event_loop {
   Event_reporter& reporter_;
   Updates& updates_;
   std::vector<Point_set_aside> points_set_aside_;
-  std::vector<Edge_ids> postponed_;  // edges whose certificates fail now, but cannot be flipped yet
+  std::vector<Edge_ids> postponed_;  // they fail now, but cannot be flipped yet
   std::uint64_t changes_before_retry_ = 0;
   bool is_hull_flat_ = false;  // at the present time
 };

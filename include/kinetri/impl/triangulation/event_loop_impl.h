@@ -104,8 +104,8 @@ void Kinetic_types<Traits>::Event_loop::rebuild() {
   updates_.rebuild();
 }
 
-// When no event is due: schedules the postponed edges again if something has happened since, and
-// reconstructs the triangulation otherwise. Returns whether there were any.
+// Schedules the postponed edges again if there was a change since the last call, and reconstructs
+// the triangulation otherwise. Returns whether there were any.
 template <class Traits>
 bool Kinetic_types<Traits>::Event_loop::retry_postponed() {
   if (postponed_.empty()) return false;
@@ -183,7 +183,7 @@ void Kinetic_types<Traits>::Event_loop::put_points_back() {
   }
 }
 
-// ---- time that runs backwards ----
+// ---- reversal of time ----
 
 // Just before the mirrored time the triangulation is Delaunay; the events of that time are executed
 // as in `run_instant`. If a triangle is flat, as it is if points meet, everything is rebuilt.

@@ -22,14 +22,13 @@
 
 namespace kinetri::detail {
 
-/// What observers are told of a flip, but for its number and time. The infinite vertex has the id
-/// no_point.
+/// The event of a flip, without number and time. The infinite vertex has the id no_point.
 inline Event flip_event(Event_kind kind, const std::pair<Edge_ids, Edge_ids>& removed_and_added) {
   Event event;
   event.kind = kind;
   for (const auto& [ids, edge] : {std::pair(removed_and_added.first, &event.removed),
                                   {removed_and_added.second, &event.added}}) {
-    // The other end of an infinite edge, whose greater id is that of the infinite vertex.
+    // The finite end of an infinite edge: no_point is the greater id.
     if (ids[1] == no_point) {
       event.apex = ids[0];
     } else {
@@ -39,8 +38,7 @@ inline Event flip_event(Event_kind kind, const std::pair<Edge_ids, Edge_ids>& re
   return event;
 }
 
-/// Edges that have come and gone, in that order, and hidden points that may have other triangles
-/// since then.
+/// Edges added and removed, in that order, and hidden points that may have other triangles now.
 struct Edge_trail {
   struct Step {
     std::optional<Edge_ids> removed;
@@ -50,10 +48,10 @@ struct Edge_trail {
   std::vector<Point_id> hidden;
 };
 
-/// Observers, counts, and the edges that are noted to be reported together.
+/// Observers, counts, and edges that are reported together.
 ///
-/// While edges are noted, no event is reported: what changes then, in whatever steps, is reported
-/// at the end as the edges that have come and gone, in `rebuild` events.
+/// While edges are noted, no event is reported; at the end their net changes are, as `rebuild`
+/// events.
 template <class Traits>
 class Kinetic_types<Traits>::Event_reporter {
  public:
@@ -64,7 +62,7 @@ class Kinetic_types<Traits>::Event_reporter {
   Event_reporter(const Event_reporter&) = delete;
   Event_reporter& operator=(const Event_reporter&) = delete;
 
-  // ---- calls within calls ----
+  // ---- reentrancy ----
 
   /// Throws Precondition_error within another change, or if an observer has thrown.
   void check_may_change() const {
@@ -81,7 +79,8 @@ class Kinetic_types<Traits>::Event_reporter {
   }
   /// Whether an event is reported, or edges are noted.
   bool is_in_event() const { return is_in_event_ || edges_.has_value(); }
-  /// Observers are called from now on, or no more. It stays so if an observer throws.
+  /// Sets whether an event is reported, for code that calls observers itself; stays true if one
+  /// throws.
   void set_in_event(bool is_in_event) { is_in_event_ = is_in_event; }
 
   // ---- events ----
@@ -90,16 +89,16 @@ class Kinetic_types<Traits>::Event_reporter {
   const Observer_list<Event_observer>& observers() const { return observers_; }
   Triangulation_counters& counters() { return counters_; }
 
-  /// Whether somebody is to know of each event, or edges are noted; else counting is enough.
+  /// Whether events or edges must be reported or noted; else counting is enough.
   bool has_listeners() const { return edges_ || keeps_trail_ || !observers_.empty(); }
 
-  /// Keeps the edges that come and go from now on, for whoever owns the triangulation.
+  /// From now on keeps added and removed edges for the owner of the triangulation.
   void keep_trail() { keeps_trail_ = true; }
   /// What has been kept since the last call.
   Edge_trail take_trail() { return std::exchange(trail_, {}); }
 
-  /// Reports `event`, now, around change(), which makes it happen. While edges are noted, only
-  /// notes the event's edges.
+  /// Calls change(), which executes the event, and observers before and after it. While edges are
+  /// noted, only notes the edges of the event.
   template <class Change>
   void report(Event event, const Change& change) {
     if (edges_) {
@@ -120,7 +119,7 @@ class Kinetic_types<Traits>::Event_reporter {
     is_in_event_ = false;
   }
 
-  /// Reports that change() hides or reveals a point, and the edges that come or go with it.
+  /// Reports that change() hides or reveals a point, and the edges that this adds or removes.
   template <class Change>
   void report_point(Event_kind kind, Point_id point, const Change& change) {
     if (edges_) {
@@ -155,22 +154,21 @@ class Kinetic_types<Traits>::Event_reporter {
   // ---- edges that are reported together ----
 
   bool is_noting() const { return edges_.has_value(); }
-  /// Edges are noted from now on, until report_edges().
+  /// Notes edges from now on, until report_edges().
   void start_noting() {
     if (!edges_) edges_.emplace();
   }
-  /// An edge has come (1) or gone (-1). Precondition: is_noting().
+  /// An edge was added (1) or removed (-1). Precondition: is_noting().
   void note(const Edge_ids& edge, int change) { edges_->note(edge, change); }
   /// A point has been hidden or revealed, while edges are noted.
   void note_hidden(Point_id point, bool is_hidden) { points_.push_back({point, is_hidden}); }
   /// A hidden point may have another triangle.
   void note_moved_hidden(Point_id point) { moved_hidden_.push_back(point); }
 
-  /// Ends noting, if edges are noted. Reports the points that are hidden or revealed in the end,
-  /// the edges that have gone and come in the end, then all that have been touched. Returns the
-  /// former.
+  /// If edges are noted, ends that: reports the net changes of hidden points and edges, then all
+  /// edges that were touched (after_rebuild). Returns the net changes of edges.
   Changed_edges report_edges();
-  /// Tells the observers which hidden points may have other triangles.
+  /// Reports which hidden points may have other triangles (after_hiding).
   void report_hiding();
 
  private:
@@ -181,12 +179,12 @@ class Kinetic_types<Traits>::Event_reporter {
   Triangulation_counters& counters_;
   Observer_list<Event_observer> observers_;
   std::optional<Edge_changes> edges_;              // while edges are noted
-  std::vector<std::pair<Point_id, bool>> points_;  // meanwhile hidden (true) and revealed
+  std::vector<std::pair<Point_id, bool>> points_;  // hidden (true) or revealed meanwhile
   std::vector<Point_id> moved_hidden_;
   Edge_trail trail_;
   bool keeps_trail_ = false;
   std::uint64_t events_in_instant_ = 0;
-  bool is_changing_ = false;  // a function that changes the triangulation runs
+  bool is_changing_ = false;  // during a function that changes the triangulation
   bool is_in_event_ = false;
 };
 
@@ -197,7 +195,7 @@ void Kinetic_types<Traits>::Event_reporter::report_points() {
   for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
     const auto [id, is_first_hidden] = points[first];
     while (last < points.size() && points[last].first == id) ++last;
-    // Each change is to the other state.
+    // Changes alternate.
     if ((last - first) % 2 == 0 || !topology_.contains(id)) continue;
     Event event;
     event.kind = is_first_hidden ? Event_kind::hide : Event_kind::reveal;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What becomes of the hidden points of a kinetic regular triangulation. A hidden point is above the
-// lifted triangle in whose projection it is. Its certificate says so: one in-circle certificate,
-// and one orientation certificate for each side of the triangle. When a side is reached, the point
-// is located anew; when the plane is reached, the point becomes a vertex.
+// Events of the hidden points of a kinetic regular triangulation. A hidden point is above the
+// lifted triangle in whose projection it is, certified by one in-circle certificate and one
+// orientation certificate for each side of the triangle. When it reaches a side, it is located
+// anew; when it reaches the plane, it becomes a vertex.
 //
-// The triangle that a hidden point is recorded to be in need not be right while the events of one
-// time are executed: a wrong triangle is a certificate that fails at once, and hidden points come
-// after all edges. docs/MATH.md, section 11.
+// While the events of one time are executed, the recorded triangle of a hidden point may be wrong:
+// then its certificate fails at once, and hidden points come after all edges. docs/MATH.md, section
+// 11.
 #ifndef KINETRI_IMPL_TRIANGULATION_HIDDEN_EVENTS_H
 #define KINETRI_IMPL_TRIANGULATION_HIDDEN_EVENTS_H
 
@@ -33,9 +33,9 @@ class Kinetic_types<Traits>::Hidden_events {
         reporter_(reporter),
         updates_(updates) {}
 
-  /// Finds out what has become of a hidden point whose certificate has failed, and has been taken
-  /// from the queue: it moves to another triangle, or becomes a vertex, or neither. The edges are
-  /// right just after the present time. Returns false if the triangulation is to be rebuilt.
+  /// Executes the failure of a hidden point, whose entry has left the queue: the point gets another
+  /// triangle, becomes a vertex, or neither. Precondition: the edges are right just after the
+  /// present time. Returns false if the triangulation must be rebuilt.
   [[nodiscard]] bool execute(const Entry& failure) {
     const Vertex_handle v = failure.hidden;
     v->set_event(no_event);
@@ -43,7 +43,7 @@ class Kinetic_types<Traits>::Hidden_events {
     const Face_handle face = v->face();
     triangulation_.take_from_face(v);
     if (failure.index != plane_condition) {
-      // It passes a side of its triangle.
+      // It crosses a side of its triangle.
       const auto [beyond, i] = topology_.two_sided(Edge(face, failure.index)).there;
       if (!triangulation_.is_infinite(beyond)) {
         updates_.hide_in(v, beyond);
@@ -61,8 +61,8 @@ class Kinetic_types<Traits>::Hidden_events {
     return place(v, topology_.locate(v->point(), face));
   }
 
-  /// Puts a point where it is just after now: a hidden one that is in no list, or one that comes.
-  /// Returns false if the triangulation is to be rebuilt.
+  /// Inserts a new point, or a hidden one that is in no list, at its location just after now.
+  /// Returns false if the triangulation must be rebuilt.
   [[nodiscard]] bool place(Vertex_handle v, const Location& location) {
     const auto& [face, locus, i] = location;
     const auto hide_now = [&](Face_handle where) {
@@ -70,7 +70,7 @@ class Kinetic_types<Traits>::Hidden_events {
       updates_.hide_in(v, where);
     };
     if (locus == Triangulation::VERTEX) {
-      // They stay at one position: the heavier one hides the other.
+      // They coincide at all times: the heavier one hides the other.
       const auto side = triangulation_.geom_traits().power_side_of_oriented_power_circle_2_object();
       const bool is_heavier = side(face->vertex(i)->point(), v->point()) == CGAL::ON_POSITIVE_SIDE;
       hide_now(face);
@@ -88,8 +88,8 @@ class Kinetic_types<Traits>::Hidden_events {
     return true;
   }
 
-  /// Throws if the point would have the trajectory and the weight of another one that does not
-  /// change; `changed` are those that do, sorted.
+  /// Throws if the point would have the trajectory and weight of another one that is not among
+  /// `changed`, which is sorted.
   void check_is_new(const Point_2& point, const Location& location,
                     std::span<const Point_id> changed) const {
     const auto check = [&](Vertex_handle v) {
@@ -113,7 +113,7 @@ class Kinetic_types<Traits>::Hidden_events {
   }
 
  private:
-  // Whether the point is not below the lifted triangle in which it is. False beyond the hull.
+  // Whether the point is not below its lifted triangle. False outside the hull.
   bool is_above(const Point_2& point, const Location& location) const {
     auto [face, locus, i] = location;
     if (triangulation_.is_infinite(face)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The walks around a vertex of a CGAL triangulation, in counterclockwise order.
+// Walks around a vertex of a CGAL triangulation, counterclockwise.
 #ifndef KINETRI_IMPL_TRIANGULATION_INCIDENT_H
 #define KINETRI_IMPL_TRIANGULATION_INCIDENT_H
 
@@ -10,7 +10,7 @@
 
 namespace kinetri::detail {
 
-/// The index of a vertex of a face, without branches, which nothing could predict.
+/// The index of a vertex of a face, without branches, which would be mispredicted.
 template <class Face_handle, class Vertex_handle>
 int index_in(Face_handle face, Vertex_handle v) {
   return (face->vertex(1) == v ? 1 : 0) + (face->vertex(2) == v ? 2 : 0);
@@ -34,8 +34,7 @@ void for_each_face_at(const Triangulation& /*triangulation*/,
   } while (face != first);
 }
 
-/// Calls `function` with the handle of each finite neighbor of `v`. Does nothing if there is
-/// only one point.
+/// Calls `function` with the handle of each finite neighbor of `v`.
 template <class Triangulation, class Function>
 void for_each_neighbor(const Triangulation& triangulation, typename Triangulation::Vertex_handle v,
                        Function function) {

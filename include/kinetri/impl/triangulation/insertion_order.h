@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// In which order points are inserted into one of CGAL's triangulations.
+// The order in which points are inserted into a CGAL triangulation.
 //
-// CGAL's own insertion of many points sorts them so that each is near the one before, and begins
-// each search there. But as long as all points so far are on a line it looks at all edges, unless
-// the point is beyond one of the two ends: n points of a line, in CGAL's order, take O(n^2).
+// CGAL inserts many points in the order of a spatial sort, and begins each search at the point
+// before. But while all points are collinear it examines all edges, unless the point is beyond one
+// of the two ends: n collinear points, in CGAL's order, take O(n^2).
 #ifndef KINETRI_IMPL_TRIANGULATION_INSERTION_ORDER_H
 #define KINETRI_IMPL_TRIANGULATION_INSERTION_ORDER_H
 
@@ -24,7 +24,7 @@
 namespace kinetri::detail {
 
 /// The end of the longest run of elements, from the first one on, whose points are all on one line.
-/// Calls `point_of` for the point of an element. O(the run).
+/// The point of an element is point_of(element). Linear in the length of the run.
 template <class Traits, class Iterator, class Point_of>
 Iterator end_of_line(Iterator first, Iterator last, const Traits& traits,
                      const Point_of& point_of) {
@@ -57,11 +57,12 @@ struct Points_of_elements {
 };
 
 /// Sorts elements so that their points, `point_of(element)`, can be inserted one after the other,
-/// each from a face at the one before, in O(n log n) for all that CGAL's spatial sort is good for:
-///   - along the line, if all are on one line: each point is beyond the last end then, or there;
-///   - else in the order in which CGAL inserts a range of points; but if many of the first ones in
-///     it are on one line, one that is not on that line comes early.
-/// Returns whether all are on one line. O(n log n) predicates.
+/// with each search from a face at the point before, in expected O(n log n) for well distributed
+/// points:
+///   - along the line, if all are collinear, so that each point is at or beyond the last end;
+///   - else in CGAL's order; but if many of its first points are collinear, one that is not on
+///     their line comes early.
+/// Returns whether all are collinear. O(n log n) predicates.
 template <class Element, class Traits, class Point_of = std::identity>
 bool sort_for_insertion(std::vector<Element>& elements, const Traits& traits,
                         const Point_of& point_of = Point_of()) {
@@ -84,9 +85,9 @@ bool sort_for_insertion(std::vector<Element>& elements, const Traits& traits,
   return false;
 }
 
-/// Inserts the points of elements, in their order, into a triangulation: each search begins at the
-/// point before. Calls note(vertex, element) with the vertex that the point has, which may be that
-/// of another element whose point is at the same position.
+/// Inserts the points of elements in their order; each search begins at the point before. Calls
+/// note(vertex, element) with the vertex of the point, which may be that of an earlier element at
+/// the same position.
 template <class Triangulation, class Element, class Point_of, class Note>
 void insert_in_order(Triangulation& triangulation, const std::vector<Element>& elements,
                      const Point_of& point_of, const Note& note) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parts of a kinetic triangulation, each of which owns its state, in the order in which they
-// know each other.
+// The parts of a kinetic triangulation (docs/ARCHITECTURE.md).
 #ifndef KINETRI_IMPL_TRIANGULATION_KINETIC_CORE_H
 #define KINETRI_IMPL_TRIANGULATION_KINETIC_CORE_H
 
@@ -46,10 +45,11 @@ struct Kinetic_types<Traits>::Kinetic_core {
   /// Makes the triangulation of the points, whose ids are less than `ids`, and its queue.
   void start_with(std::span<const Point_2> points, std::size_t ids);
 
-  /// Executes the events up to `time`, by several threads if that may pay; see Event_loop::run_to.
+  /// Executes the events up to `time`, on several threads if that may be faster; see
+  /// Event_loop::run_to.
   std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on);
-  /// Puts the queue, which several threads may have left in parts, into one part again, so that
-  /// single events cost what they should.
+  /// Merges the parts of the queue that an execution on several threads has left, so that single
+  /// events cost less.
   void join_parts();
 
   Triangulation_counters counters;
@@ -61,10 +61,10 @@ struct Kinetic_types<Traits>::Kinetic_core {
   Event_loop loop;
   Point_changes changes;
   Construction_seconds construction_seconds;
-  std::size_t threads = 1;  ///< that advance_to may use; 0: those of oneTBB's arena
+  std::size_t threads = 1;  ///< for advance_to; 0: those of oneTBB's arena
 };
 
-/// What the library has compiled of the parts for its own traits.
+/// The parts that the library compiles for its own traits.
 #define KINETRI_KINETIC_PARTS(declaration, Traits)                                           \
   declaration class Kinetic_types<Traits>::Topology;                                         \
   declaration class Kinetic_types<Traits>::Schedule::Policy;                                 \
@@ -81,7 +81,7 @@ KINETRI_KINETIC_PARTS(extern template, Polynomial_kinetic_traits_2);
 KINETRI_KINETIC_PARTS(extern template, Disc_kinetic_traits_2);
 KINETRI_KINETIC_PARTS(extern template, Polynomial_disc_kinetic_traits_2);
 
-/// The parts of a triangulation, for audits and for simulations, which execute its events.
+/// Access to the parts of a triangulation, for audits, queries and simulations.
 struct Core_access {
   template <class KineticTriangulation>
   static auto& core(KineticTriangulation& kinetic) {

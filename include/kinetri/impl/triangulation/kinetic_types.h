@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The types that the parts of a kinetic triangulation have in common.
+// The types that the parts of a kinetic triangulation share.
 #ifndef KINETRI_IMPL_TRIANGULATION_KINETIC_TYPES_H
 #define KINETRI_IMPL_TRIANGULATION_KINETIC_TYPES_H
 
@@ -35,16 +35,16 @@ struct Point_change {
   std::optional<Motion> motion;  ///< from then on
 };
 
-/// An edge as its two faces see it. In dimension 1, in which edges have no two sides, `there` is
-/// the same as `here`.
+/// An edge with its mirror edge: the edge in each of its two faces. In dimension 1 `there` is
+/// `here`.
 template <class Edge>
 struct Two_sided_edge {
   Edge here;
   Edge there;
 };
 
-/// The types of the traits and of the triangulation, and the parts that a triangulation is made of.
-/// The parts are members so that they have these types without naming them anew.
+/// The types of the traits and of the triangulation, and the parts of a triangulation, which are
+/// members so that they can use these types.
 template <class Traits>
 struct Kinetic_types {
   using Triangulation = typename Triangulation_of<Traits>::type;
@@ -62,13 +62,13 @@ struct Kinetic_types {
 
   static constexpr bool is_weighted = WeightedKineticTraits_2<Traits>;
 
-  // What the parts hand to each other, each in the header of the first part that has it.
+  // Parameters and results of the parts, each in the header of the first part that has it.
   struct Location;
   struct Certificate_points;
   struct Subject;
   struct Entry;
 
-  // The parts, each in the header of its name, in the order in which they know each other.
+  // The parts, each in the header of its name. Each uses only those above it.
   class Topology;
   class Static_construction;
   class Certification;
@@ -82,7 +82,6 @@ struct Kinetic_types {
   struct Kinetic_core;
 };
 
-// The parts that others use.
 template <class Traits>
 using Topology = typename Kinetic_types<Traits>::Topology;
 template <class Traits>
