@@ -114,7 +114,7 @@ class Event_scheduler {
   /// @}
 
   void expect(double bound) { queue_.expect(bound); }
-  ///  Exact times are kept.
+  /// Keeps exact times.
   void forget_order() { queue_.forget_order(); }
 
   /// Removes the first entry. Precondition: not empty.

@@ -68,7 +68,7 @@ struct Kinetic_types {
   struct Subject;
   struct Entry;
 
-  // The parts, each in the header of its name. Each uses only those above it.
+  // The parts, each in the header of its name. A part uses those above it; Point_changes uses all.
   class Topology;
   class Static_construction;
   class Certification;

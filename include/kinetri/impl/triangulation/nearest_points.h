@@ -15,8 +15,8 @@
 
 namespace kinetri::detail {
 
-/// Searches of one time. Invariant: seen_, once it is made, has for each point the last one for
-/// which it was seen.
+/// Searches at one time. Invariant: seen_, once it is made, has for each point the last point whose
+/// search reached it.
 template <KineticTraits_2 Traits>
 class Nearest_points {
  public:
@@ -29,9 +29,9 @@ class Nearest_points {
   explicit Nearest_points(const At_time& at) : at_(at), balls_(at) {}
 
   /// The smallest id of the points nearest to `v`; none if there is no other point.
-  // A point nearest to `v` is alone, but for those that coincide with it or with `v`, in the circle
-  // whose diameter joins the two; so that a neighbor of `v` is there. Of points that coincide with
-  // `v` one is a neighbor.
+  // The circle whose diameter joins `v` and a nearest point contains no others, except points that
+  // coincide with one of the two; so a neighbor of `v` is at that position. If points coincide with
+  // `v`, one of them is a neighbor.
   std::optional<Point_id> nearest_to(Vertex_handle v) const {
     std::vector<Neighbor> nearest;
     double limit = std::numeric_limits<double>::infinity();  // of the distance
@@ -57,9 +57,9 @@ class Nearest_points {
     return result;
   }
 
-  /// Fills `result` with the points nearest to `v`, in their order, as far as there are some.
-  // The points within a circle about `v`, or on it, are connected with `v` by edges between them:
-  // so the nearest point that is not known yet is a neighbor of one that is.
+  /// Fills `result` with the points nearest to `v`, nearest first, as long as there are points.
+  // Edges connect all points within or on a circle about `v` with `v`: so the next nearest point is
+  // a neighbor of one that is known.
   void find_nearest(Vertex_handle v, std::span<Point_id> result) {
     seen_.resize(at_.kinetic().next_id(), no_point);
     const Ball_2 here = balls_.position(v);
@@ -96,9 +96,9 @@ class Nearest_points {
     }
   }
 
-  /// The first of the pairs nearest to each other, in the order of Edge_ids.
-  // Two points as near as any others are alone in the circle about them, so that they have an edge;
-  // but of points that coincide not every two have one.
+  /// The closest pair; of several the first in the order of Edge_ids.
+  // No other point is in the circle whose diameter joins a closest pair, so the two have an edge;
+  // but of several coinciding points not every two have one.
   std::optional<Edge_ids> closest_pair() const {
     std::optional<Edge_ids> closest;
     Ball least;
@@ -126,7 +126,7 @@ class Nearest_points {
   }
 
  private:
-  // The first of all_at(v). If no neighbor of `v` coincides with it, no other point does.
+  // The first of all_at(v). If no neighbor coincides with `v`, no other point does.
   Point_id smallest_id_at(Vertex_handle v) const {
     const Approximate_place here = balls_.approximate(v);
     bool is_alone = true;

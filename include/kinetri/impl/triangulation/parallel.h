@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Work that several threads do. Only parallel.cpp includes oneTBB: its templates, instantiated for
-// each piece of work, would take longer to compile than the work.
+// Work on several threads. Of the library only src/triangulation/parallel.cpp includes oneTBB,
+// whose templates are slow to compile.
 #ifndef KINETRI_IMPL_TRIANGULATION_PARALLEL_H
 #define KINETRI_IMPL_TRIANGULATION_PARALLEL_H
 
@@ -15,18 +15,18 @@
 
 namespace kinetri::detail {
 
-/// How many of so many threads (0: those of oneTBB's arena) oneTBB lends here.
+/// How many of `threads` threads (0: those of oneTBB's arena) oneTBB allows.
 std::size_t usable_threads(std::size_t threads);
 
-/// Calls work(). Two threads or more: no more than so many help in it. 0 and 1: those of oneTBB's
-/// arena may help, as they may in the caller.
+/// Calls work(), in which at most `threads` threads help if `threads` is 2 or more, else those of
+/// the caller's arena.
 void call_with_threads(std::size_t threads, const std::function<void()>& work);
 
-/// Calls work(k) for each k below the count, by as many threads as oneTBB lends; in this one if
-/// the count is 1. What work throws is thrown once no thread works any more.
+/// Calls work(k) for each k below `count` on the threads of oneTBB; on this thread if `count` is 1.
+/// An exception is rethrown after all threads have finished.
 void for_each_index_in_parallel(std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// Elements in blocks, each for one thread.
+/// Divides elements into blocks, each for one thread.
 template <class Element>
 std::vector<std::span<const Element>> blocks_of(std::span<const Element> elements,
                                                 std::size_t size = 4096) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Changes of points at the present time: other motions, points that come, points that go.
+// Changes of points at the present time: new motions, insertions, erasures.
 #ifndef KINETRI_IMPL_TRIANGULATION_POINT_CHANGES_H
 #define KINETRI_IMPL_TRIANGULATION_POINT_CHANGES_H
 
@@ -14,14 +14,14 @@
 
 namespace kinetri::detail {
 
-/// Plans changes of points, and makes them. A point *turns* if its triangles stay embedded, so that
-/// only certificates change; else it *jumps*: it leaves its triangles, and comes elsewhere. The
-/// edges that a change leaves violated have their events at the present time, and are flipped by
-/// these (docs/MATH.md, section 5).
+/// Plans and makes changes of points. A point *turns* if its triangles stay embedded, so that only
+/// certificates change; else it *jumps*: it is removed from its triangles and inserted elsewhere.
+/// Edges that a change leaves violated fail at the present time, and are flipped (docs/MATH.md,
+/// section 5).
 template <class Traits>
 class Kinetic_types<Traits>::Point_changes {
  public:
-  /// Of the triangulation with these other parts, which must outlive this object.
+  /// The other parts must outlive this object.
   explicit Point_changes(Kinetic_core& core)
       : core_(core),
         topology_(core.topology),
@@ -33,27 +33,28 @@ class Kinetic_types<Traits>::Point_changes {
         triangulation_(core.topology.triangulation()) {}
 
   /// Makes one change for each point, each an event of the given kind. Throws Precondition_error if
-  /// a point is named twice, else what perform throws. Precondition: the points are there, or come.
+  /// a point is named twice, and what perform throws. Precondition: the points exist or are being
+  /// inserted.
   void change_all(Event_kind kind, std::vector<Change> changes);
 
-  /// Makes the changes and the flips that they make necessary, and reports the events, then the
-  /// edges that have changed. Throws Coincident_trajectories_error, before anything is reported or
-  /// changed, if two points would have one trajectory (and weight). Returns the edges that have
-  /// changed. Precondition: each point is named once.
+  /// Makes the changes and the necessary flips, and reports the events, then the changed edges.
+  /// Throws Coincident_trajectories_error, before anything is reported or changed, if two points
+  /// would have one trajectory (and weight). Returns the changed edges. Precondition: each point is
+  /// named once.
   Changed_edges perform(std::span<const Event> events, std::span<const Change> changes);
 
  private:
-  /// A point that leaves its triangles, comes or goes.
+  /// A point that jumps, is inserted or is erased.
   struct Jump {
     Change change;
-    Location location = {};   // where it comes, in the triangulation before any point jumps
-    Vertex_handle near = {};  // a corner there that does not change, if there is one
+    Location location = {};   // the new location, before any point jumps
+    Vertex_handle near = {};  // a corner there that does not change, if any
   };
   /// How changes of points are made.
   struct Plan {
     std::vector<Change> turns;
     std::vector<Jump> jumps;
-    std::optional<Triangulation> rebuilt;  // if all of it is built anew
+    std::optional<Triangulation> rebuilt;  // if everything is rebuilt
   };
 
   Plan plan(std::span<const Change> changes);

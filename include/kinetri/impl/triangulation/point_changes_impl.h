@@ -69,8 +69,8 @@ auto Kinetic_types<Traits>::Point_changes::plan(std::span<const Change> changes)
   return result;
 }
 
-// Throws if a point that turns would have the trajectory and the weight of a hidden point, or is
-// hidden itself and would have those of any point. Two points that have edges are at two positions.
+// Throws if a point that turns would have the trajectory and weight of another point of which at
+// least one is hidden: two visible points have different positions.
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::check_turns_are_new(
     std::span<const Change> changes, std::span<const Change> turns) const {
@@ -90,15 +90,15 @@ void Kinetic_types<Traits>::Point_changes::check_turns_are_new(
   }
 }
 
-// Whether so many points turn that everything is looked at anew.
+// Whether so many points turn that all certificates are computed anew.
 template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::are_most(std::size_t points) const {
   constexpr std::size_t few = 16;
   return points > few && points > topology_.number_of_points() / 4;
 }
 
-// Tells points that turn from those that jump, come or go. The points turn one after the other, for
-// as long as this looks at them.
+// Separates points that turn from the others. Meanwhile points have their new motions, one after
+// the other.
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::find_turns(std::span<const Change> changes, Plan& plan) {
   std::vector<Point_2> before;
@@ -152,8 +152,8 @@ bool Kinetic_types<Traits>::Point_changes::is_embedded_around(Vertex_handle v) c
       });
 }
 
-// Throws if two of the points that change would have one trajectory. Puts the jumps into an order
-// in which near ones follow one another: that of the vertices of a triangulation of the points.
+// Throws if two of the changed points would have one trajectory. Sorts the jumps so that near ones
+// follow each other, as the vertices of a triangulation of the points.
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::check_are_distinct(std::span<const Change> changes,
                                                               std::vector<Jump>& jumps) const {
@@ -184,8 +184,8 @@ void Kinetic_types<Traits>::Point_changes::check_are_distinct(std::span<const Ch
   jumps = std::move(in_order);
 }
 
-// Finds where the points come that jump or come. Throws if one would have the trajectory of another
-// point, which does not change. Precondition: dimension 2.
+// Locates points that jump or are inserted. Throws if one would have the trajectory of an unchanged
+// point. Precondition: dimension 2.
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::locate_jumps(std::span<const Change> changes,
                                                         std::span<Jump> jumps) const {
@@ -195,7 +195,7 @@ void Kinetic_types<Traits>::Point_changes::locate_jumps(std::span<const Change> 
   const auto changes_itself = [&](Vertex_handle v) {
     return std::ranges::binary_search(changed, v->point().id());
   };
-  Face_handle near;  // where the point before comes
+  Face_handle near;  // the location of the point before
   for (Jump& jump : jumps) {
     const auto& [id, motion] = jump.change;
     if (!motion) continue;
@@ -220,7 +220,7 @@ void Kinetic_types<Traits>::Point_changes::locate_jumps(std::span<const Change> 
   }
 }
 
-// The points that there are after the changes, in the order of their ids.
+// The points after the changes, in the order of their ids.
 template <class Traits>
 auto Kinetic_types<Traits>::Point_changes::points_after(std::span<const Change> changes) const
     -> std::vector<Point_2> {
@@ -248,7 +248,7 @@ void Kinetic_types<Traits>::Point_changes::note_weights(std::span<const Change> 
   for (const Change& change : changes) {
     if (change.motion) points.emplace_back(*change.motion, change.point);
   }
-  // One that stays, if there is one.
+  // One unchanged point, if any.
   const auto stays = [&](Vertex_handle v) {
     return v != Vertex_handle() &&
            std::ranges::find(changes, v->point().id(), &Change::point) == changes.end();
@@ -268,7 +268,7 @@ void Kinetic_types<Traits>::Point_changes::make(std::span<const Change> changes,
   }
   make_turns(plan.turns);
   if (plan.jumps.empty()) return;
-  loop_.execute_due_events();  // what takes a vertex out needs a triangulation that is Delaunay
+  loop_.execute_due_events();  // removing a vertex requires a Delaunay triangulation
   if (make_jumps(plan.jumps, plan.turns.empty())) return;
   updates_.rebuild([&] {
     for (const Jump& jump : plan.jumps) topology_.set_point(jump.change);
@@ -283,13 +283,13 @@ void Kinetic_types<Traits>::Point_changes::make_turns(std::span<const Change> tu
     return schedule_.schedule_all();
   }
   if constexpr (has_region_runs<Traits> && !is_weighted) {
-    constexpr std::size_t turns_per_region = 8;  // fewer are made as fast one by one
+    constexpr std::size_t turns_per_region = 8;  // for fewer, one thread is as fast
     if (schedule_.queue().is_divided() &&
         turns.size() >= turns_per_region * number_of_regions(schedule_.division())) {
       return Region_runs<Traits>::make_turns(core_, turns);
     }
   }
-  // Each edge once, also one that is around several of the points.
+  // Each edge once, even if it is at several of the points.
   std::vector<Two_sided_edge> edges;
   edges.reserve(16 * turns.size());
   std::vector<Vertex_handle> hidden;
@@ -319,9 +319,9 @@ void Kinetic_types<Traits>::Point_changes::make_turns(std::span<const Change> tu
   }
 }
 
-// Takes out the points that jump or go, then puts in those that jump or come. Returns false if that
-// would leave points on a line: then the points are to be set, and all is to be rebuilt.
-// `are_located` says that nothing has changed since the points were located.
+// Removes the points that jump or are erased, then inserts those that jump or are new. Returns
+// false if only collinear points would be left: then the caller sets the points and rebuilds.
+// `are_located`: nothing has changed since the points were located.
 template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::make_jumps(std::span<const Jump> jumps,
                                                       bool are_located) {
@@ -344,15 +344,15 @@ bool Kinetic_types<Traits>::Point_changes::make_jumps(std::span<const Jump> jump
     const Location there = are_located ? location : topology_.locate(v->point(), start);
     if (!place(v, there)) loop_.rebuild();
     loop_.execute_due_events();
-    // All points are in a triangulation that has been rebuilt, as if one hides a lighter one in its
-    // position.
+    // A rebuilt triangulation has all points; it is rebuilt, for example, if a point hides a
+    // lighter one at its position.
     if (reporter_.counters().reconstructions != reconstructions) return true;
     are_located = false;
   }
   return true;
 }
 
-// Puts a vertex without faces in. Returns false if the triangulation is to be rebuilt.
+// Inserts a vertex without faces. Returns false if the triangulation must be rebuilt.
 template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::place(Vertex_handle v, const Location& location) {
   if constexpr (is_weighted) {

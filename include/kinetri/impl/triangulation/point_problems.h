@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What may be wrong with points and velocities that are given to a triangulation, in words.
+// Messages about wrong points and velocities.
 #ifndef KINETRI_IMPL_TRIANGULATION_POINT_PROBLEMS_H
 #define KINETRI_IMPL_TRIANGULATION_POINT_PROBLEMS_H
 
@@ -25,7 +25,7 @@ inline std::string named_twice_problem(std::size_t id) {
   return "point " + std::to_string(id) + " is named twice; expected each point once";
 }
 
-// Apart from where it is used, which is small and often inlined.
+// A function of its own, since its callers are small and often inlined.
 inline std::string unknown_id_problem(std::size_t id) {
   return "no point has the id " + std::to_string(id) + "; ask contains(id) first";
 }

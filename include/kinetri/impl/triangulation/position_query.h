@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is at a position at one time: the nearest points; the vertex, edge or face that contains it.
+// Queries at a position at one time: the nearest points; the vertex, edge or face that contains it.
 #ifndef KINETRI_IMPL_TRIANGULATION_POSITION_QUERY_H
 #define KINETRI_IMPL_TRIANGULATION_POSITION_QUERY_H
 
@@ -17,7 +17,7 @@
 
 namespace kinetri::detail {
 
-/// The search at one position, which rests. The position is finite.
+/// The queries at one finite position.
 template <KineticTraits_2 Traits>
 class Position_query {
  public:
@@ -31,11 +31,11 @@ class Position_query {
   Position_query(const At_time& at, const Vector_2& position)
       : at_(at), triangulation_(at.triangulation()), query_(resting_point(position)) {}
 
-  /// The points that are nearest at the time, or of the least power; none if there is no point.
-  // A vertex that is not nearest has a neighbor that is nearer, so going to nearer ones ends at the
-  // nearest one beside the time; by continuity that is a nearest one at the time. The others are in
-  // the same circle about the query, and the vertices in a circle are connected by edges. A hidden
-  // point that is nearest is in a face at one of them.
+  /// The points that are nearest at the time, or have the least power.
+  // A vertex that is not nearest has a nearer neighbor, so walking to nearer ones ends at the
+  // nearest one beside the time; by continuity that is a nearest one at the time. The others are on
+  // the same circle about the query, and edges connect the vertices in a circle. A hidden point
+  // that is nearest is in a face at one of them.
   std::vector<Vertex_handle> all_nearest() const {
     if (at_.kinetic().number_of_points() == 0) return {};
     Vertex_handle nearest = at_.visible_near(query_);
@@ -50,7 +50,7 @@ class Position_query {
     });
   }
 
-  /// What contains the position at the time.
+  /// The vertex, edge or face that contains the position at the time.
   Location_2 location() const {
     if (triangulation_.dimension() < 2) return location_on_line();
     Face_handle face = find_face();
@@ -70,8 +70,8 @@ class Position_query {
   }
 
   // The finite face that contains the query beside the time, or an infinite one whose hull edge has
-  // the query strictly beyond it. Goes across any edge that has the query beyond it, which ends in
-  // a Delaunay triangulation.
+  // the query strictly beyond it. The walk crosses any edge that has the query beyond it; in a
+  // Delaunay triangulation it ends.
   Face_handle find_face() const {
     const auto orientation = at_.beside().orientation_2_object();
     Face_handle face = at_.visible_near(query_)->face();
@@ -93,15 +93,15 @@ class Position_query {
     return face;
   }
 
-  // A query that is outside of the hull beside the time may be at the hull at the time: then no
-  // hull edge has it strictly beyond its line, and one of them contains it. That one's finite face;
-  // none if the query is outside.
+  // A query that is outside the hull beside the time may be on the hull at the time: then it is
+  // strictly beyond no hull edge, and on one of them. Returns the finite face of that edge; none if
+  // the query is outside.
   Face_handle find_face_at_hull(Face_handle infinite_face) const {
     Face_handle face = infinite_face;
     Face_handle result;
     do {
       const int i = face->index(triangulation_.infinite_vertex());
-      // Seen from outside, so that the inner side is on the right.
+      // As seen from outside: the inner side is on the right.
       if (at_.orientation(face->vertex(Triangulation::ccw(i)), face->vertex(Triangulation::cw(i)),
                           query_) == CGAL::LEFT_TURN) {
         return Face_handle();
@@ -119,9 +119,9 @@ class Position_query {
            at_.coincide(q, query_);
   }
 
-  // All finite faces that contain the query at the time, on their boundary or inside, when one of
-  // them is known. Beside the time they cover a small disc about the query within the hull, and so
-  // are connected across edges that contain it at the time.
+  // All finite faces that contain the query at the time, given one of them. Beside the time they
+  // cover a small disc about the query within the hull, and so are connected across edges that
+  // contain it at the time.
   std::vector<Face_handle> faces_at(Face_handle face) const {
     std::vector<Face_handle> result = {face};
     std::unordered_set<Face_handle> seen = {face};
@@ -165,9 +165,9 @@ class Position_query {
     return {Kind::face, std::move(ids)};
   }
 
-  // Of edges that are strictly on both sides of the query, along one line, one without points
-  // between its ends is shorter than every other one at both ends, or has the same ends; then the
-  // ids decide. Between two others either may be called the shorter one.
+  // Compares edges along one line with the query strictly between their ends. An edge without
+  // points between its ends is at both ends at most as far from the query as any other one; if all
+  // are equal, the ids decide. For two other edges the result does not matter.
   bool is_shorter(const std::array<Vertex_handle, 2>& e,
                   const std::array<Vertex_handle, 2>& f) const {
     const bool is_reversed = at_.is_strictly_between(e[0], query_, f[0]);
@@ -181,8 +181,8 @@ class Position_query {
     return edge_ids(At_time::id(edge[0]), At_time::id(edge[1]));
   }
 
-  // Without faces: all points are on a line, and the edges are between successive ones. Only one of
-  // them, or none, has the query strictly between its ends.
+  // Without faces: all points are collinear, with edges between successive ones. At most one of
+  // these has the query strictly between its ends.
   Location_2 location_on_line() const {
     std::optional<Point_id> point;
     std::optional<Edge_ids> edge;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Prefetching of what an event will look at.
+// Prefetching of the memory that an event will read.
 #ifndef KINETRI_IMPL_TRIANGULATION_PREFETCH_H
 #define KINETRI_IMPL_TRIANGULATION_PREFETCH_H
 
@@ -11,8 +11,7 @@
 
 namespace kinetri::detail {
 
-/// Prefetches the vertex or face of a handle, if there is one: all of a vertex, and of a face the
-/// first cache line, which has all but the hidden points.
+/// Prefetches a vertex, or the first cache line of a face, which has all but the hidden points.
 template <class Handle>
 KINETRI_ALWAYS_INLINE void prefetch(Handle handle) {
   constexpr std::size_t line = 64;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// CGAL's regular triangulation of moving points with weights, as the kinetic triangulation keeps
-// it: it hides and shows vertices one by one, which CGAL does within its own insertions only.
+// CGAL's regular triangulation, extended: it hides and shows single vertices, which CGAL does only
+// within its own insertions.
 #ifndef KINETRI_IMPL_TRIANGULATION_REGULAR_TRIANGULATION_H
 #define KINETRI_IMPL_TRIANGULATION_REGULAR_TRIANGULATION_H
 
@@ -27,7 +27,7 @@ class Regular_triangulation
 
  public:
   /// @{
-  /// A type of CGAL's.
+  /// A type of CGAL.
   using Data_structure = typename Base::Triangulation_data_structure;
   using Vertex_handle = typename Base::Vertex_handle;
   using Face_handle = typename Base::Face_handle;
@@ -41,7 +41,7 @@ class Regular_triangulation
   Regular_triangulation(const Regular_triangulation&) = delete;
   Regular_triangulation& operator=(const Regular_triangulation&) = delete;
   /// @{
-  /// Takes over all of the other triangulation, which is to be used no more. O(n).
+  /// Moves the other triangulation, which must not be used any more. O(n).
   Regular_triangulation(Regular_triangulation&& other) noexcept(false) : Base(other.geom_traits()) {
     *this = std::move(other);
   }
@@ -76,10 +76,11 @@ class Regular_triangulation
     face->vertex_list().push_back(v);
   }
 
-  /// Takes a hidden vertex out of the list of its face. It stays hidden. O(the list).
+  /// Removes a hidden vertex from the list of its face. It stays hidden. Linear in the length of
+  /// the list.
   void take_from_face(Vertex_handle v) { v->face()->vertex_list().remove(v); }
 
-  /// Lets a vertex that is hidden, and in no list, be hidden no more. It has no faces yet.
+  /// Makes a hidden vertex in no list visible. It has no faces yet.
   void show(Vertex_handle v) {
     --hidden_;
     v->set_hidden(false);
@@ -102,7 +103,7 @@ class Regular_triangulation
   }
 
  private:
-  std::size_t hidden_ = 0;  // what CGAL does not count; modulo the range of the type
+  std::size_t hidden_ = 0;  // those that CGAL does not count; modulo the range of the type
 };
 
 }  // namespace kinetri::detail

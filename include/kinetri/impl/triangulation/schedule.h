@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The schedule of a kinetic triangulation: the present time, and the queue of what comes next.
+// The schedule of a kinetic triangulation: the present time and the event queue.
 #ifndef KINETRI_IMPL_TRIANGULATION_SCHEDULE_H
 #define KINETRI_IMPL_TRIANGULATION_SCHEDULE_H
 
@@ -23,7 +23,7 @@
 
 namespace kinetri::detail {
 
-/// The kind of the event that a failure of this kind leads to.
+/// The kind of event that a failure of this kind leads to.
 inline Event_kind event_kind_of(Entry_kind failure) {
   switch (failure) {
     case Entry_kind::flip:
@@ -39,14 +39,15 @@ inline Event_kind event_kind_of(Entry_kind failure) {
   }
 }
 
-/// Which region a vertex belongs to, for runs by regions: src/triangulation/region_division.h.
+/// The tree of subdomains (regions) of docs/PARALLEL.md; defined in
+/// src/triangulation/region_division.h.
 struct Region_division;
 std::shared_ptr<Region_division> make_division();
 std::size_t number_of_regions(const Region_division& division);
-/// The lowest node that two vertices are in: the root if one of them is in no region.
+/// The lowest node that contains two vertices: the root if one of them is in no region.
 std::size_t node_of(const Region_division& division, Point_id a, Point_id b);
 
-/// What an entry is about: an edge or, if `hidden` is not null, a hidden point.
+/// The subject of an entry: an edge or, if `hidden` is not null, a hidden point.
 template <class Traits>
 struct Kinetic_types<Traits>::Subject {
   struct Nothing {};
@@ -61,14 +62,14 @@ struct Kinetic_types<Traits>::Subject {
   }
 };
 
-/// An edge and the failure of its certificate; or a hidden point. The exact time is made from the
-/// corners of the edge's two faces, or of the face that hides the point: these must stay what they
-/// were when the entry was made.
+/// The failure of the certificate of an edge or hidden point, or a time to recheck it. The exact
+/// time is computed from the corners of the two faces at the edge, or of the face that hides the
+/// point: these must not change while the entry exists.
 template <class Traits>
 struct Kinetic_types<Traits>::Entry : Scheduled {
-  std::uint8_t index = 0;  ///< the edge is the one opposite this vertex of the face; or a condition
+  std::uint8_t index = 0;  ///< of the vertex of the face opposite the edge; or of a condition
   Entry_kind kind = Entry_kind::recheck;
-  bool changes_sign = false;  ///< the polynomial does, certainly, when the certificate fails
+  bool changes_sign = false;  ///< whether the polynomial certainly changes sign at the failure
   Face_handle face;
   [[no_unique_address]] typename Subject::Hidden_vertex hidden = {};
 
@@ -109,9 +110,9 @@ struct Kinetic_types<Traits>::Entry : Scheduled {
 
 /// The present time, and the entries of edges and hidden points.
 ///
-/// Invariant, but while edges are changed: each edge, and each hidden point, whose certificate may
-/// ever fail again has one entry, either its failure, or a time up to which the certificate
-/// certainly holds. The two faces at the edge, or the hidden vertex, hold the entry's handle.
+/// Invariant, except while edges are changed: each edge and each hidden point whose certificate may
+/// fail has one entry: its failure, or a time up to which the certificate certainly holds. The two
+/// faces at the edge, or the hidden vertex, store the handle of the entry.
 template <class Traits>
 class Kinetic_types<Traits>::Schedule {
  public:
@@ -119,7 +120,7 @@ class Kinetic_types<Traits>::Schedule {
   using Entry = typename Kinetic_types::Entry;
   using Subject = typename Kinetic_types::Subject;
 
-  /// What the scheduler asks; see Event_scheduler and Divided_scheduler.
+  /// The policy of Event_scheduler and Divided_scheduler.
   class Policy {
    public:
     explicit Policy(const Schedule& schedule) : schedule_(schedule) {}
@@ -152,7 +153,7 @@ class Kinetic_types<Traits>::Schedule {
 
   // ---- the present time ----
 
-  /// The present time, which is made if it has not been yet.
+  /// The present time, computed if it has not been.
   const Time& current_time() const;
   /// Bounds of the present time. O(1).
   Double_interval current_bounds() const {
@@ -162,13 +163,13 @@ class Kinetic_types<Traits>::Schedule {
     pending_time_.reset();
     current_time_ = std::move(time);
   }
-  /// Makes the time of a failure the present one. It need not be made: mostly its bounds are
-  /// enough, until the next event comes.
+  /// Makes the time of a failure the present one. It is computed when needed: usually its bounds
+  /// are enough until the next event.
   void set_current_time(const Entry& entry) {
     if (entry.time != Time_pool::none) return set_current_time(queue_.time_of(entry));
     set_current_time(points(entry), entry.bounds);
   }
-  /// The same, of a certificate that fails then.
+  /// The same for a certificate that fails then.
   void set_current_time(const Certificate_points& failed, const Double_interval& bounds) {
     pending_time_ = {failed, bounds};
   }
@@ -178,21 +179,20 @@ class Kinetic_types<Traits>::Schedule {
   Queue& queue() { return queue_; }
   const Queue& queue() const { return queue_; }
   const Policy& policy() const { return policy_; }
-  /// Of the vertices, while the queue is in parts.
+  /// The regions of the vertices, while the queue is in parts.
   Region_division& division() { return *division_; }
   const Region_division& division() const { return *division_; }
   Certificate_counters& certificate_counters() { return certificate_counters_; }
   const Certificate_counters& certificate_counters() const { return certificate_counters_; }
 
-  /// Rechecks certificates until the first entry is a failure, or is later than `until`, if that is
-  /// given. Returns whether it is a failure, at or before `until`.
+  /// Rechecks certificates until the first entry is a failure or later than `until` (if not null).
+  /// Returns whether it is a failure at or before `until`.
   bool settle(const Time* until);
   /// The same until the present time.
   bool settle_now();
-  /// Whether the first failure is before `time`. Rechecks certificates, but keeps nothing of what
-  /// it finds.
+  /// Whether the first failure is before `time`. Rechecks certificates, but stores nothing.
   bool has_failure_before(const Time& time) const;
-  /// What the certificate of an entry is about. Precondition: dimension 2.
+  /// The points of the certificate of an entry. Precondition: dimension 2.
   Certificate_points points(const Entry& entry) const;
 
   /// Schedules the certificates of edges from `after` on. Precondition: the edges have no entries.
@@ -201,25 +201,25 @@ class Kinetic_types<Traits>::Schedule {
   /// The same for an edge that has just been flipped, and the outer edges of its quadrilateral, as
   /// Topology::flip returns them.
   void schedule_after_flip(const Two_sided_edge& edge, const Outer_edges& outer);
-  /// Schedules every edge and every hidden point, on all threads that oneTBB has. Precondition: the
-  /// queue is empty.
+  /// Schedules all edges, on all threads of oneTBB, and all hidden points. Precondition: the queue
+  /// is empty.
   void schedule_all();
-  /// Takes the entry of an edge out of the queue, if it has one; the faces keep its handle.
+  /// Removes the entry of an edge from the queue, if it has one; the faces keep the handle.
   KINETRI_ALWAYS_INLINE void unschedule(const Two_sided_edge& edge) { unschedule(edge, counters_); }
-  /// The same for each edge of a face, which loses the handles.
+  /// The same for each edge of a face, whose handles are reset.
   void unschedule_face(Face_handle face);
-  /// The same for the edges of the faces at a vertex: the certificates that speak of it are theirs.
+  /// The same for the edges of the faces at a vertex: all certificates that depend on it.
   void unschedule_around(Vertex_handle v);
-  /// The same, and adds those edges to `edges` that are not among them yet, which have the handle
-  /// `listed` until they are scheduled. Counts what is discarded in `counters`.
+  /// The same; adds to `edges` those that are not among them yet, with the handle `listed` until
+  /// they are scheduled. Counts discarded failures in `counters`.
   void unschedule_around(Vertex_handle v, std::vector<Two_sided_edge>& edges,
                          Triangulation_counters& counters);
-  /// Schedules those edges of the faces at a vertex that have no entry. The certificates of edges
-  /// at the vertex are in the given state.
+  /// Schedules the edges of the faces at a vertex that have no entry; `state` is that of the
+  /// certificates of edges at the vertex.
   void schedule_around(Vertex_handle v, Certificate_state state);
 
-  /// Schedules a hidden point, of whose certificate `vanishing` says what
-  /// Certification::hidden_certificate says. Precondition: it has no entry.
+  /// Schedules a hidden point; for `vanishing` see Certification::hidden_certificate. Precondition:
+  /// it has no entry.
   void schedule_hidden(Vertex_handle v, const Time& after, std::uint8_t vanishing = no_condition);
   /// Schedules the points that a face hides and that have no entry.
   void schedule_hidden_in(Face_handle face);
@@ -263,9 +263,9 @@ class Kinetic_types<Traits>::Schedule {
   const Topology& topology_;
   Triangulation_counters& counters_;
   mutable Time current_time_;
-  /// If the present time has not been made yet: the certificate that failed then, and bounds of the
-  /// time. The points must stay what they are until the time is made or another time comes. None
-  /// when a public function returns or an observer is called: const functions change nothing.
+  /// If the present time has not been computed: the certificate that failed then, and bounds of the
+  /// time. The points must not change until then. Empty when a public function returns or an
+  /// observer is called, so that const functions change nothing.
   mutable std::optional<std::pair<Certificate_points, Double_interval>> pending_time_;
   Policy policy_{*this};
   Queue queue_{policy_};

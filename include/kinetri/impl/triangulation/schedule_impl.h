@@ -18,7 +18,7 @@
 
 namespace kinetri::detail {
 
-// ---- what the queue asks ----
+// ---- the policy of the queue ----
 
 template <class Traits>
 auto Kinetic_types<Traits>::Schedule::Policy::entry_time(const Entry& entry) const -> Time {
@@ -31,21 +31,21 @@ template <class Traits>
 bool Kinetic_types<Traits>::Schedule::Policy::precedes(const Entry& a, const Entry& b) const {
   if (a.kind != b.kind) return a.kind < b.kind;
   if constexpr (is_weighted) {
-    // Entries of one kind are about the same, but for those to check again.
+    // Only entries of the kind `recheck` have both kinds of subject.
     if (a.is_hidden() != b.is_hidden()) return b.is_hidden();
     if (a.is_hidden()) return a.hidden->point().id() < b.hidden->point().id();
   }
   return Topology::ids_of(a.edge()) < Topology::ids_of(b.edge());
 }
 
-// What is around the first entry's own face has been asked for when it came near.
+// The surroundings of the face of the entry have been prefetched before.
 template <class Traits>
 inline void Kinetic_types<Traits>::Schedule::Policy::prefetch_first(const Entry& entry) const {
   if (schedule_.topology_.triangulation().dimension() < 2 || entry.is_hidden()) return;
   prefetch_around(entry.face->neighbor(entry.index));
 }
 
-// That of the lowest node that both ends of the edge are in; of the root for a hidden point.
+// That of the lowest node with both ends of the edge; of the root for a hidden point.
 template <class Traits>
 inline std::size_t Kinetic_types<Traits>::Schedule::Policy::part_of(const Subject& subject) const {
   const Region_division& division = schedule_.division();
@@ -106,8 +106,8 @@ bool Kinetic_types<Traits>::Schedule::settle_now() {
       [&](const Entry& entry) { return queue_.is_due(entry, current_bounds(), exact); });
 }
 
-// Certifies the edges of entries anew, from the time of the first entry on, at which the
-// certificates of the others hold as well: two together cost less than one by one.
+// Certifies the edges of entries anew, from the time of the first entry on, at which the other
+// certificates hold as well: two together cost less.
 template <class Traits>
 void Kinetic_types<Traits>::Schedule::recheck(std::span<const Entry> entries) {
   counters_.rechecks += entries.size();
@@ -152,7 +152,7 @@ bool Kinetic_types<Traits>::Schedule::fails_before(const Entry& entry, const Tim
   return false;
 }
 
-// The certificate of what an entry is about, with the points of the condition that fails.
+// The certificate of the subject of an entry, with the points of the condition that fails.
 template <class Traits>
 auto Kinetic_types<Traits>::Schedule::certificate_of(const Entry& entry, const Time& after) const
     -> std::pair<Certificate_points, Certificate> {
@@ -173,8 +173,8 @@ auto Kinetic_types<Traits>::Schedule::certificate_of(const Entry& entry, const T
 
 // ---- edges ----
 
-// Puts the failure of an edge's certificate, which is of the given kind, into the queue, or the
-// time to check it again. Mostly the entry is made in its place.
+// Puts the failure of the certificate of an edge, or the time to recheck it, into the queue.
+// Usually constructs the entry in the queue.
 template <class Traits>
 KINETRI_ALWAYS_INLINE void Kinetic_types<Traits>::Schedule::put(const Two_sided_edge& edge,
                                                                 Entry_kind kind,
@@ -233,7 +233,7 @@ void Kinetic_types<Traits>::Schedule::unschedule_around(Vertex_handle v,
   for_each_face_at(topology_.triangulation(), v, [&](Face_handle face, int at) {
     for (const int i : {at, Triangulation::cw(at)}) {
       if (face->event(i) == Topology::listed) continue;
-      // Written in its place: the processor waits when it copies what has just been written.
+      // Constructed in place: copying what has just been written would stall the processor.
       const Face_handle neighbor = face->neighbor(i);
       const int right = index_in(neighbor, face->vertex(Triangulation::ccw(i)));
       Two_sided_edge& edge = edges.emplace_back();
@@ -247,7 +247,7 @@ void Kinetic_types<Traits>::Schedule::unschedule_around(Vertex_handle v,
   });
 }
 
-// Two neighboring faces share an edge at `v`, which is that of the first of them.
+// Of two faces that share an edge at `v`, the first one adds it.
 template <class Traits>
 void Kinetic_types<Traits>::Schedule::schedule_around(Vertex_handle v, Certificate_state state) {
   std::vector<Two_sided_edge> at_vertex;
@@ -265,8 +265,8 @@ void Kinetic_types<Traits>::Schedule::schedule_around(Vertex_handle v, Certifica
   schedule(opposite, current_time());
 }
 
-// Several threads do so, each for a block of faces, whose edges have the handles that follow those
-// of the block before.
+// Threads take blocks of faces; the edges of a block have the handles after those of the block
+// before.
 template <class Traits>
 void Kinetic_types<Traits>::Schedule::schedule_all() {
   constexpr std::size_t faces_per_block = 512;
@@ -308,7 +308,7 @@ void Kinetic_types<Traits>::Schedule::schedule_block(Block& block, const Put& pu
     const Entry entry(edge.here, kind, certificate);  // before its time is moved out
     put_entry(handle, entry, std::move(certificate.failure));
   };
-  // Some faces at a time, whose memory is asked for in time.
+  // Some faces at a time, with prefetching.
   constexpr std::size_t edges_at_once = 64;
   std::vector<Two_sided_edge> edges;
   edges.reserve(edges_at_once + 3);

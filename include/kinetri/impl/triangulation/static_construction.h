@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The triangulation at a time, from the points alone.
+// The construction of the triangulation at a time.
 #ifndef KINETRI_IMPL_TRIANGULATION_STATIC_CONSTRUCTION_H
 #define KINETRI_IMPL_TRIANGULATION_STATIC_CONSTRUCTION_H
 
@@ -91,7 +91,7 @@ auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> 
 }
 
 // The regular triangulation at the instant of the traits. Throws if two points have the same
-// trajectory and the same weight: CGAL keeps one vertex for these if one of them is not hidden.
+// trajectory and weight; CGAL keeps one vertex for these if one of them is not hidden.
 template <class Traits>
 auto Kinetic_types<Traits>::Static_construction::build_regular(std::span<const Point_2> points,
                                                                const Instantaneous_traits& traits)
@@ -178,9 +178,9 @@ bool Kinetic_types<Traits>::Static_construction::build_from_places(std::span<con
   return is_embedded(result, places) && flip_until_delaunay(result, places);
 }
 
-// Whether all triangles turn left, and the hull is convex. Then a triangulation whose faces make a
-// sphere is embedded: the hull goes around once, so the angles at each inner vertex add up to no
-// more than one turn (Gauss and Bonnet), and no position is covered twice.
+// Then a triangulation whose faces form a sphere is embedded: the hull goes around once, so the
+// angles at each inner vertex add up to 2 pi at most (Gauss and Bonnet), and no position is covered
+// twice.
 template <class Traits>
 bool Kinetic_types<Traits>::Static_construction::is_embedded(const Triangulation& triangulation,
                                                              const Rounded_places& places) {
@@ -205,7 +205,7 @@ bool Kinetic_types<Traits>::Static_construction::is_left_turn(const Triangulatio
   return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
 }
 
-// Whether the hull turns left at each of its vertices and goes around once.
+// Whether the hull makes a left turn at each vertex and goes around once.
 template <class Traits>
 bool Kinetic_types<Traits>::Static_construction::is_hull_convex(const Triangulation& triangulation,
                                                                 const Rounded_places& places) {
@@ -216,7 +216,7 @@ bool Kinetic_types<Traits>::Static_construction::is_hull_convex(const Triangulat
            (by_x == CGAL::EQUAL &&
             now.compare_y_2_object()(v->point(), w->point()) == CGAL::SMALLER);
   };
-  // Around the infinite vertex they come clockwise.
+  // Around the infinite vertex the hull vertices are clockwise.
   std::vector<Vertex_handle> hull;
   for_each_neighbor(triangulation, triangulation.infinite_vertex(),
                     [&](Vertex_handle v) { hull.push_back(v); });
@@ -232,8 +232,8 @@ bool Kinetic_types<Traits>::Static_construction::is_hull_convex(const Triangulat
 }
 
 // Flips edges until the triangulation, which is embedded, is Delaunay. [Lawson 1977] Returns false
-// if there are more flips than faces: of cocircular points there may be n^2, and insertion in
-// random order is expected to make fewer.
+// if there are more flips than faces: for cocircular points there may be n^2, and insertion by CGAL
+// is faster.
 template <class Traits>
 bool Kinetic_types<Traits>::Static_construction::flip_until_delaunay(Triangulation& triangulation,
                                                                      const Rounded_places& places) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The Delaunay triangulation of static points in doubles, or the regular one of weighted points, by
-// CGAL's fastest kernel, as plain numbers. A kinetic triangulation begins with that of the rounded
-// positions of its points, and checks each triangle and edge for the points as they are.
+// CGAL's fastest kernel, as plain numbers. The construction of a kinetic triangulation begins with
+// that of the rounded positions, and checks each triangle and edge for the exact ones.
 #ifndef KINETRI_IMPL_TRIANGULATION_STATIC_DELAUNAY_H
 #define KINETRI_IMPL_TRIANGULATION_STATIC_DELAUNAY_H
 
@@ -29,11 +29,11 @@ struct Static_delaunay {
   std::vector<Face> faces;
   /// The points in an order in which near ones follow one another.
   std::vector<Point_id> order;
-  /// The hidden points, and the position in `faces` of the one that each is above.
+  /// Each hidden point, with the index of the face that it is above.
   std::vector<std::pair<Point_id, std::uint32_t>> hidden;
 };
 
-/// Where points are, with their weights, if they differ, and bounds for the errors.
+/// The positions of points, their weights if these differ, and bounds for the errors.
 struct Static_points {
   std::span<const Vector_2> places;  ///< numbered from 0
   std::span<const double> weights;   ///< the same; none without weights
@@ -41,11 +41,10 @@ struct Static_points {
   double weight_error = 0;           ///< of each weight
 };
 
-/// The triangulation of the positions, which are numbered from 0. Empty if there is none with a
-/// vertex for each position: if two positions are equal, or all are on a line. Precondition: all
-/// coordinates are finite. O(n log n), some microseconds a point. Many points without weights are
-/// divided into cells for several threads (static_delaunay_by_cells); the result does not depend on
-/// the number of threads.
+/// The triangulation of the positions. Empty if there is none with a vertex for each position: if
+/// two positions are equal, or all are on a line. Precondition: all coordinates are finite. O(n log
+/// n), some microseconds a point. Many points without weights are divided into cells for several
+/// threads (static_delaunay_by_cells); the result does not depend on the number of threads.
 Static_delaunay static_delaunay(const Static_points& points);
 
 /// The same for points without weights, cell by cell [Funke and Sanders 2017]: several threads
@@ -57,8 +56,8 @@ Static_delaunay static_delaunay(const Static_points& points);
 Static_delaunay static_delaunay_by_cells(std::span<const Vector_2> places, std::size_t cells);
 
 /// Whether all triangles certainly turn left, the certificates of all edges between two of them
-/// certainly hold, and hidden points are certainly inside of and above their faces, for points that
-/// are as near to the positions and weights as the errors say. Uses several threads.
+/// certainly hold, and hidden points are certainly inside of and above their faces, for all points
+/// within the errors of the positions and weights. Uses several threads.
 bool is_certainly_delaunay(const Static_delaunay& triangulation, const Static_points& points);
 
 }  // namespace kinetri::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The topology of a kinetic triangulation: CGAL's triangulation, and which vertex is which point.
-// It knows no queue: the handles that faces and hidden vertices hold are for others.
+// The topology of a kinetic triangulation: CGAL's triangulation, and the vertex of each point. It
+// stores queue handles in faces and hidden vertices, but does not use the queue.
 #ifndef KINETRI_IMPL_TRIANGULATION_TOPOLOGY_H
 #define KINETRI_IMPL_TRIANGULATION_TOPOLOGY_H
 
@@ -21,7 +21,7 @@
 
 namespace kinetri::detail {
 
-/// Where a position is.
+/// The face, edge or vertex at a position.
 template <class Traits>
 struct Kinetic_types<Traits>::Location {
   Face_handle face;  ///< infinite beyond the hull
@@ -31,19 +31,19 @@ struct Kinetic_types<Traits>::Location {
 
 /// Vertices, faces, and the points at the vertices.
 ///
-/// Invariant: each point that is there has one vertex, which is in faces, or hidden in the list of
-/// one face, or has been taken out to be put back within the same event. Vertices keep their
-/// handles as long as their points are there.
+/// Invariant: each point has one vertex, which is in faces, or hidden in the list of one face, or
+/// temporarily removed within an event. Its handle stays valid until the point is erased.
 ///
-/// Who knows the topology alone finds the types of the triangulation here.
+/// Derives from Kinetic_types, so that users of the topology alone have the types of the
+/// triangulation.
 template <class Traits>
 class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
  public:
   /// No points; predicates are those of the given instant.
   explicit Topology(const Instant& instant) : clock_(instant) {}
 
-  /// Takes over a triangulation of points whose ids are less than `ids`, and whose predicates
-  /// follow clock(). Precondition: there are no points yet.
+  /// Takes a triangulation of points whose ids are less than `ids`, and whose predicates follow
+  /// clock(). Precondition: there are no points yet.
   void start(Triangulation made, std::size_t ids);
 
   // ---- points ----
@@ -52,7 +52,7 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   Triangulation& triangulation() { return triangulation_; }
 
   std::size_t number_of_points() const noexcept { return number_of_points_; }
-  /// By point id; none if the point has been erased, or has not come yet.
+  /// By point id; null if the point has been erased or not yet inserted.
   const std::vector<Vertex_handle>& vertices() const noexcept { return vertices_; }
   Vertex_handle vertex(Point_id id) const { return vertices_[id]; }
   bool contains(Point_id id) const noexcept {
@@ -66,13 +66,13 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
     if constexpr (is_weighted) return triangulation_.number_of_hidden_vertices();
     return 0;
   }
-  /// Gives out ids for `count` points that come later, and returns the first one. Precondition:
-  /// there are as many left.
+  /// Reserves ids for `count` points, and returns the first one. Precondition: there are as many
+  /// left.
   Point_id give_ids(std::size_t count);
   /// Takes back the ids from `first` on, which no point has.
   void take_back_ids(Point_id first) { vertices_.resize(first); }
-  /// Gives a vertex the motion of the change; makes the vertex if the point comes, and deletes it
-  /// if the point goes. The vertex that comes or goes is in no face.
+  /// Gives a vertex the motion of the change; creates or deletes the vertex if the point is
+  /// inserted or erased. That vertex is in no face.
   void set_point(const Change& change);
 
   /// Whether all weights are equal at all times, as without weights: then the triangulation is the
@@ -81,14 +81,14 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   void set_weights_equal(bool are_equal) { are_weights_equal_ = are_equal; }
   static bool have_equal_weights(std::span<const Point_2> points);
 
-  /// The points that are there, in the order of their ids.
+  /// The points in the order of their ids.
   std::vector<Point_2> points() const;
 
   // ---- the instant of the predicates ----
 
-  /// What the predicates of the triangulation follow.
+  /// The clock of the predicates of the triangulation.
   const Instant_clock& clock() const { return clock_; }
-  /// Sets the instant of the predicates. It costs a copy of a time.
+  /// Sets the instant of the predicates.
   void set_instant(const Instant& instant) { clock_.set(instant); }
 
   // ---- edges ----
@@ -100,21 +100,20 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   }
   std::vector<Edge_ids> finite_edge_ids() const;
   Two_sided_edge two_sided(const Edge& edge) const;
-  /// Whether the ids of an edge choose this side of it, and so not the other. Addresses, by which
-  /// an edge is that of one of its faces, are others in each run.
+  /// Whether this is the chosen side of an edge: a choice by ids, since addresses differ from run
+  /// to run.
   static bool is_chosen_side(const Edge& edge) {
     const auto& [face, i] = edge;
     return face->vertex(Triangulation::cw(i))->point().id() <
            face->vertex(Triangulation::ccw(i))->point().id();
   }
-  /// The same edge from the side that its ids choose: certificates are rounded otherwise from the
-  /// other side.
+  /// The edge from its chosen side: from the other side, certificates are rounded differently.
   static Two_sided_edge chosen_side(const Two_sided_edge& edge) {
     return is_chosen_side(edge.here) ? edge : Two_sided_edge{edge.there, edge.here};
   }
-  /// Faces that have all edges, infinite ones too: in dimension 1, a face for each edge.
+  /// All faces, infinite ones too; in dimension 1, one for each edge.
   std::vector<Face_handle> faces() const;
-  /// Calls `function` with each edge that is the face's own: each edge is that of one of its faces.
+  /// Calls `function` with the edges that the face owns: one of the two faces owns each edge.
   template <class Function>
   void for_each_own_edge(Face_handle face, Function function) const {
     if (triangulation_.dimension() == 1) return function(Edge(face, 2));
@@ -124,8 +123,8 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   }
   /// The outer edges of an edge's quadrilateral, from the corner ccw(i) of the face on.
   Outer_edges outer_edges(const Two_sided_edge& edge) const;
-  /// The previous hull vertex, the edge's own, and the next one, counterclockwise around the hull,
-  /// for an edge to the infinite vertex.
+  /// For an infinite edge: the previous hull vertex, that of the edge, and the next one,
+  /// counterclockwise.
   std::array<Vertex_handle, 3> hull_turn(const Two_sided_edge& infinite_edge) const;
   /// The finite triangle at a hull edge, seen from that edge.
   const Edge& hull_triangle(const Two_sided_edge& hull_edge) const {
@@ -139,7 +138,7 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
             edge_ids(face->vertex(i)->point().id(), neighbor->vertex(j)->point().id())};
   }
 
-  /// Both faces hold the same handle.
+  /// Sets the handle in both faces.
   static void set_event(const Two_sided_edge& edge, Queue_handle handle) {
     edge.here.first->set_event(edge.here.second, handle);
     edge.there.first->set_event(edge.there.second, handle);
@@ -147,8 +146,8 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
 
   // ---- positions ----
 
-  /// Where a point stands at the instant of the predicates, searched from `start`, or from
-  /// anywhere. Precondition: dimension 2.
+  /// The location of a point at the instant of the predicates, by a walk from `start` if that is
+  /// not null. Precondition: dimension 2.
   Location locate(const Point_2& point, Face_handle start) const {
     Location result;
     result.face = triangulation_.locate(point, result.locus, result.index, start);
@@ -159,30 +158,30 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
 
   // ---- changes ----
   //
-  // `note(edge, change)` is called with the ids of each finite edge that comes (1) or goes (-1).
+  // They call note(ids, change) for each finite edge that is added (1) or removed (-1).
 
-  /// Flips an edge of which `before` are the outer edges. Returns the new edge; makes `before` the
-  /// outer edges seen from outside, the first two those of the face at the new edge.
+  /// Flips an edge with the outer edges `before`. Returns the new edge; `before` are then the outer
+  /// edges as seen from outside, the first two those of the face `here` of the new edge.
   Two_sided_edge flip(const Two_sided_edge& edge, Outer_edges& before);
-  /// Takes an inner or a hull vertex out of its faces. The vertex stays, in no face. The faces in
-  /// the hole are Delaunay (regular) at the instant of the predicates. Returns the edges around the
-  /// hole and those in it, which have the handle `listed` until they get another one; `faces` gets
-  /// the faces in the hole. If memory is missing, faces at the vertex are in disorder.
+  /// Removes a vertex from its faces; the vertex stays, in no face. The new faces in the hole are
+  /// Delaunay (regular) at the instant of the predicates, and are stored in `faces`. Returns the
+  /// edges around and in the hole, with the handle `listed` until they are scheduled. If memory is
+  /// missing, the faces at the vertex are left inconsistent.
   template <class Note>
   std::vector<Two_sided_edge> remove_from_faces(Vertex_handle v, std::vector<Face_handle>& faces,
                                                 const Note& note);
-  /// Puts a vertex without faces into the triangle or edge of the location.
+  /// Inserts a vertex without faces into the triangle or edge of the location.
   void insert_in_faces(Vertex_handle v, const Location& location);
-  /// Takes a vertex of degree 3 out of its faces. The vertex stays, in no face. Returns the face
+  /// Removes a vertex of degree 3 from its faces. The vertex stays, in no face. Returns the face
   /// that is left.
   Face_handle remove_degree_3(Vertex_handle v);
-  /// Takes over the faces of another triangulation of the same points; vertices stay what they are.
-  /// Calls note_hidden(id, was_hidden, is_hidden) with each point that is or was hidden.
+  /// Takes the faces of another triangulation of the same points; keeps the vertices. Calls
+  /// note_hidden(id, was_hidden, is_hidden) with each point that is or was hidden.
   template <class Note_hidden>
   void adopt(Triangulation rebuilt, const Note_hidden& note_hidden);
   /// Hides the vertex in the face or, if that is infinite, in the finite one beside it.
   void hide_in(Vertex_handle v, Face_handle face);
-  /// Takes the hidden points out of the lists of faces.
+  /// Removes the hidden points from the lists of faces, and returns them.
   static std::vector<Vertex_handle> take_hidden(std::span<const Face_handle> faces);
 
   /// Calls note(ids, change) with the finite edges at a vertex.
@@ -193,7 +192,7 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
     });
   }
 
-  /// The handle of edges that have been listed, until they get another one.
+  /// The handle of edges that are in a list, until they are scheduled.
   static constexpr Queue_handle listed = no_event - 1;
 
  private:

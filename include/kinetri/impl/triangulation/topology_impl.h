@@ -53,7 +53,6 @@ void Kinetic_types<Traits>::Topology::set_point(const Change& change) {
   v->set_point(Point_2(*change.motion, change.point));
 }
 
-// Whether the weights of all points are equal at all times.
 template <class Traits>
 bool Kinetic_types<Traits>::Topology::have_equal_weights(std::span<const Point_2> points) {
   if constexpr (is_weighted) {
@@ -87,7 +86,7 @@ std::vector<Edge_ids> Kinetic_types<Traits>::Topology::finite_edge_ids() const {
 template <class Traits>
 inline auto Kinetic_types<Traits>::Topology::two_sided(const Edge& edge) const -> Two_sided_edge {
   if (triangulation_.dimension() < 2) return {edge, edge};
-  // Without branches, which nothing could predict.
+  // Without branches, which would be mispredicted.
   const auto& [face, i] = edge;
   const Face_handle neighbor = face->neighbor(i);
   const Vertex_handle right = face->vertex(Triangulation::ccw(i));
@@ -133,9 +132,8 @@ auto Kinetic_types<Traits>::Topology::hull_turn(const Two_sided_edge& infinite_e
 
 // ---- positions ----
 
-// The nearest of some points, about as many as the third root of all, in doubles, if there is a way
-// to round positions. The walk from there passes about as many triangles. [Muecke, Saias and Zhu
-// 1996]
+// The nearest of about 2 n^(1/3) points, in doubles, if motions can be rounded; a walk from there
+// passes about as many triangles. [Muecke, Saias and Zhu 1996]
 template <class Traits>
 auto Kinetic_types<Traits>::Topology::vertex_near(const Point_2& point, double time) const
     -> Vertex_handle {
@@ -180,14 +178,14 @@ inline auto Kinetic_types<Traits>::Topology::flip(const Two_sided_edge& edge, Ou
   return {Edge(face, Triangulation::ccw(i)), Edge(neighbor, Triangulation::ccw(j))};
 }
 
-// CGAL removes another vertex in the place of this one.
+// CGAL removes a copy of the vertex, so that this one keeps its handle.
 template <class Traits>
 template <class Note>
 auto Kinetic_types<Traits>::Topology::remove_from_faces(Vertex_handle v,
                                                         std::vector<Face_handle>& faces,
                                                         const Note& note)
     -> std::vector<Two_sided_edge> {
-  std::vector<Edge> link;  // as the faces beyond it see it, which stay
+  std::vector<Edge> link;  // from the side of the faces beyond it, which stay
   for_each_face_at(triangulation_, v, [&](Face_handle face) {
     link.push_back(two_sided(Edge(face, face->index(v))).there);
   });
@@ -212,7 +210,7 @@ auto Kinetic_types<Traits>::Topology::remove_from_faces(Vertex_handle v,
   return list_inside(link, faces, note);
 }
 
-// The edges of a polygon and those inside it, which are new; `faces` gets the faces inside it.
+// The edges of a polygon and those inside it, which are new; stores the faces inside in `faces`.
 template <class Traits>
 template <class Note>
 auto Kinetic_types<Traits>::Topology::list_inside(std::span<const Edge> polygon,
@@ -258,7 +256,7 @@ auto Kinetic_types<Traits>::Topology::remove_degree_3(Vertex_handle v) -> Face_h
   return face;
 }
 
-// Gives the faces at `old` the vertex `replacement`, which has none.
+// Replaces `old` in its faces by `replacement`, which has none.
 template <class Traits>
 void Kinetic_types<Traits>::Topology::replace_in_faces(Vertex_handle old,
                                                        Vertex_handle replacement) {
@@ -280,8 +278,7 @@ void Kinetic_types<Traits>::Topology::adopt(Triangulation rebuilt,
   tds.faces().clear();
   tds.faces().swap(rebuilt.tds().faces());
   tds.set_dimension(rebuilt.dimension());
-  // A face of a triangulation of dimension d has d + 1 vertices, but for that of the lone infinite
-  // vertex, which has dimension -1.
+  // Faces have dimension + 1 vertices; in dimension -1 one, the infinite vertex.
   const int corners = std::max(rebuilt.dimension(), 0) + 1;
   for (Face_handle face = tds.faces().begin(); face != tds.faces().end(); ++face) {
     for (int i = 0; i < corners; ++i) face->set_vertex(i, vertex_here(face->vertex(i)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A kinetic triangulation at one time, as queries see it: exact predicates at the time and just
-// beside it, and the sets of vertices that edges connect.
+// A kinetic triangulation at one time, for queries: exact predicates at the time and just beside
+// it, and connected sets of vertices.
 #ifndef KINETRI_IMPL_TRIANGULATION_TRIANGULATION_AT_TIME_H
 #define KINETRI_IMPL_TRIANGULATION_TRIANGULATION_AT_TIME_H
 
@@ -16,9 +16,9 @@
 
 namespace kinetri::detail {
 
-/// Invariant, which the caller keeps: the time is neither before the present one nor after the next
-/// event, and the triangulation does not change. So it is properly embedded just beside the time.
-/// Predicates are exact, at the time itself unless said otherwise; they take points or vertices.
+/// Precondition: the time is neither before the present one nor after the next event, and the
+/// triangulation does not change. So it is embedded just beside the time. Predicates are exact, at
+/// the time itself unless stated otherwise, of points or vertices.
 template <KineticTraits_2 Traits>
 class Triangulation_at_time {
  public:
@@ -52,12 +52,12 @@ class Triangulation_at_time {
   CGAL::Orientation orientation(const auto& p, const auto& q, const auto& r) const {
     return at_.orientation_2_object()(point(p), point(q), point(r));
   }
-  /// Of points with weights the power circle.
+  /// With weights of the power circle.
   CGAL::Oriented_side side_of_circle(const auto& p, const auto& q, const auto& r,
                                      const auto& s) const {
     return at_.side_of_oriented_circle_2_object()(point(p), point(q), point(r), point(s));
   }
-  /// The same of collinear points and the power segment of the first two.
+  /// The same for collinear points and the power segment of the first two.
   CGAL::Oriented_side side_of_segment(const auto& p, const auto& q, const auto& r) const {
     return at_.power_side_of_oriented_power_circle_2_object()(point(p), point(q), point(r));
   }
@@ -81,7 +81,7 @@ class Triangulation_at_time {
   Comparison_result compare_distance(const auto& p, const auto& q, const auto& r) const {
     return at_.compare_distance_2_object()(point(p), point(q), point(r));
   }
-  /// Whether the first vertex is nearer to p than the second; of equally near ones the smaller id.
+  /// Whether the first vertex is nearer to p than the second, or equally near with a smaller id.
   bool is_nearer(const auto& p, Vertex_handle a, Vertex_handle b) const {
     const auto order = compare_distance(p, a, b);
     return order != CGAL::EQUAL ? order == CGAL::SMALLER : id(a) < id(b);
@@ -150,8 +150,8 @@ class Triangulation_at_time {
     }
   }
 
-  /// The vertices of the set of `v` that edges within the set connect with it, and then the hidden
-  /// vertices of the set in faces at those. A hidden vertex may come several times.
+  /// The vertices that edges connect with `v` within the set of vertices for which belongs(u), then
+  /// the hidden vertices of the set in faces at those, perhaps several times.
   template <class Belongs>
   std::vector<Vertex_handle> connected(Vertex_handle v, Belongs belongs) const {
     std::vector<Vertex_handle> result = {v};
@@ -170,8 +170,8 @@ class Triangulation_at_time {
     return result;
   }
 
-  /// The ids of all points that are like that of `v`, which is one of them, in ascending order.
-  /// Beside the time edges connect those with a cell, if the common cell has an area.
+  /// The ids of all points that are like `v` (are_alike), in ascending order, `v` included. Edges
+  /// connect those with a cell beside the time, if the common cell has an area.
   std::vector<Point_id> all_at(Vertex_handle v) const {
     std::vector<Point_id> result;
     for (const Vertex_handle u : connected(v, [&](Vertex_handle w) { return are_alike(w, v); })) {
@@ -182,7 +182,7 @@ class Triangulation_at_time {
     return result;
   }
 
-  /// A vertex that is not hidden, and probably near the position. Precondition: there is a point.
+  /// A visible vertex, probably near the position. Precondition: there is a point.
   Vertex_handle visible_near(const Point_2& position) const {
     const Vertex_handle v = Core_access::core(kinetic_).topology.vertex_near(
         position, kinetic_.current_time().to_double());
@@ -218,7 +218,7 @@ class Triangulation_at_time {
   const Kinetic& kinetic_;
   Time time_;
   Instantaneous_traits at_;      // the time
-  Instantaneous_traits beside_;  // the side of it at which the triangulation is Delaunay
+  Instantaneous_traits beside_;  // the side of it on which the triangulation is Delaunay
 };
 
 }  // namespace kinetri::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Changes of a kinetic triangulation that keep its schedule right: a flip, a vertex that comes or
-// goes, all anew. Each belongs to the present time.
+// Changes of a kinetic triangulation and its schedule at the present time: a flip, a vertex added
+// or removed, a reconstruction.
 #ifndef KINETRI_IMPL_TRIANGULATION_UPDATES_H
 #define KINETRI_IMPL_TRIANGULATION_UPDATES_H
 
@@ -18,9 +18,8 @@
 
 namespace kinetri::detail {
 
-/// Changes faces, and makes the entries of their edges and hidden points anew. Which change is
-/// right is for others to decide; edges that a change leaves violated just after the present time
-/// have their entries at that time.
+/// Changes faces, and schedules their edges and hidden points anew. Edges that a change leaves
+/// violated just after the present time fail at that time.
 template <class Traits>
 class Kinetic_types<Traits>::Updates {
  public:
@@ -33,24 +32,24 @@ class Kinetic_types<Traits>::Updates {
         reporter_(reporter),
         triangulation_(topology.triangulation()) {}
 
-  /// Lets the predicates of the triangulation be those of the instant just after the present time.
+  /// Sets the predicates of the triangulation to the instant just after the present time.
   void show_current_time() { topology_.set_instant({schedule_.current_time(), Time_side::after}); }
 
   /// Flips an edge, finite or infinite, whose entry has left the queue, and reports the event.
   void flip(const Two_sided_edge& edge, Event_kind kind);
 
-  /// Takes a vertex out of the triangulation, which stays Delaunay at the instant of its
-  /// predicates. The vertex stays, without faces. What it has hidden is hidden by others then, or
-  /// revealed. Precondition: edges are noted.
+  /// Removes a vertex from the triangulation, which stays Delaunay at the instant of its
+  /// predicates. The vertex stays, without faces. The points that its faces hid are hidden by
+  /// others, or revealed. Precondition: edges are noted.
   void take_out(Vertex_handle v);
   /// Inserts a vertex without faces at its position: it splits the triangle or edge that it is in.
   /// Inside the hull edges are flipped as in a static triangulation, before any certificate is
-  /// made. The certificates of its edges are in the given state. Precondition: edges are noted.
+  /// made. `state` is that of the certificates of its edges. Precondition: edges are noted.
   void put_in(Vertex_handle v, const Location& location,
               Certificate_state state = Certificate_state::any);
 
-  /// Makes a hidden point, which is in no list, a vertex: event `reveal`. The certificates of its
-  /// edges are in the given state.
+  /// Makes a hidden point, which is in no list, visible: event `reveal`. `state` is that of the
+  /// certificates of its edges.
   void reveal(Vertex_handle v, const Location& location,
               Certificate_state state = Certificate_state::any);
   /// Hides a vertex of degree 3, of which one neighbor may be the infinite vertex: event `hide`.
@@ -63,21 +62,20 @@ class Kinetic_types<Traits>::Updates {
   /// Whether a point is in a face just after the present time.
   bool is_inside(const Point_2& point, Face_handle face, bool strictly = false) const;
 
-  /// Reconstructs the triangulation just after the present time. Right at any instant, however
-  /// degenerate.
+  /// Reconstructs the triangulation just after the present time, also at degenerate times.
   void rebuild() {
     ++reporter_.counters().reconstructions;
     rebuild([] {});
   }
-  /// The same, if points change meanwhile: change_vertices() inserts, erases or moves them;
-  /// `rebuilt` is the triangulation of the points after that, if it has been made already.
+  /// The same with changed points: change_vertices() inserts, erases or moves them; `rebuilt`, if
+  /// given, is the triangulation of the points after that.
   template <class Change_vertices>
   void rebuild(const Change_vertices& change_vertices,
                std::optional<Triangulation> rebuilt = std::nullopt);
   /// The triangulation of points just after the present time.
   Triangulation build_now(std::span<const Point_2> points) const;
 
-  /// How many changes there have been, to see that something has happened.
+  /// The number of changes so far.
   std::uint64_t number_of_changes() const { return changes_; }
 
  private:

@@ -16,8 +16,7 @@
 
 namespace kinetri::detail {
 
-// The entries of the outer edges leave the queue first, while the corners that they speak of are
-// there.
+// The entries of the outer edges leave the queue first, before their corners change.
 template <class Traits>
 void Kinetic_types<Traits>::Updates::flip(const Two_sided_edge& edge, Event_kind kind) {
   auto outer = topology_.outer_edges(edge);
@@ -28,8 +27,8 @@ void Kinetic_types<Traits>::Updates::flip(const Two_sided_edge& edge, Event_kind
   ++changes_;
   std::array<Face_handle, 2> faces = {edge.here.first, edge.there.first};
   if constexpr (is_weighted) {
-    // A hidden point on the new edge is in both faces: which one comes first must not depend on the
-    // side of the edge that its entry names.
+    // A hidden point on the new edge is in both faces: their order must not depend on the side of
+    // the edge that its entry has.
     if (!Topology::is_chosen_side(edge.here)) std::swap(faces[0], faces[1]);
   }
   const auto make = [&] {
@@ -37,7 +36,7 @@ void Kinetic_types<Traits>::Updates::flip(const Two_sided_edge& edge, Event_kind
     std::vector<Vertex_handle> hidden;
     if constexpr (is_weighted) hidden = take_hidden(faces);
     const Two_sided_edge added = topology_.flip(edge, outer);
-    if (reporter_.is_noting()) {  // of several changes: no polynomial need vanish now
+    if (reporter_.is_noting()) {  // several changes: polynomials need not vanish now
       schedule_.schedule({&added, 1}, schedule_.current_time());
       schedule_.schedule(outer, schedule_.current_time());
     } else {
@@ -82,7 +81,7 @@ void Kinetic_types<Traits>::Updates::take_out(Vertex_handle v) {
   schedule_.schedule(edges, schedule_.current_time());
   if constexpr (is_weighted) {
     for (const Face_handle face : faces) schedule_.schedule_hidden_in(face);
-    // At a vertex, a point may be in any face of the vertex, also beyond the link.
+    // A point at the position of a vertex may be in any face of that vertex, even beyond the link.
     for (const Vertex_handle h : hidden) {
       if (h->is_hidden() && h->event() == no_event) {
         schedule_.schedule_hidden(h, schedule_.current_time());
@@ -91,7 +90,7 @@ void Kinetic_types<Traits>::Updates::take_out(Vertex_handle v) {
   }
 }
 
-// What violates its certificate at the hull has its event at the present time.
+// Edges at the hull that are violated fail at the present time.
 template <class Traits>
 void Kinetic_types<Traits>::Updates::put_in(Vertex_handle v, const Location& location,
                                             Certificate_state state) {
@@ -125,8 +124,8 @@ void Kinetic_types<Traits>::Updates::put_in(Vertex_handle v, const Location& loc
   }
 }
 
-// Flips the edges opposite `v`, which is new and whose edges have no events, until the
-// triangulation is Delaunay at the instant of its traits; it was so without `v`. [Lawson 1977]
+// Flips the edges opposite the new vertex `v`, whose edges have no entries, until the triangulation
+// is Delaunay at the instant of its traits, as it was without `v`. [Lawson 1977]
 template <class Traits>
 void Kinetic_types<Traits>::Updates::flip_link(Vertex_handle v) {
   const auto side = triangulation_.geom_traits().side_of_oriented_circle_2_object();
@@ -179,7 +178,7 @@ void Kinetic_types<Traits>::Updates::hide(Vertex_handle v) {
                                                  topology_.two_sided(Edge(face, 2))};
     schedule_.schedule(edges, schedule_.current_time());
     put_hidden(hidden, {&face, 1});
-    // Beyond the hull the sign of its certificate is another one.
+    // Outside the hull its certificate has another sign.
     const bool is_inner = !triangulation_.is_infinite(face);
     hide_in(v, face);
     schedule_.schedule_hidden(v, schedule_.current_time(),
@@ -187,7 +186,7 @@ void Kinetic_types<Traits>::Updates::hide(Vertex_handle v) {
   });
 }
 
-// Takes the hidden points out of faces that are about to change, and unschedules them.
+// Removes the hidden points from faces that are about to change, and unschedules them.
 template <class Traits>
 auto Kinetic_types<Traits>::Updates::take_hidden(std::span<const Face_handle> faces)
     -> std::vector<Vertex_handle> {
@@ -197,8 +196,7 @@ auto Kinetic_types<Traits>::Updates::take_hidden(std::span<const Face_handle> fa
   return topology_.take_hidden(faces);
 }
 
-// Puts them into one of the faces each, and schedules them: into the one in which they are, if the
-// faces are where they should be.
+// Puts each of them into the face that contains it, or else into the first one, and schedules it.
 template <class Traits>
 void Kinetic_types<Traits>::Updates::put_hidden(std::span<const Vertex_handle> hidden,
                                                 std::span<const Face_handle> faces) {
@@ -227,7 +225,7 @@ bool Kinetic_types<Traits>::Updates::is_inside(const Point_2& point, Face_handle
   return true;
 }
 
-// ---- all anew ----
+// ---- reconstruction ----
 
 template <class Traits>
 auto Kinetic_types<Traits>::Updates::build_now(std::span<const Point_2> points) const

@@ -16,8 +16,8 @@
 
 namespace kinetri::detail {
 
-/// Invariant: each position is, in both coordinates, at least as well known as when it is rounded;
-/// zero if there is no point.
+/// Invariant: the error of each coordinate is at most that of its rounding; zero if there is no
+/// point.
 template <KineticTraits_2 Traits>
 class Voronoi_areas {
  public:
@@ -38,8 +38,8 @@ class Voronoi_areas {
   }
 
   /// By id. Precondition: check_polygon(polygon).
-  // The cell of a point is the intersection of the half planes of its neighbors, or, if points
-  // are alike, of those of all points there. If that has no area, the cell has none.
+  // The cell of a point is the intersection of the half planes of its neighbors or, if points are
+  // alike, of the neighbors of all of them.
   std::vector<double> within(std::span<const Vector_2> polygon) const {
     const Vector_2 origin = polygon.front();
     std::vector<Vector_2> region;
@@ -82,8 +82,8 @@ class Voronoi_areas {
     int exponent = 0;
   };
 
-  // The vector from `v` to `u` times a power of two with which it is neither huge nor tiny, and the
-  // exponent of that. Precondition: the two do not coincide.
+  // The vector from `v` to `u`, scaled by a power of two so that it is neither huge nor tiny, and
+  // the exponent. Precondition: the two do not coincide.
   Scaled_vector scaled_vector(Vertex_handle v, Vertex_handle u) const {
     Trajectory_2 d = At_time::vector(v, u);
     constexpr double huge = 0x1p500;
@@ -118,15 +118,16 @@ class Voronoi_areas {
     return 0;
   }
 
-  // The positions as near to `v` as to `u`, or nearer, from the origin on; with weights, those with
-  // no more power. None if the two are alike. The same line for both.
+  // The positions, relative to the origin, that are at least as near to `v` as to `u`; with
+  // weights, that have at most as much power. None if the two are alike. Both points have the same
+  // line.
   std::optional<Half_plane> nearer_half_plane(Vertex_handle v, Vertex_handle u,
                                               const Vector_2& origin) const {
     const Ball_2& here = positions_[at_.id(v)];
     const Ball_2& there = positions_[at_.id(u)];
     const Ball_2 ball = there - here;
     Vector_2 vector = {ball.x.high, ball.y.high};
-    int exponent = 0;  // of the power of two that the vector has been multiplied by
+    int exponent = 0;  // of the power of two in the vector
     const double size = std::max(std::abs(vector.x), std::abs(vector.y));
     const bool is_known = std::max(ball.x.radius, ball.y.radius) <= 0x1p-60 * size &&
                           size >= 0x1p-500 && size <= 0x1p500;
@@ -142,7 +143,7 @@ class Voronoi_areas {
     }
     const double length = std::sqrt(vector.x * vector.x + vector.y * vector.y);
     const Vector_2 normal = {vector.x / length, vector.y / length};
-    // Halves, so that no sum is too large.
+    // Halves, so that sums do not overflow.
     const Vector_2 middle = {
         here.x.high / 2 + there.x.high / 2 - origin.x + (here.x.low + there.x.low) / 2,
         here.y.high / 2 + there.y.high / 2 - origin.y + (here.y.low + there.y.low) / 2};

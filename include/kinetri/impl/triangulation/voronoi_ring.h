@@ -17,8 +17,8 @@
 
 namespace kinetri::detail {
 
-/// The vector from a point to the center of the circle through it and two neighbors. None if the
-/// turn from the first to the second is not certainly one to the left.
+/// The vector from a point to the center of the circle through it and two neighbors. None if these
+/// are not certainly in counterclockwise order.
 template <class Neighbor>
 std::optional<Ball_2> circumcenter(const Neighbor& first, const Neighbor& second) {
   const auto& [vertex_a, a, squared_a] = first;
@@ -49,7 +49,7 @@ class Voronoi_ring {
   using Face_handle = typename Triangulation::Face_handle;
   using Neighbor = typename Ball_positions<Traits>::Neighbor;
 
-  /// The positions must outlive this object. Begins to load what will be looked at.
+  /// The positions must outlive this object. Prefetches.
   Voronoi_ring(const Ball_positions<Traits>& balls, Vertex_handle v)
       : balls_(balls), at_(balls.at()), v_(v) {
     entries_.reserve(10);
@@ -58,9 +58,9 @@ class Voronoi_ring {
   }
 
   /// The cell, if each triangle at the point certainly turns left at the time, so that no two of
-  /// these points coincide and no neighbors are in one direction, and the neighbors certainly
-  /// coincide with no other point; else none. The sides are those of positive length; by continuity
-  /// none is turned around.
+  /// these points coincide and no two neighbors are in one direction, and if the neighbors
+  /// certainly coincide with no other point; else none. The sides are those of positive length; by
+  /// continuity none is reversed.
   std::optional<Voronoi_cell_2<Vector_2>> cell() {
     const std::size_t n = entries_.size();
     const std::size_t first = find_neighbors();
@@ -81,7 +81,7 @@ class Voronoi_ring {
     result.vertices.reserve(n);
     for (std::size_t i = 0; i < n; ++i) {
       const Entry& u = at(i);
-      // The nearest point has a side, and so has one that goes to infinity.
+      // The nearest neighbor has a side, and so do neighbors across unbounded sides.
       const bool is_inner = i > 0 && (is_bounded_ || i + 1 < n);
       if (is_inner && has_no_length(at(i - 1), u, at(i + 1))) continue;
       result.neighbors.push_back(at_.id(u.neighbor.vertex));
@@ -125,15 +125,15 @@ class Voronoi_ring {
       prefetch(beyond);
     });
     is_bounded_ = !infinite;
-    // Of the point that begins with the first face; infinity has no entry.
+    // The infinite vertex has no entry.
     if (infinite != 0) entries_.front().before = previous;
     if (!infinite) return;
     std::rotate(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(*infinite),
                 entries_.end());
   }
 
-  // Where the neighbors are. Returns the first side: the nearest neighbor, of equally near ones the
-  // smallest id, or the side that comes from infinity.
+  // Computes the positions of the neighbors. Returns the first side: that of the nearest neighbor,
+  // of equally near ones the smallest id, or the side that comes from infinity.
   std::size_t find_neighbors() {
     std::size_t first = 0;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -152,8 +152,8 @@ class Voronoi_ring {
   }
 
   // Whether each point of the ring is certainly apart from its neighbors that are neither `v` nor
-  // next to it in the ring. Steps around all points of the ring at once, and in both directions,
-  // since each step waits for memory.
+  // next to it in the ring. Walks around all points of the ring at once, in both directions, since
+  // each step waits for memory.
   bool are_alone() {
     std::vector<std::pair<const Entry*, Vertex_handle>> pairs;
     pairs.reserve(6 * entries_.size());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sides and corners of a Voronoi cell, as an intersection of half planes. Of each other point
-// there is one, of the positions that are at least as near to the point as to that one, or have no
-// more power. docs/MATH.md, section 10.
+// The sides and corners of a Voronoi cell, as an intersection of half planes, one for each other
+// point: the positions that are at least as near to the point as to that one, or have at most as
+// much power. docs/MATH.md, section 10.
 #ifndef KINETRI_IMPL_TRIANGULATION_VORONOI_SIDES_H
 #define KINETRI_IMPL_TRIANGULATION_VORONOI_SIDES_H
 
@@ -18,9 +18,8 @@
 
 namespace kinetri::detail {
 
-/// The cell of one point. Once it is made it has the points across the sides, counterclockwise, as
-/// Voronoi_cell_2 says, and its corners, each as two points that have the same distance from it, or
-/// power, as the point.
+/// The cell of one point: the points across its sides, as in Voronoi_cell_2, and its corners, each
+/// given by two points with the same distance, or power, as the point.
 template <KineticTraits_2 Traits>
 class Voronoi_sides {
  public:
@@ -63,9 +62,10 @@ class Voronoi_sides {
   };
   static constexpr bool is_weighted = At_time::is_weighted;
 
-  // Where the bisector with `u` lies to the half plane of `w`: positive outside of it, zero on its
-  // boundary, negative inside. With weights: `w`, lifted, is below the line of the other two.
-  // Precondition: the three points are collinear, and `u` and `w` do not coincide with the point.
+  // The side of the bisector with `u` with respect to the half plane of `w`: positive outside, zero
+  // on its boundary, negative inside. With weights: `w`, lifted, is below the line of the other
+  // two. Precondition: the three points are collinear, and `u` and `w` do not coincide with the
+  // point.
   Sign beyond_line(Vertex_handle u, Vertex_handle w) const {
     if constexpr (is_weighted) {
       return at_.side_of_segment(v_, u, w);
@@ -75,7 +75,7 @@ class Voronoi_sides {
     }
   }
 
-  // Whether `w` has all along the bisector with `u` the same distance, or power, as these.
+  // Whether `w` has, along the bisector with `u`, the same distance (power) as the point and `u`.
   bool is_on_line(Vertex_handle u, Vertex_handle w) const {
     if (at_.coincide(w, v_)) return at_.are_alike(w, v_);
     return at_.orientation(v_, u, w) == CGAL::COLLINEAR && beyond_line(u, w) == CGAL::ZERO;
@@ -83,10 +83,9 @@ class Voronoi_sides {
 
   // ---- which half planes ----
 
-  // Half planes are taken until they are enough: if no point has a neighbor that has not been
-  // looked at, of those points that have the same distance (power) as the cell's in all of the
-  // intersection. Then all of that is the cell: of its inner positions, one of these points is
-  // nearest, since none of its neighbors is nearer.
+  // Adds half planes until all neighbors have been examined of the points that have the same
+  // distance (power) as the point in the whole intersection. Then the intersection is the cell: at
+  // its inner positions one of these points is nearest, since no neighbor is nearer.
   void find() {
     std::vector<Vertex_handle> candidates = first_candidates();
     std::unordered_set<Point_id> seen = {at_.id(v_)};
@@ -114,8 +113,8 @@ class Voronoi_sides {
     std::rotate(across.begin(), first, across.end());
   }
 
-  // The neighbors; of a hidden point the vertices of the triangle, or edge, that hides it: it is
-  // not below that, so that it is nowhere nearer than all of these.
+  // The neighbors; for a hidden point the vertices of the triangle, or edge, that hides it: since
+  // it is not below that, it is nowhere nearer than all of these.
   std::vector<Vertex_handle> first_candidates() const {
     std::vector<Vertex_handle> result;
     if constexpr (is_weighted) {
@@ -145,9 +144,9 @@ class Voronoi_sides {
     return false;
   }
 
-  // The point that is named as that across the side with `u`: of those with the same bisector in
-  // the same direction the farthest, the smallest id. At a position just beyond the side, it is
-  // nearer than the others.
+  // The neighbor across the side of `u`: of the points with the same bisector in the same direction
+  // the farthest, then that of the smallest id. At a position just beyond the side, it is nearer
+  // than the others.
   Vertex_handle named_across(Vertex_handle u) const {
     if constexpr (!is_weighted) return at_.kinetic().vertex(at_.all_at(u).front());
     Vertex_handle result = u;
@@ -162,7 +161,7 @@ class Voronoi_sides {
 
   // ---- the intersection of half planes ----
 
-  // Of those of the candidates.
+  // Of the half planes of the candidates.
   Sides intersection(const std::vector<Vertex_handle>& candidates) const {
     std::vector<Vertex_handle> elsewhere;
     for (const Vertex_handle u : candidates) {
@@ -181,8 +180,8 @@ class Voronoi_sides {
     return is_inside ? sides_around(std::move(sorted)) : sides_of_lines(sorted);
   }
 
-  // Sorted counterclockwise from the nearest one on; of those in one direction only the one with
-  // the least half plane, of those the nearest, of those the smallest id.
+  // Sorted counterclockwise from the nearest one on; of those in one direction only that with the
+  // least half plane, then the nearest, then the smallest id.
   std::vector<Vertex_handle> by_direction(const std::vector<Vertex_handle>& candidates) const {
     const auto is_nearer = [&](Vertex_handle a, Vertex_handle b) {
       return at_.is_nearer(v_, a, b);
@@ -213,12 +212,11 @@ class Voronoi_sides {
     return result;
   }
 
-  // The intersection, if the position of the point is inside all half planes: a scan as Graham's,
-  // by direction, takes those away that bound nothing, or only a point: of three neighbors the
-  // middle one, if it is not inside the oriented circle through the point and the other two (if
-  // these are half a turn apart or more, it always is: each is less than half a turn from the
-  // next). It begins with one that has a side: the first one after a gap of half a turn, or else,
-  // without weights, the nearest.
+  // The intersection, if the position of the point is inside all half planes: Graham's scan by
+  // direction removes those that bound nothing, or only a point: of three neighbors the middle one,
+  // if it is not inside the oriented circle through the point and the other two (if these are pi or
+  // more apart, it always is: each is less than pi from the next). It begins with one that has a
+  // side: the first one after a gap of at least pi, or else, without weights, the nearest.
   Sides sides_around(std::vector<Vertex_handle> candidates) const {
     Sides result;
     result.is_bounded = true;
@@ -257,14 +255,14 @@ class Voronoi_sides {
     if (result.is_bounded) across.pop_back();
     for (std::size_t i = 0; i < across.size(); ++i) {
       const Vertex_handle next = across[(i + 1) % across.size()];
-      // Not so at infinity, nor between the two sides of a strip.
+      // False at infinity, and between the two sides of a strip.
       if (is_left_turn(across[i], next)) result.corners.push_back({across[i], next});
     }
     return result;
   }
 
-  // The intersection, whatever the half planes are: of the boundary of each the part that is in all
-  // others. Precondition: the candidates are sorted by direction, and there is one.
+  // The intersection in general: of the boundary of each half plane the part that is in all others.
+  // Precondition: the candidates are sorted by direction, and there is one.
   Sides sides_of_lines(const std::vector<Vertex_handle>& candidates) const {
     std::vector<std::pair<Vertex_handle, Part_of_line>> parts;
     std::optional<std::array<Vertex_handle, 2>> position;
@@ -293,10 +291,9 @@ class Voronoi_sides {
     return result;
   }
 
-  // The part of the bisector with `u` that is in the half planes of the others; none if there is
-  // nothing. A half plane to the left bounds it on the left. Of two such half planes, the second
-  // one ends more if the end that the first one makes is outside of it, of which the determinant of
-  // the three, an in-circle test, tells.
+  // The part of the bisector with `u` that is in the half planes of the others, if there is one. A
+  // half plane to the left bounds it on the left. Of two such half planes, the second one is
+  // tighter if the end of the first one is outside of it, which an in-circle test decides.
   std::optional<Part_of_line> part_of_line(Vertex_handle u,
                                            const std::vector<Vertex_handle>& others) const {
     const auto determinant = [&](Vertex_handle a, Vertex_handle b) {
