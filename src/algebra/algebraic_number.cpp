@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Algebraic numbers: how they are made, what is known of them, their order, signs at them.
 #include "kinetri/algebra/algebraic_number.h"
 
 #include <algorithm>
@@ -33,7 +31,7 @@ struct Known_root : Root_source {
   }
 };
 
-// The order of numbers in intervals that do not overlap; nothing if they do.
+// The order of numbers in disjoint intervals; none if they overlap.
 std::optional<Comparison_result> order_of_disjoint(const Double_interval& x,
                                                    const Double_interval& y) {
   if (x.upper < y.lower) return CGAL::SMALLER;
@@ -110,14 +108,14 @@ Algebraic_number Algebraic_number::operator-() const {
 
 // The representation, made if it has not been. Precondition: this is no binary64 number.
 detail::Root_representation& Algebraic_number::representation() const {
-  // The bounds first: if they come from a representation, it is seen next. Those that come from
-  // nothing else bracket the number strictly, however old each of them is.
+  // The bounds first: if they come from a representation, it is visible below. Otherwise they
+  // strictly bracket the number, even if they were read at different times.
   const Double_interval bracket = interval();
   Representation* present = source_->representation_.load(std::memory_order_acquire);
   if (present != nullptr) return *present;
   auto made = std::make_unique<Representation>(
       odd_part(source_->polynomial()), to_rational(bracket.lower), to_rational(bracket.upper));
-  // Of several threads that have made one the first wins.
+  // If several threads have made one, the first wins.
   if (!source_->representation_.compare_exchange_strong(
           present, made.get(), std::memory_order_acq_rel, std::memory_order_acquire)) {
     return *present;
@@ -207,14 +205,13 @@ Comparison_result Algebraic_number::compare_exactly(const Algebraic_number& a,
   Access y(b.source_->bounds_, b.representation(), std::defer_lock);
   std::lock(x, y);
   const Comparison_result order = Representation::compare(*x, *y);
-  // Of many simultaneous events each is compared with several others: once is enough.
+  // Simultaneous events are compared several times; the identity makes the next comparison fast.
   if (order == CGAL::EQUAL) Root_source::share_identity(*a.source_, *b.source_);
   return order;
 }
 
-// Gives both sources, which belong to equal numbers, one identity. Identities are not used again,
-// so that each stands for one value, and a source may have another identity of its value at any
-// time.
+// Gives the sources of equal numbers one identity. Identities are not reused, so each belongs to
+// one value; a value may have several.
 void Root_source::share_identity(Root_source& a, Root_source& b) {
   static std::atomic<std::uint64_t> last = 0;
   std::uint64_t identity = a.identity_.load(std::memory_order_relaxed);
@@ -234,8 +231,8 @@ bool operator==(const Algebraic_number& a, const Algebraic_number& b) {
 
 // --- Rounding -----------------------------------------------------------------------------------
 
-// Makes the interval of a number whose polynomial has not been made that of its rounding, if its
-// source knows that.
+// If the polynomial of a number has not been made and its source knows the rounding, makes the
+// bounds of the rounding the interval of the number.
 void Algebraic_number::narrow_by_source() const {
   const Double_interval present = interval();  // before the representation, as in representation()
   if (source_->representation_.load(std::memory_order_acquire) != nullptr) return;
@@ -245,9 +242,9 @@ void Algebraic_number::narrow_by_source() const {
   }
 }
 
-// The tight interval of a number whose polynomial has not been made, if the signs that its
-// source knows are enough for it. The values there say where to look: within so small an interval
-// they are all but on a line.
+// The tight interval of a number whose polynomial has not been made, if its source knows enough
+// signs. Linear interpolation of the values finds it: in so small an interval the polynomial is
+// nearly linear.
 std::optional<Double_interval> Algebraic_number::tighten_by_source() const {
   narrow_by_source();
   Double_interval present = interval();  // before the representation, as in representation()
@@ -264,7 +261,7 @@ std::optional<Double_interval> Algebraic_number::tighten_by_source() const {
       const double share = value_below / (value_below - value_above);
       const double guess =
           from_ordinal(below) + share * (from_ordinal(above) - from_ordinal(below));
-      // Beside the guess, on either side in turn, so that both ends come near.
+      // On alternating sides of the guess, so that both ends come near.
       middle = std::clamp(ordinal(guess) + i % 2, below + 1, above - 1);
     }
     const double value = source_->certain_value_at(from_ordinal(middle), 0);
@@ -307,7 +304,7 @@ double Algebraic_number::to_double() const {
       return (value > 0) == (value_below > 0) ? tight.upper : tight.lower;
     }
   }
-  // Halfway, also if the upper neighbor is infinite: IEEE 754 rounds as if it were 2^1024.
+  // The midpoint; IEEE 754 rounds as if infinity were 2^1024.
   const auto end = [](double x) {
     if (std::isfinite(x)) return to_rational(x);
     return scaled_by_power_of_two(x > 0 ? 1 : -1, std::numeric_limits<double>::max_exponent);
@@ -331,7 +328,7 @@ Sign sign_at(const Polynomial& p, const Algebraic_number& t) {
   return t.access()->sign_of(p);
 }
 
-// The sign beside the number, on the side towards which odd powers have the sign `side`.
+// The sign just after the number, or just before it if `side` is negative.
 Sign Algebraic_number::sign_beside(const Polynomial& p, Sign side) const {
   if (!is_binary64()) {
     if (const auto s = access()->sign_of_own_polynomial_beside(p, side)) return *s;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The positions of numbers among the binary64 numbers.
+// The order numbers of binary64 numbers.
 #ifndef KINETRI_SRC_ALGEBRA_BINARY64_ORDINAL_H
 #define KINETRI_SRC_ALGEBRA_BINARY64_ORDINAL_H
 

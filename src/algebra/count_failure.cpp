@@ -21,7 +21,7 @@ using Kind = Counted_failure::Kind;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// How many binary digits the numerator and 2^exponent of the point x have at most.
+// A binary64 number as a dyadic point, and the binary digits that it needs.
 struct Point_of_double {
   std::int64_t mantissa = 0;  // odd, or 0
   int exponent = 0;           // x = mantissa 2^exponent
@@ -41,8 +41,8 @@ struct Point_of_double {
   }
 };
 
-// p((m + y) / d) times d^n, as a polynomial of y, where `times_power(c, k)` is c d^k: Horner's
-// scheme, again and again.
+// p((m + y) / d) times d^n, as a polynomial of y, where `times_power(c, k)` is c d^k, by repeated
+// Horner schemes.
 template <class Times_power>
 Wide_polynomial expanded(const Wide_polynomial& p, const Wide& m, const Times_power& times_power) {
   std::array<Wide, Wide_polynomial::most + 1> c;
@@ -62,7 +62,7 @@ Wide_polynomial expanded_at(const Wide_polynomial& p, const Point& from) {
 }
 
 // A polynomial of z in binary64 numbers, up to a positive factor, where y = 2^scale z. Its roots
-// are those of the exact one nearly, and none is greater than 4.
+// are nearly those of the exact one, and at most 4.
 struct Approximation {
   std::array<double, 5> c = {};
   int degree = 0;
@@ -109,7 +109,7 @@ struct Approximation {
 };
 
 // The root between two numbers at which the values have opposite signs, or are 0: Newton's method,
-// and bisection if that leaves the interval or is slow.
+// with bisection if a step leaves the interval or converges slowly.
 double root_between(const Approximation& f, const Approximation& slope, double low, double high) {
   const bool rises = f.value(low) < 0 || f.value(high) > 0;
   double z = (low + high) / 2;
@@ -131,8 +131,7 @@ double root_between(const Approximation& f, const Approximation& slope, double l
   return z;
 }
 
-// Positive roots in ascending order, found with no more than the accuracy of binary64 numbers; at
-// most `most`.
+// Approximations of the positive roots in ascending order; at most `most`.
 class Positive_roots {
  public:
   Positive_roots(const Approximation& f, int most) { find(f, most); }
@@ -149,7 +148,7 @@ class Positive_roots {
       if (z > 0 && std::isfinite(z)) add(z);
       return;
     }
-    // Between two neighbors of these f is monotone.
+    // f is monotone between two successive ones.
     const Approximation slope = f.derivative();
     const Positive_roots turns(slope, 4);
     double low = 0;
@@ -169,7 +168,7 @@ class Positive_roots {
   int size_ = 0;
 };
 
-// A guess of the first positive root, of as many as are known to be.
+// An approximation of the first positive root, if there are `count`.
 std::optional<double> guess_first_root(const Approximation& f, int count) {
   if (count == 1) {
     constexpr double bound = 8;
@@ -181,8 +180,8 @@ std::optional<double> guess_first_root(const Approximation& f, int count) {
   return roots[0];
 }
 
-// The first sign that is not zero of the k-th terms, from the first one on, each times side^k: that
-// of the polynomial just before, or after, the number at which it has the expansion `f`.
+// The first nonzero sign of the terms, that of degree k times side^k: the sign of the polynomial
+// just before or after the number at which it has the expansion `f`.
 Sign sign_beside(const Wide_polynomial& f, Sign side) {
   Sign factor = CGAL::POSITIVE;
   for (int i = 0; i <= f.degree(); ++i, factor = factor * side) {
@@ -192,8 +191,8 @@ Sign sign_beside(const Wide_polynomial& f, Sign side) {
 }
 
 // Whether the k-th derivative certainly has no root in [lower, upper], given the expansion `f` at
-// `from`, the point upper: its value at upper exceeds what the others can change on the way. The
-// numbers of binary digits tell.
+// `from`, the point upper: its value at upper exceeds the change by the other terms, by their
+// numbers of binary digits.
 bool keeps_sign(const Wide_polynomial& f, int k, const Double_interval& interval,
                 const Point& from) {
   if (f[k].is_zero()) return false;
@@ -204,18 +203,17 @@ bool keeps_sign(const Wide_polynomial& f, int k, const Double_interval& interval
   for (int i = k + 1; i <= f.degree(); ++i) {
     if (!f[i].is_zero()) change = std::max(change, f[i].bit_length() + (i - k) * distance);
   }
-  // Four terms at most, with binomial coefficients less than 8.
+  // At most four terms, with binomial coefficients less than 8.
   return f[k].bit_length() - 1 > change + 5;
 }
 
-// Whether numbers of such a size have room when the terms of the sequence are evaluated.
+// Whether the terms of the sequence can be evaluated at x without overflow.
 bool has_room(long coefficient_bits, double x) {
   return std::isfinite(x) &&
          4 * (coefficient_bits + Point_of_double(x).bits()) + 32 <= Wide::capacity;
 }
 
-// The failure of one polynomial, of which the coefficients have no more than the given number of
-// binary digits.
+// The failure of a polynomial whose coefficients have at most the given number of binary digits.
 class Failure_search {
  public:
   Failure_search(const Wide_polynomial& p, long coefficient_bits)
@@ -249,7 +247,7 @@ Counted_failure Failure_search::failure_after(const Double_interval& now, bool v
   const Wide_polynomial f = expanded_at(p_, from);
   const int at_from = changes_at(from, f);
   if (now.lower != now.upper) {
-    // Only t itself may be a root near it. It is one if p vanishes there.
+    // In `now` there may be no root but t itself, which is one if `vanishes`.
     if (f[0].is_zero()) return {};
     if (!keeps_sign(f, vanishes ? 1 : 0, now, from) &&
         (sign_at(now.lower) == CGAL::ZERO ||
@@ -277,7 +275,8 @@ Counted_failure Failure_search::failure_after(const Double_interval& now, bool v
     const double upper = guess + margin;
     if (lower == now.upper && f[0].is_zero()) return {};
     if (!can_evaluate_at(lower) || !can_evaluate_at(upper)) return {};
-    // A sign that changes between the two, and one root up to the greater one: so it is there.
+    // The sign changes between the two, and there is one root up to the greater one: it is between
+    // them.
     if (sign_at(lower) == CGAL::POSITIVE && sign_at(upper) == CGAL::NEGATIVE &&
         (roots == 1 || changes_at(upper) == at_from - 1)) {
       return {Kind::fails, {lower, upper}};
@@ -315,7 +314,7 @@ std::optional<Sign> count_sign(const Narrow_polynomial& p, const Rational& t, Si
   const Integer numerator = boost::multiprecision::numerator(t);
   const Integer denominator = boost::multiprecision::denominator(t);
   const long bits = std::max(bit_length(numerator), bit_length(denominator));
-  // A product takes up to two words more than it has in the end.
+  // A product temporarily takes up to two more words.
   constexpr long spare = 128;
   if (p.coefficient_bits() + p.degree() * (bits + 2) + spare > Wide::capacity) return std::nullopt;
   const Wide d(denominator);

@@ -28,7 +28,7 @@ inline Rational dyadic(const Integer& numerator, unsigned long exponent) {
   return result;
 }
 
-/// e if the denominator is 2^e; nothing for other rationals.
+/// e if the denominator is 2^e; none for other rationals.
 inline std::optional<unsigned long> dyadic_exponent(const Rational& x) {
   mpz_srcptr d = mpq_denref(x.backend().data());
   const mp_bitcnt_t shift = mpz_scan1(d, 0);

@@ -14,7 +14,7 @@ namespace {
 
 using Root = std::vector<Real_root>::const_iterator;
 
-// A dyadic number after `t` and before `next`, which may be none; `t` itself if it is a binary64
+// A dyadic number after `t` and before `next`, which may be null; `t` itself if it is a binary64
 // number and `t_counts`.
 Rational dyadic_from(const Algebraic_number& t, bool t_counts, const Algebraic_number* next) {
   const Double_interval tight = t.tight_interval();

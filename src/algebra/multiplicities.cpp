@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Square-free parts, and the multiplicities of roots: up to degree 4 the multiple roots are read
-// off the last term of the Sturm sequence, and beyond off the gcd with the derivative.
+// Square-free parts, and the multiplicities of roots: up to degree 4 the multiple roots are those
+// of the last term of the Sturm sequence, beyond those of the gcd with the derivative.
 #include <utility>
 
 #include "kinetri/algebra/polynomial.h"
@@ -56,7 +56,7 @@ std::vector<Square_free_factor> square_free_decomposition(const Polynomial& p) {
 Polynomial odd_part(const Polynomial& p) {
   KINETRI_PRECONDITION(!p.is_zero(), "the zero polynomial has no sign");
   const Polynomial primitive = primitive_part(p);
-  // Nearly every polynomial that geometry brings is square-free.
+  // Usually the polynomial is square-free.
   if (repeated_part(primitive).degree() <= 0) return primitive;
 
   Polynomial result{p.leading_coefficient().sign()};

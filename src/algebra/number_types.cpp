@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Conversions between rationals and binary64. All of them go through one exact division of |x| by a
-// power of two, the distance between the binary64 numbers around |x|, so that no rounding mode of
-// the processor or of a library takes part.
+// Conversions between rationals and binary64. All of them use one exact division of |x| by a power
+// of two, the distance between the binary64 numbers around |x|, and so depend on no rounding mode.
 #include "kinetri/algebra/number_types.h"
 
 #include <algorithm>

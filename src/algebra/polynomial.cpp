@@ -16,7 +16,7 @@ namespace kinetri {
 namespace {
 
 // A positive denominator d whose powers multiply the coefficients when a polynomial is evaluated
-// without fractions. A power of two, which a binary64 number has, costs shifts only.
+// without fractions. A power of two, as of a binary64 number, costs shifts only.
 class Denominator {
  public:
   explicit Denominator(mpz_srcptr d)
@@ -26,7 +26,7 @@ class Denominator {
     power_ = 1;
   }
 
-  // result += c * d^k; to be called with k = 1, 2, 3, ... in turn.
+  // result += c * d^k; call it with k = 1, 2, 3, ... in this order.
   void add_scaled(Integer& result, const Integer& c, unsigned k) {
     if (is_power_of_two_) {
       mpz_mul_2exp(raw(power_), raw(c), shift_ * k);
@@ -109,9 +109,9 @@ void reduce(std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b) 
   }
 }
 
-// True only if a and b have no common factor. A common factor g of positive degree has a leading
-// coefficient that divides those of a and of b; if one of these does not vanish modulo the
-// prime, g keeps its degree there, and divides both images.
+// If true, a and b have no common factor. The leading coefficient of a common factor g of positive
+// degree divides those of a and b; if one of these does not vanish modulo the prime, g keeps its
+// degree modulo the prime, and divides both images.
 bool certainly_coprime(const Polynomial& a, const Polynomial& b) {
   std::vector<std::uint64_t> x = residues(a);
   std::vector<std::uint64_t> y = residues(b);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Isolation of real roots: Descartes' rule proposes intervals (root_isolation.h), and Sturm counts
-// certify them (sturm_counter.h).
+// Real roots: isolated by Descartes' rule of signs (root_isolation.h), certified by Sturm counts
+// (sturm_counter.h).
 #include "kinetri/algebra/real_roots.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 namespace kinetri {
 namespace {
 
-// Descartes' rule proposes where roots are, and Sturm's theorem certifies it: as many sign changes
-// as given before the isolating interval of the root, and one less after it.
+// Checks by Sturm's theorem that the interval of a root has exactly one root and that no root was
+// skipped: as many sign changes as given before it, and one less after it.
 void certify(Sturm_counter& counter, int changes, const Algebraic_number& root) {
   const Rational_interval around = root.isolating_interval();
   KINETRI_ASSERT(around.is_point() ? counter.sign_at(around.lower) == CGAL::ZERO
@@ -88,8 +88,8 @@ std::optional<Algebraic_number> first_simple_root_after(const Polynomial& q,
   if (q.degree() < 1) return std::nullopt;
   Rational_interval around = t.isolating_interval();
   if (!around.is_point() && !equal_up_to_sign(q, t.polynomial())) {
-    // Narrows the interval around t until q has no root there, or t alone: where q does not vanish,
-    // or where it is monotone.
+    // Narrows the interval around t until q has no root in it, or only t: until q does not vanish
+    // in it, or is monotone.
     const bool is_root = sign_at(q, t) == CGAL::ZERO;
     const Polynomial decisive = is_root ? derivative(q) : q;
     around = t.isolating_interval();

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// How a representation is made, how its parts depend on one another, and what is done with it.
 #include "representation.h"
 
 #include <algorithm>
@@ -15,8 +13,8 @@
 namespace kinetri::detail {
 namespace {
 
-// More correct bits than a binary64 number has: two numbers that agree to so many are either equal,
-// which the gcd of their polynomials tells, or exceptionally close.
+// More bits than a binary64 number has: two numbers that agree to so many are probably equal, which
+// the gcd of their polynomials decides.
 constexpr long bits_before_gcd = 60;
 
 // The order of two dyadic numbers x / 2^e and y / 2^f.
@@ -25,7 +23,7 @@ int compare_dyadic(const Integer& x, unsigned long e, const Integer& y, unsigned
   return e < f ? Integer(x << (f - e)).compare(y) : x.compare(Integer(y << (e - f)));
 }
 
-// The order of numbers in open intervals that do not overlap; nothing if they do.
+// The order of numbers in disjoint open intervals; none if they overlap.
 std::optional<Comparison_result> order_of_disjoint(const Isolation& s, const Isolation& t) {
   if (compare_dyadic(s.b, s.e, t.a, t.e) <= 0) return CGAL::SMALLER;
   if (compare_dyadic(s.a, s.e, t.b, t.e) >= 0) return CGAL::LARGER;
@@ -67,7 +65,7 @@ void Root_representation::isolate(const Polynomial& p, const Rational& first,
   }
   if (p.degree() == 1) return become_rational(linear_root(p));
 
-  // Zero as an end, instead of inside, makes the number of correct bits grow with each refinement.
+  // With zero as an end, not inside, each refinement gives more correct bits.
   if (isolation->a.sign() < 0 && isolation->b.sign() > 0) compare_with(0);
 }
 
@@ -165,8 +163,8 @@ void Root_representation::use_factor(Polynomial factor) {
 // ---- refinement ----
 
 // One step of quadratic interval refinement: the interval is divided into 2^k parts, k <= k_max,
-// and the part in which the secant meets zero is tried. If that is the right one, the next step
-// has twice as many digits; else half as many. With k = 1 it is bisection.
+// and the part in which the secant is zero is tested. If it contains the root, k doubles, else it
+// is halved. With k = 1 it is bisection.
 void Root_representation::quadratic_step(unsigned long k_max) {
   Isolation& s = *isolation;
   const Polynomial& p = own_polynomial;
@@ -181,8 +179,7 @@ void Root_representation::quadratic_step(unsigned long k_max) {
   ends_are_current = false;
   bounds_are_published = false;
 
-  // The position of the secant's zero in parts, rounded. It is only a guess: k + 32 leading bits of
-  // the values will do.
+  // The zero of the secant in parts, rounded. It is only a guess: k + 32 leading bits are enough.
   Integer size_a = boost::multiprecision::abs(s.value_a);
   Integer size_sum = size_a + boost::multiprecision::abs(s.value_b);
   const long excess = bit_length(size_sum) - static_cast<long>(k) - 32;
@@ -229,7 +226,7 @@ void Root_representation::halve() {
 void Root_representation::refine_to_bits(long bits) {
   while (!is_rational() && !isolation->is_narrower_than_bits(bits)) {
     const Integer& near_zero = isolation->a.sign() >= 0 ? isolation->a : isolation->b;
-    // No more digits than are asked for, unless it is unknown yet how small the number is.
+    // No more digits than required, unless the size of the number is still unknown.
     const long missing = near_zero.is_zero() ? std::numeric_limits<long>::max()
                                              : bit_length(isolation->b - isolation->a) + bits -
                                                    bit_length(near_zero) + 1;
@@ -290,10 +287,9 @@ bool Root_representation::changes_sign_over_intersection(const Polynomial& p,
          p.sign_at(std::min(x.upper_end(), y.upper_end()));
 }
 
-// The order of two roots of one polynomial in overlapping intervals. They are equal if it
-// changes sign over the intersection, which then holds the only root of either interval. Else each
-// number is in the part of its interval that the other does not share, so neither interval contains
-// the other.
+// The order of two roots of one polynomial in overlapping intervals. They are equal if it changes
+// sign over the intersection, which then contains the only root of either interval. Otherwise
+// neither interval contains the other, and each number is outside the intersection.
 Comparison_result Root_representation::compare_roots_of_one_polynomial(Root_representation& x,
                                                                        Root_representation& y) {
   if (changes_sign_over_intersection(x.own_polynomial, x, y)) return CGAL::EQUAL;
@@ -302,8 +298,8 @@ Comparison_result Root_representation::compare_roots_of_one_polynomial(Root_repr
 
 // Whether two numbers in overlapping intervals are equal. A root of the gcd of their polynomials in
 // the intersection is a root of both, so it is both numbers; the ends are not roots of it, each
-// being an end of an isolating interval. Equal numbers get that gcd as their polynomial, to be
-// compared without a gcd from then on.
+// being an end of an isolating interval. Equal numbers get that gcd as their polynomial, so that
+// later comparisons need no gcd.
 bool Root_representation::are_equal(Root_representation& x, Root_representation& y) {
   const Polynomial common = gcd(x.own_polynomial, y.own_polynomial);
   if (common.degree() == 0 || !changes_sign_over_intersection(common, x, y)) return false;
@@ -355,13 +351,13 @@ Sign Root_representation::sign_of(const Polynomial& p) {
     if (bits != 0) refine_to_bits(bits);
     if (is_rational()) return p.sign_at(lower);
     if (const std::optional<Sign> s = p.sign_on(lower_end(), upper_end())) return *s;
-    // Tested once, between 24 bits and 48: nearly all that is not zero has been told by then.
+    // Tested once, after 24 bits: by then nearly all nonzero signs have been found.
     if (bits == 24 && is_root_of(p)) return CGAL::ZERO;
   }
 }
 
-// The end of the isolating interval on that side is as good as beside the number if p has no
-// other root up to it. So it is after a flip, when p is minus the polynomial that made the number.
+// If p has no other root up to the end of the isolating interval on that side, the sign at that end
+// is the sign beside the number. This is so after a flip: p is minus the polynomial of the number.
 std::optional<Sign> Root_representation::sign_of_own_polynomial_beside(const Polynomial& p,
                                                                        Sign side) {
   if (is_rational() || !equal_up_to_sign(p, own_polynomial)) return std::nullopt;

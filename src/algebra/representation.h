@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What an algebraic number that is not a binary64 number is known by: a rational, or a square-free
-// polynomial and an isolating interval. It changes while the number stays the same;
-// algebraic_number.h says how threads share it. An isolating interval has dyadic ends over a common
-// power of two, so that refinement and evaluation work on integers alone.
+// The representation of an algebraic number that is not a binary64 number: a rational, or a
+// square-free polynomial and an isolating interval; algebraic_number.h says how threads share it.
+// The ends of the interval are dyadic, over a common power of two, so that refinement and
+// evaluation use integers only.
 #ifndef KINETRI_SRC_ALGEBRA_REPRESENTATION_H
 #define KINETRI_SRC_ALGEBRA_REPRESENTATION_H
 
@@ -14,7 +14,7 @@
 
 namespace kinetri::detail {
 
-/// The result of a comparison, from a number of its sign.
+/// The result of a comparison from its sign.
 inline Comparison_result comparison(int order) {
   return static_cast<Comparison_result>(order < 0 ? -1 : order > 0 ? 1 : 0);
 }
@@ -35,7 +35,7 @@ struct Isolation {
   bool is_narrower_than_bits(long bits) const;
 };
 
-/// Its member functions are called by one thread at a time: the one that has a Root_access to it.
+/// Only the thread that has a Root_access may call member functions.
 struct Root_representation {
   explicit Root_representation(Rational number) : lower(std::move(number)) {}
   Root_representation(const Polynomial& p, const Rational& first, const Rational& last) {
@@ -48,7 +48,6 @@ struct Root_representation {
   const Rational& upper_end();
   Double_interval double_interval();
 
-  // How its parts depend on one another.
   void isolate(const Polynomial& p, const Rational& first, const Rational& last);
   void isolate_between_dyadic_ends(const Rational& first, const Rational& last);
   void become_rational(Rational number);
@@ -79,9 +78,9 @@ struct Root_representation {
   std::optional<Sign> sign_of_own_polynomial_beside(const Polynomial& p, Sign side);
 
   std::mutex mutex;
-  std::optional<Isolation> isolation;  // none if the number is known to be rational
-  // The number itself if it is known to be rational; else the ends of the isolation, made when
-  // they are asked for.
+  std::optional<Isolation> isolation;  // empty if the number is known to be rational
+  // The number itself if it is known to be rational; else the ends of the isolation, computed on
+  // demand.
   Rational lower;
   Rational upper;
   bool ends_are_current = false;
@@ -90,13 +89,13 @@ struct Root_representation {
   bool linear_is_made = false;  // own_polynomial is that of a number known to be rational
 };
 
-/// A representation that no other thread uses as long as this object is there. At its end the
-/// binary64 bounds of the number are published, if they have changed.
+/// Exclusive access to a representation. The destructor publishes the binary64 bounds of the
+/// number, if they have changed.
 class Root_access {
  public:
   Root_access(Shared_bounds& bounds, Root_representation& representation)
       : bounds_(bounds), representation_(representation), lock_(representation.mutex) {}
-  /// Access that is yet to be given, by std::lock.
+  /// Access that std::lock grants.
   Root_access(Shared_bounds& bounds, Root_representation& representation, std::defer_lock_t defer)
       : bounds_(bounds), representation_(representation), lock_(representation.mutex, defer) {}
   ~Root_access();
@@ -104,7 +103,7 @@ class Root_access {
   Root_access& operator=(const Root_access&) = delete;
 
   /// @{
-  /// What std::lock asks for.
+  /// As std::lock requires.
   void lock() { lock_.lock(); }
   bool try_lock() { return lock_.try_lock(); }
   void unlock() { lock_.unlock(); }

@@ -4,8 +4,8 @@
 // of t, has the value of that polynomial at t as an eigenvalue. The number x = sqrt(s(t)) - r(t) is
 // a root of (x + r(t))^2 - s(t). So with the multiplications R and S by r and s, which commute, x
 // is a root of the determinant of (x + R)^2 - S, which is the characteristic polynomial of the
-// block matrix [0, 1; S - R^2, -2 R]. Signs of polynomials at t compare x with numbers between the
-// roots of that polynomial, and so tell which one x is.
+// block matrix [0, 1; S - R^2, -2 R]. Comparisons of x with numbers between the roots of that
+// polynomial, by signs of polynomials at t, decide which root x is.
 #include "algebra/root_difference.h"
 
 #include <algorithm>
@@ -116,7 +116,7 @@ Polynomial characteristic_polynomial(const Matrix<Rational>& matrix) {
   return primitive_part(Polynomial(std::move(coefficients)));
 }
 
-// Of which t is a root.
+// A polynomial of which t is a root.
 Polynomial polynomial_of(const Algebraic_number& t) {
   if (!t.is_known_rational()) return t.polynomial();
   const std::array<Rational, 2> difference = {-t.rational(), 1};

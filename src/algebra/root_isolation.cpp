@@ -144,7 +144,7 @@ class Search {
     Integers shifted(q.coefficients().begin(), q.coefficients().end());
     divide_argument(shifted, d);
     shift(shifted, numerator(from));
-    // A root at `from` itself, of which there is one at most, is none beyond it.
+    // Without a root at `from` itself, of which there is at most one.
     if (shifted.front().is_zero()) shifted.erase(shifted.begin());
     variations_ = sign_variations(shifted);
     if (variations_ == 0) return;
@@ -153,11 +153,10 @@ class Search {
   }
 
   std::vector<Algebraic_number> roots(std::size_t most) {
-    // Bounds that contradict one another leave no room for a root.
+    // Contradicting bounds: there is no root.
     if (variations_ == 0 || least_exponent_ > greatest_exponent_) return {};
     if (q_.degree() == 1) return {linear_root(q_)};
-    // Two neighbors are the ends of an open interval that is to be searched, those at the back
-    // first.
+    // Two successive ones are the ends of an open interval to be searched, from the back on.
     std::vector<Rational> ends = {point(greatest_exponent_), point(least_exponent_ - 2)};
     if (variations_ == 1) return {only_root(ends[1], ends[0])};
 
@@ -194,16 +193,16 @@ class Search {
   }
 
  private:
-  // A cluster of roots is seen from afar as one root of that multiplicity, which Newton's method
-  // approaches from the lower end: -v p / p' of the way. Of 2^k parts of the interval those around
-  // that position, if they have all the variations of it: then the rest has none, and no root.
-  // `c` are the coefficients of the polynomial mapped to the interval.
+  // From afar a cluster of v roots is like one root of multiplicity v, at the position -v p / p' by
+  // Newton's method from the lower end. Returns the parts around that position, of 2^k parts of the
+  // interval, if they have all its variations: then the rest has no root. `c` are the coefficients
+  // of the polynomial mapped to the interval.
   std::optional<Rational_interval> cluster_within(const Rational& lower, const Rational& upper,
                                                   const Integers& c, int variations,
                                                   unsigned long k) const {
     Integer value = variations * c[0];
     Integer slope = q_.degree() * c[0] - c[1];
-    // It is only a guess: k + 32 leading bits will do.
+    // It is only a guess: k + 32 leading bits are enough.
     const long excess = bit_length(slope) - static_cast<long>(k) - 32;
     if (excess > 0) {
       value >>= static_cast<unsigned long>(excess);
@@ -223,7 +222,7 @@ class Search {
     return cluster;
   }
 
-  // The only root between the ends, which are no roots.
+  // The only root between the ends, which are not roots.
   Algebraic_number only_root(Rational lower, Rational upper) const {
     const Sign sign_lower = q_.sign_at(lower);
     while (span(lower, upper) > 3) {
@@ -245,13 +244,13 @@ class Search {
     return scaled_by_power_of_two(multiple, k - 2);
   }
 
-  // By how much the exponents of the distances from `from` differ.
+  // The difference of the exponents of the distances from `from`.
   long span(const Rational& lower, const Rational& upper) const {
     return exponent_of(upper - from_) - exponent_of(lower - from_);
   }
 
-  // A point strictly between, by distance from `from`: with an exponent halfway, so that roots of
-  // any size cost alike, or halfway itself.
+  // A point strictly between: its distance from `from` has the middle exponent, so that roots of
+  // any size cost the same, or it is the midpoint.
   Rational between(const Rational& lower, const Rational& upper) const {
     const long first = exponent_of(lower - from_);
     const long last = exponent_of(upper - from_);

@@ -17,8 +17,7 @@ namespace kinetri {
 /// ones. Precondition: `q` is square-free.
 ///
 /// Cost, with the degree n: n^2 additions, and as many multiplications by an end, for each interval
-/// that is looked at. Their number hardly depends on how far apart the magnitudes of the roots are,
-/// nor on how near to each other two of them are.
+/// that is examined. Their number hardly depends on the magnitudes and distances of the roots.
 std::vector<Algebraic_number> roots_beyond(
     const Polynomial& q, const Rational& from,
     std::size_t most = std::numeric_limits<std::size_t>::max());

@@ -34,8 +34,8 @@ Interval values(const Polynomial& p, const Interval& t) {
   return sum;
 }
 
-// The middle of two adjacent binary64 numbers; if the upper one is infinite, the number from
-// which on rounding gives infinity, and likewise below.
+// The midpoint of two adjacent binary64 numbers; if one is infinite, the number from which on
+// rounding gives infinity.
 Rational middle(double lower, double upper) {
   if (std::isfinite(lower) && std::isfinite(upper)) {
     return (to_rational(lower) + to_rational(upper)) / 2;
@@ -46,8 +46,8 @@ Rational middle(double lower, double upper) {
   return std::isfinite(lower) ? bound : Rational(-bound);
 }
 
-// The rounded quotient if the interval `times` around `t` is narrow enough to tell.
-// Precondition: neither polynomial vanishes at `t`, which is between the ends of the interval.
+// The rounded quotient if the interval `times` around `t` is narrow enough. Precondition: neither
+// polynomial vanishes at `t`, which is between the ends of the interval.
 std::optional<double> try_round(const Polynomial& p, const Polynomial& q, const Algebraic_number& t,
                                 const Interval& times) {
   const Interval above = values(p, times);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The simplest rational number between two algebraic ones.
 #include "dyadic.h"
 #include "gmp_access.h"
 #include "kinetri/algebra/algebraic_number.h"
@@ -23,7 +21,7 @@ Integer scaled_magnitude_floor(const Algebraic_number& x, long e) {
       x.refine();
       continue;
     }
-    // One grid point in question: on which side of it is the number?
+    // One grid point is in the interval: compare.
     const Rational grid_point = scaled_by_power_of_two(greatest, -e);
     const Comparison_result order = compare(x, negative ? Rational(-grid_point) : grid_point);
     return order == (negative ? CGAL::LARGER : CGAL::SMALLER) ? least : greatest;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Integers of at most a given width that need no allocation: the exact stage of certificates works
-// with them, and with GMP's own integers only if these are too narrow.
+// Integers of bounded width without allocation, for the exact stage of certificates; GMP's own
+// integers are used only if these are too narrow.
 #ifndef KINETRI_SRC_ALGEBRA_STACK_INTEGER_H
 #define KINETRI_SRC_ALGEBRA_STACK_INTEGER_H
 
@@ -19,9 +19,9 @@
 
 namespace kinetri {
 
-/// An integer of at most `Limbs` times 64 bits: sign and magnitude, in words of GMP, of which those
-/// in use are computed with alone. Precondition of each operation: its result has room. The caller
-/// knows so from a bound of the bits (`Static_sturm_sequence::bits_needed`); it is asserted.
+/// An integer of at most `Limbs` times 64 bits: sign and magnitude, in words of GMP. Precondition
+/// of each operation, asserted: the result fits. Callers use a bound of the bits
+/// (`Static_sturm_sequence::bits_needed`).
 template <std::size_t Limbs>
 class Stack_integer {
   static constexpr int word_bits = GMP_NUMB_BITS;
@@ -29,7 +29,7 @@ class Stack_integer {
   static constexpr std::size_t most_words = Limbs * (64 / word_bits);
 
  public:
-  /// How many binary digits have room.
+  /// The most binary digits.
   static constexpr long capacity = static_cast<long>(64 * Limbs);
 
   Stack_integer() noexcept = default;  ///< zero
@@ -79,8 +79,8 @@ class Stack_integer {
     return n == 0 ? 0 : static_cast<long>(word_bits) * n - std::countl_zero(words_[n - 1]);
   }
 
-  /// The number as m * 2^exponent, where m is the result: rounded to a binary64 number, by less
-  /// than two units in the last place.
+  /// The number as m * 2^exponent, where m is the result: rounded with an error less than two units
+  /// in the last place.
   double approximation(long& exponent) const {
     // The words that have the first 64 digits, at least.
     constexpr int words = 64 / word_bits + 1;
@@ -119,7 +119,7 @@ class Stack_integer {
     mp_limb_t high;
 #ifdef __SIZEOF_INT128__
     if (word_bits == 64 && m == 2 && n == 2) {
-      // GMP's functions take several times as long for so few words.
+      // For so few words GMP's functions are several times slower.
       high = multiply_pairs(x->words_, y->words_, result.words_);
     } else
 #endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polynomials of degree 4 at most, which need no allocation of their own: those of points in linear
-// motion, of which nearly every exact decision is one.
+// Polynomials of degree 4 at most without allocation, as of points in linear motion.
 #ifndef KINETRI_SRC_ALGEBRA_STATIC_POLYNOMIAL_H
 #define KINETRI_SRC_ALGEBRA_STATIC_POLYNOMIAL_H
 

@@ -16,7 +16,7 @@ namespace detail {
 inline constexpr mpfr_prec_t first_precision = 191;
 inline constexpr mpfr_prec_t most_precision = 4096;
 
-// A number with so many binary digits that is known to be in [low, high].
+// An interval [low, high] with the given precision that contains a number.
 class Enclosed {
  public:
   explicit Enclosed(mpfr_prec_t precision) {
@@ -67,7 +67,7 @@ class Enclosed {
     const Enclosed* y = &b;
     if (x->is_mixed()) std::swap(x, y);
     if (x->is_mixed()) return set_product_of_mixed(*x, *y);
-    // Each bound is the product of a bound of x and one of y, which the signs tell.
+    // The signs decide which bounds of x and y are multiplied.
     const bool is_positive = mpfr_sgn(x->low_) >= 0;
     const auto& of_low = is_positive ? y->low_ : y->high_;
     const auto& of_high = is_positive ? y->high_ : y->low_;
@@ -79,7 +79,7 @@ class Enclosed {
     mpfr_div(low_, one.low_, x.high_, MPFR_RNDD);
     mpfr_div(high_, one.high_, x.low_, MPFR_RNDU);
   }
-  // None if it is not certain. No interval but that of zero itself is known to be zero.
+  // None if it is not certain; zero only for [0, 0].
   std::optional<Sign> sign() const {
     if (mpfr_sgn(low_) > 0) return CGAL::POSITIVE;
     if (mpfr_sgn(high_) < 0) return CGAL::NEGATIVE;
@@ -124,7 +124,7 @@ class Interval_sturm_sequence {
     while (terms_.back().size() > 1 && terms_.back().back().sign().value_or(CGAL::ZERO) != 0) {
       terms_.push_back(next_term());
     }
-    // A leading coefficient that is zero, or may be.
+    // False if a leading coefficient may be zero.
     is_certain_ = terms_.back().back().sign().value_or(CGAL::ZERO) != 0;
   }
 

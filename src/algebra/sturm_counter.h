@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sign changes of Sturm sequences at less cost than that of the terms, for polynomials of any
-// degree.
+// Sign changes of Sturm sequences, for polynomials of any degree, mostly without exact terms.
 #ifndef KINETRI_SRC_ALGEBRA_STURM_COUNTER_H
 #define KINETRI_SRC_ALGEBRA_STURM_COUNTER_H
 
@@ -15,10 +14,10 @@ namespace kinetri {
 
 class Interval_sturm_sequence;
 
-/// V of a square-free polynomial, exactly. Up to degree 4 the terms are exact, in closed form.
-/// Those of a higher degree have coefficients with very many digits, of which only signs matter: so
-/// the sequence is computed with intervals that enclose the coefficients, with more and more digits
-/// until the signs are certain. The exact terms are made only if 4096 binary digits do not suffice.
+/// V of a square-free polynomial, exactly. Up to degree 4 the terms are exact, in closed form. For
+/// higher degrees, whose terms have very long coefficients, the sequence is computed in interval
+/// arithmetic with growing precision until the signs are certain; the exact terms are computed only
+/// if 4096 bits are not enough.
 class Sturm_counter {
  public:
   /// Precondition: f is square-free and not zero. It must outlive this object.
@@ -39,7 +38,7 @@ class Sturm_counter {
   int changes(const Certain& certain, const Exact& exact);
 
   const Polynomial& f_;
-  std::unique_ptr<Interval_sturm_sequence> intervals_;  // none: the exact terms are made
+  std::unique_ptr<Interval_sturm_sequence> intervals_;  // null: exact terms are used
   std::optional<Sturm_sequence> exact_;
 };
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Sturm sequences: construction, sign changes and counts.
 #include "kinetri/algebra/sturm_sequence.h"
 
 #include <utility>
@@ -84,8 +82,8 @@ int Sturm_sequence::count(const std::optional<Interval_end>& lower,
   int result = lower ? sign_changes_at(lower->value) : sign_changes_at_minus_infinity();
   result -= upper ? sign_changes_at(upper->value) : sign_changes_at_plus_infinity();
 
-  // A root takes one sign change away, and has it away at the root already: as an end it is counted
-  // as if it were just to the left, so the count is that of ( , ].
+  // A root removes one sign change, at the root already: so the difference counts the roots in
+  // (lower, upper].
   if (lower && lower->included && is_root(lower->value)) ++result;
   if (upper && !upper->included && is_root(upper->value)) --result;
   return result;

@@ -9,7 +9,7 @@
 namespace kinetri::detail {
 namespace {
 
-// The file's name alone: a message must not depend on where the library was built.
+// The file name without folders: messages must not depend on where the library was built.
 std::string location(std::string_view file, int line) {
   const std::size_t slash = file.find_last_of('/');
   if (slash != std::string_view::npos) file.remove_prefix(slash + 1);

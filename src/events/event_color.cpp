@@ -4,9 +4,8 @@
 namespace kinetri {
 
 // Blue, green and vermillion are those of Okabe and Ito (Color universal design, 2008). The others
-// were searched for: they make the least difference between two colors great, for all kinds of
-// color vision (test/events/event_color_test.cpp), at a lightness that is legible on light and on
-// dark.
+// were found by a search that maximizes the least difference of two colors for all kinds of color
+// vision (test/events/event_color_test.cpp), at a lightness that is legible on light and on dark.
 std::string_view color(Event_kind kind) {
   switch (kind) {
     case Event_kind::rebuild:

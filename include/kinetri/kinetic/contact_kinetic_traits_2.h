@@ -22,7 +22,7 @@ namespace kinetri {
 /// | Function | Result |
 /// |---|---|
 /// | `contact_certificate(p, q, diameter, t)` | fails at the contact of the discs about p and q |
-/// | `next_contact_certificate(p, q, diameter, t)` | fails at the first contact after they were apart |
+/// | `next_contact_certificate(p, q, diameter, t)` | fails at the next contact after they part |
 /// | `wall_certificate(p, wall, t)` | fails at the contact of p and the bound of the wall |
 /// | `contact_failure(p, q, diameter, bounds)` | the failure time, from a certificate's bounds |
 /// | `wall_failure(p, wall, bounds)` | the failure time, from a certificate's bounds |

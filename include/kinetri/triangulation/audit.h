@@ -18,7 +18,8 @@ enum class Audit_level {
   links,         ///< links between vertices and faces, the queue, and the references between them
   embedding,     ///< finite triangles are counterclockwise, and the hull is convex
   delaunay,      ///< every edge is locally Delaunay
-  reference,     ///< the edges are those of a CGAL triangulation built anew just after the current time
+  reference,     ///< the edges are those of a CGAL triangulation built anew just after the current
+                 ///< time
   certificates,  ///< the next failure of every certificate, computed anew, is in the queue
 };
 

@@ -63,7 +63,7 @@ class Divided_scheduler {
                   const For_each_subject& for_each_subject, const In_parallel& in_parallel) {
     if (count == 1 && !is_divided()) return;
     Queue_counters before = counters();
-    if (count == number_of_parts()) before.peak = first_.counters().peak;  // parts peak at different times
+    if (count == number_of_parts()) before.peak = first_.counters().peak;  // not that of now
     forget_first();
     if (is_divided()) {
       in_parallel(parts_, [](const std::unique_ptr<Part>& part) { part->forget_order(); });
@@ -75,7 +75,7 @@ class Divided_scheduler {
       std::vector<Queue_handle> next;                               // of each part
       std::size_t first = 0;                                        // of its entries among all
       std::vector<std::uint16_t> parts;                             // of each of them
-      std::vector<std::pair<std::size_t, Algebraic_number>> times;  // with the number of the entry; few have one
+      std::vector<std::pair<std::size_t, Algebraic_number>> times;  // of few: their numbers
     };
     std::vector<Share> shares;
     for (const Block& block : blocks) {
