@@ -47,7 +47,7 @@ struct Certificate {
   bool is_root_solved = false;  ///< whether a root was computed
 };
 
-/// What is known of the polynomial at the time from which on a certificate is asked for.
+/// What is known of the polynomial at the start of a certificate, the time t.
 enum class Certificate_state : std::uint8_t {
   any,       ///< nothing
   vanishes,  ///< the in-circle or orientation polynomial vanishes at that time, at which its

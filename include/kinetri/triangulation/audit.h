@@ -20,7 +20,7 @@ enum class Audit_level {
   delaunay,      ///< every edge is locally Delaunay
   reference,     ///< the edges are those of a CGAL triangulation built anew just after the current
                  ///< time
-  certificates,  ///< the next failure of every certificate, computed anew, is in the queue
+  certificates,  ///< the queue has the next failure of every certificate, or an earlier recheck
 };
 
 /// The result of an audit.

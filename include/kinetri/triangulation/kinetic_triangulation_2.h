@@ -132,7 +132,7 @@ class Kinetic_triangulation_2 {
   std::vector<Edge_ids> finite_edge_ids() const;
 
   /// The whole state; see Triangulation_snapshot. O(n). Precondition: not called by an observer,
-  /// nor after an observer has thrown (checked).
+  /// nor after one has thrown within an event (checked).
   Snapshot snapshot() const;
 
   // ---- time ----

@@ -71,8 +71,8 @@ struct Basic_event {
   std::uint64_t number = 0;            ///< 0 for the first event of a run, then one more each
   Event_kind kind = Event_kind::flip;  ///< what happened
   Time time;                           ///< when
-  std::optional<Edge_ids> removed = std::nullopt;  ///< the edge that goes
-  std::optional<Edge_ids> added = std::nullopt;    ///< the edge that comes
+  std::optional<Edge_ids> removed = std::nullopt;  ///< the removed edge
+  std::optional<Edge_ids> added = std::nullopt;    ///< the added edge
   std::optional<Point_id> point_a = std::nullopt;  ///< the point, or the first of two
   std::optional<Point_id> point_b = std::nullopt;  ///< the second of two points
   /// The third corner of the triangle removed or added at a hull edge. Not in files.

@@ -63,7 +63,8 @@ class Divided_scheduler {
                   const For_each_subject& for_each_subject, const In_parallel& in_parallel) {
     if (count == 1 && !is_divided()) return;
     Queue_counters before = counters();
-    if (count == number_of_parts()) before.peak = first_.counters().peak;  // not that of now
+    if (count == number_of_parts())
+      before.peak = first_.counters().peak;  // without the present size
     forget_first();
     if (is_divided()) {
       in_parallel(parts_, [](const std::unique_ptr<Part>& part) { part->forget_order(); });

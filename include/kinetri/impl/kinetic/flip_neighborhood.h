@@ -20,11 +20,11 @@ using Quadruple = std::array<const Point*, 4>;
 /// triangles, counterclockwise from one of its ends, so that the triangles are the corners 0, 1, 2
 /// and 0, 2, 3; and of each outer edge, from the corner k to the next one, the point beyond it.
 ///
-/// Five in-circle certificates are made anew: number k < 4 is that of the outer edge k, number 4
+/// Five in-circle certificates are recomputed: number k < 4 is that of the outer edge k, number 4
 /// that of the edge itself.
 template <class Point>
 struct Flip_neighborhood {
-  static constexpr std::size_t certificates = 5;  ///< how many are made anew
+  static constexpr std::size_t certificates = 5;  ///< how many are recomputed
 
   std::array<const Point*, 4> corners;  ///< of the two triangles, counterclockwise
   std::array<const Point*, 4> beyond;   ///< across the outer edge from corners[k] to the next one

@@ -19,15 +19,7 @@
 
 namespace kinetri::detail {
 
-/// | Part | owns | does not know |
-/// |---|---|---|
-/// | topology | CGAL's triangulation, ids | time, the queue |
-/// | certification | the kinetic traits | the queue; it changes nothing |
-/// | schedule | the present time, the queue | how faces change |
-/// | reporter | observers, noted edges, the trail | why edges change |
-/// | updates | a count of changes | which change is right |
-/// | loop | what is put off within an instant | how a change is made |
-/// | changes | | how events follow each other |
+/// The parts. A part uses those declared before it; Point_changes uses all.
 template <class Traits>
 struct Kinetic_types<Traits>::Kinetic_core {
   /// No points at `start`.

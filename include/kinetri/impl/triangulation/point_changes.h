@@ -63,7 +63,7 @@ class Kinetic_types<Traits>::Point_changes {
   void check_are_distinct(std::span<const Change> changes, std::vector<Jump>& jumps) const;
   void locate_jumps(std::span<const Change> changes, std::span<Jump> jumps) const;
   std::vector<Point_2> points_after(std::span<const Change> changes) const;
-  bool are_most(std::size_t points) const;
+  bool should_schedule_all(std::size_t points) const;
   bool is_embedded_around(Vertex_handle v) const;
 
   void note_weights(std::span<const Change> changes);

@@ -92,7 +92,7 @@ void Kinetic_types<Traits>::Point_changes::check_turns_are_new(
 
 // Whether so many points turn that all certificates are computed anew.
 template <class Traits>
-bool Kinetic_types<Traits>::Point_changes::are_most(std::size_t points) const {
+bool Kinetic_types<Traits>::Point_changes::should_schedule_all(std::size_t points) const {
   constexpr std::size_t few = 16;
   return points > few && points > topology_.number_of_points() / 4;
 }
@@ -118,7 +118,7 @@ void Kinetic_types<Traits>::Point_changes::find_turns(std::span<const Change> ch
   };
   before.reserve(changes.size());
   plan.turns.reserve(changes.size());
-  if (are_most(changes.size()) && std::ranges::all_of(changes, may_turn)) {
+  if (should_schedule_all(changes.size()) && std::ranges::all_of(changes, may_turn)) {
     for (const Change& change : changes) turn(change);
     if (!Kinetic_types<Traits>::Static_construction::is_embedded(
             triangulation_, certification_.places(schedule_.current_time()))) {
@@ -277,7 +277,7 @@ void Kinetic_types<Traits>::Point_changes::make(std::span<const Change> changes,
 
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::make_turns(std::span<const Change> turns) {
-  if (are_most(turns.size())) {
+  if (should_schedule_all(turns.size())) {
     schedule_.queue().clear();
     for (const Change& change : turns) topology_.set_point(change);
     return schedule_.schedule_all();

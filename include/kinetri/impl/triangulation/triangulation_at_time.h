@@ -46,7 +46,7 @@ class Triangulation_at_time {
 
   // ---- predicates ----
 
-  /// Those just beside the time.
+  /// The predicates just beside the time.
   const Instantaneous_traits& beside() const { return beside_; }
 
   CGAL::Orientation orientation(const auto& p, const auto& q, const auto& r) const {
