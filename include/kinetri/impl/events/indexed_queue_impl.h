@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The definitions of Indexed_queue.
 #ifndef KINETRI_IMPL_EVENTS_INDEXED_QUEUE_IMPL_H
 #define KINETRI_IMPL_EVENTS_INDEXED_QUEUE_IMPL_H
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Definitions of Certification.
 #ifndef KINETRI_IMPL_TRIANGULATION_CERTIFICATION_IMPL_H
 #define KINETRI_IMPL_TRIANGULATION_CERTIFICATION_IMPL_H
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Definitions of Schedule.
 #ifndef KINETRI_IMPL_TRIANGULATION_SCHEDULE_IMPL_H
 #define KINETRI_IMPL_TRIANGULATION_SCHEDULE_IMPL_H
 
