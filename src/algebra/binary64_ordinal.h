@@ -16,7 +16,6 @@ inline std::int64_t ordinal(double x) {
   return bits >= 0 ? bits : std::numeric_limits<std::int64_t>::min() - bits;
 }
 
-/// The number at that position.
 inline double from_ordinal(std::int64_t n) {
   return std::bit_cast<double>(n >= 0 ? n : std::numeric_limits<std::int64_t>::min() - n);
 }

@@ -21,7 +21,6 @@ inline Integer denominator(const Rational& x) {
   return boost::multiprecision::denominator(x);
 }
 
-/// numerator / 2^exponent.
 inline Rational dyadic(const Integer& numerator, unsigned long exponent) {
   Rational result(numerator);
   mpq_div_2exp(result.backend().data(), result.backend().data(), exponent);
@@ -65,7 +64,6 @@ inline Integer scaled_value(const Polynomial& p, const Integer& x, unsigned long
   return result;
 }
 
-/// The root of a polynomial of degree 1.
 inline Rational linear_root(const Polynomial& p) {
   return Rational(Integer(-p[0]), p[1]);
 }

@@ -55,7 +55,6 @@ struct Root_representation {
   void set_ends(Integer a, Integer b, unsigned long e);
   void narrow_to(const Rational& m, Sign side);
 
-  // Refinement.
   void quadratic_step(unsigned long k_max);
   void halve();
   void refine_to(const Rational& width);
@@ -63,7 +62,6 @@ struct Root_representation {
 
   Double_interval tight_interval();
 
-  // The order of numbers.
   Comparison_result compare_with(const Rational& m);
   static bool changes_sign_over_intersection(const Polynomial& p, Root_representation& x,
                                              Root_representation& y);

@@ -67,7 +67,6 @@ Matrix<Number> product(const Matrix<Number>& a, const Matrix<Number>& b) {
   return result;
 }
 
-// The block matrix of the comment above.
 Matrix<Rational> block_matrix(const Matrix<Rational>& s, const Matrix<Rational>& r) {
   const std::size_t n = s.size();
   const Matrix<Rational> squared_r = product(r, r);

@@ -62,7 +62,6 @@ class Stack_integer {
   }
   ~Stack_integer() = default;
 
-  /// The same number.
   explicit operator Integer() const {
     Integer result;
     mpz_t view;
@@ -70,7 +69,6 @@ class Stack_integer {
     return result;
   }
 
-  /// The sign as a number: -1, 0 or 1.
   int sign() const { return (size_ > 0) - (size_ < 0); }
   bool is_zero() const { return size_ == 0; }  ///< whether it is 0
   /// The number of binary digits of the absolute value; 0 for 0.

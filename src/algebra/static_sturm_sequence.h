@@ -59,7 +59,6 @@ class Static_sturm_sequence {
     return powers[static_cast<std::size_t>(degree)] * coefficient_bits + 24;
   }
 
-  /// The sequence. Precondition: f is not zero.
   explicit Static_sturm_sequence(const Term& f) {
     add(f);
     if (f.degree() < 1) return;

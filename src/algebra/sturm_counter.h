@@ -30,7 +30,6 @@ class Sturm_counter {
   int changes_at(const Rational& t);
   int changes_at_plus_infinity();   ///< V for all sufficiently large t
   int changes_at_minus_infinity();  ///< V for all sufficiently small t
-  /// The sign of f at t.
   Sign sign_at(const Rational& t) const { return f_.sign_at(t); }
 
  private:

@@ -53,7 +53,6 @@ struct Sturm_terms_of_quartic {
 
     Number s0() const { return i * i * i * 4 - j * j; }  ///< S0
   };
-  /// Of the same polynomial.
   template <class Polynomial>
   Last last(const Polynomial& f) const {
     const Number cc = f[2] * f[2];

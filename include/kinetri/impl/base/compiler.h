@@ -42,7 +42,6 @@ KINETRI_ALWAYS_INLINE void prefetch_address([[maybe_unused]] const void* address
 #endif
 }
 
-/// Starts to load all of an object.
 template <class Object>
 KINETRI_ALWAYS_INLINE void prefetch_object(const Object& object) {
   constexpr std::size_t line = 64;

@@ -8,7 +8,6 @@
 
 namespace kinetri::detail {
 
-/// Sets the flag during its lifetime.
 class Flag_while {
  public:
   explicit Flag_while(bool& flag) : flag_(flag) { flag_ = true; }

@@ -31,12 +31,9 @@ class Calendar {
   double slot(double bound) const { return (bound - origin_) * slots_per_unit_; }
   /// Whether the slot has been opened; true for NaN (0 times infinity).
   bool is_open(double slot) const { return !(slot >= open_slots_); }
-  /// Whether there is a slot of that number.
   bool has_slot(double slot) const { return slot < static_cast<double>(std::ssize(slots_)); }
-  /// Whether there is another slot to open.
   bool has_next() const { return has_slot(open_slots_); }
 
-  /// The number of records in all slots.
   std::size_t number_of_records() const { return records_; }
 
   /// Records the handle in the slot, if there is one of that number. Returns whether the slot got

@@ -50,7 +50,6 @@ class Divided_scheduler {
 
   // ---- parts ----
 
-  /// Whether there are several parts.
   bool is_divided() const noexcept { return !parts_.empty(); }
 
   /// Distributes the entries over `count` parts, at most 65536; invalidates handles. One thread
@@ -168,7 +167,6 @@ class Divided_scheduler {
   /// Forgets which part comes first; call it before the functions of parts change them. O(1).
   void forget_first() noexcept { winners_.clear(); }
 
-  /// The part that holds the entry of a handle.
   std::size_t part_of_handle(Queue_handle handle) const {
     return static_cast<std::size_t>(std::uint64_t{handle} >> shift_);
   }
@@ -420,7 +418,6 @@ class Divided_scheduler {
   // An exact time that is not stored, so that several threads may compute it.
   static Algebraic_number made(const Part& part, const Entry& entry) { return part.time_of(entry); }
 
-  // Compares the first entries of two parts.
   template <class Time_in>
   bool precedes(Part& p, Part& q, const Time_in& time_in) const {
     const Entry& a = p.top();

@@ -72,13 +72,11 @@ class Event_scheduler {
 
   // ---- scheduling ----
 
-  /// Schedules an entry that is made from `parts`.
   template <class... Parts>
   Queue_handle emplace(Parts&&... parts) {
     return queue_.emplace(std::forward<Parts>(parts)...);
   }
 
-  /// Schedules an entry whose exact time is known.
   Queue_handle push(Entry entry, Algebraic_number time) {
     entry.time = times_.keep(std::move(time));
     return queue_.push(entry);
@@ -127,7 +125,6 @@ class Event_scheduler {
   /// Removes an entry. Precondition: contains(handle).
   Entry erase(Queue_handle handle) { return forgotten(queue_.erase(handle)); }
 
-  /// Removes all entries.
   void clear() {
     queue_.clear();
     times_.clear();

@@ -59,12 +59,9 @@ concept Bounding_order = requires(const Less& less, const Item& item) {
 template <class Item, Bounding_order<Item> Less>
 class Indexed_queue {
  public:
-  /// An empty queue.
   explicit Indexed_queue(Less less = Less()) : less_(std::move(less)) {}
 
-  /// Whether there is no item.
   bool empty() const noexcept { return heap_.empty(); }
-  /// The number of items.
   std::size_t size() const noexcept { return size_; }
 
   /// Whether `handle` names an item of the queue.
@@ -145,7 +142,6 @@ class Indexed_queue {
   /// Removes the item of `handle` and returns it. Precondition: contains(handle).
   Item erase(Queue_handle handle);
 
-  /// Removes all items.
   void clear();
 
   /// Calls `function` with each item, in the order of their handles. Linear in the largest size so
@@ -174,7 +170,6 @@ class Indexed_queue {
     std::uint32_t position = nowhere;  // in the heap, or far, or nowhere
   };
 
-  // What the heap holds: a handle, and the bounds of its item.
   struct Node {
     Double_interval bounds;
     Queue_handle handle;

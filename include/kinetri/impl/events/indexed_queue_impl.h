@@ -166,7 +166,6 @@ void Indexed_queue<Item, Less>::spread_all(double greatest) {
   spread(greatest);
 }
 
-// Whether the least item of all is first in the heap.
 template <class Item, Bounding_order<Item> Less>
 inline bool Indexed_queue<Item, Less>::is_settled() const {
   return far_ == 0 ||

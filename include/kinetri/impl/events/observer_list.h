@@ -41,7 +41,6 @@ class Observer_list {
     }
   }
 
-  /// Whether `is_so` is true of an observer.
   template <class Predicate>
   bool any_of(const Predicate& is_so) const {
     return std::ranges::any_of(observers_, [&](const Observer* observer) {

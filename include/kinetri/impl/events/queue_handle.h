@@ -14,7 +14,6 @@ namespace kinetri {
 /// A handle of an item of an Indexed_queue; reused after the item has left.
 using Queue_handle = std::uint32_t;
 
-/// The handle of no item.
 inline constexpr Queue_handle no_event = std::numeric_limits<Queue_handle>::max();
 
 }  // namespace kinetri

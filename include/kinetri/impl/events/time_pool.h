@@ -20,7 +20,6 @@ class Time_pool {
  public:
   using Index = std::uint32_t;
 
-  /// The index of no time.
   static constexpr Index none = std::numeric_limits<Index>::max();
 
   /// Keeps `time` until its index is released. References to other times stay valid.

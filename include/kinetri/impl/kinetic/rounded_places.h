@@ -72,10 +72,8 @@ class Rounded_places {
   const std::vector<double>& weights() const { return weights_; }
   /// The error of each weight, at most.
   double error_of_weights() const { return weight_error_; }
-  /// The least id.
   Point_id first() const { return first_; }
 
-  /// Whether all coordinates are finite.
   bool are_finite() const {
     return std::ranges::all_of(
         places_, [](const Vector_2& p) { return std::isfinite(p.x) && std::isfinite(p.y); });

@@ -31,11 +31,8 @@ struct Ball {
   double low = 0;
   double radius = 0;
 
-  /// Zero.
   Ball() = default;
-  /// The number alone.
   explicit Ball(double value) : high(value) {}
-  /// The three members.
   Ball(double high_part, double low_part, double r) : high(high_part), low(low_part), radius(r) {}
 
   /// Contains every number.
@@ -167,7 +164,6 @@ inline bool is_known_well(const Ball& a) {
   return a.radius <= 0x1p-60 * std::abs(a.high);
 }
 
-/// A position in the plane.
 struct Ball_2 {
   Ball x;
   Ball y;
@@ -181,7 +177,6 @@ inline Ball_2 ball_place(const Linear_motion_2& motion, const Ball& t) {
   };
   return {place(motion.position.x, motion.velocity.x), place(motion.position.y, motion.velocity.y)};
 }
-/// As for linear motions.
 inline Ball_2 ball_place(const Polynomial_motion_2& motion, const Ball& t) {
   const Ball elapsed = t - Ball(motion.epoch);
   const auto place = [&](double Vector_2::*axis) {
@@ -229,7 +224,6 @@ inline Approximate_place approximate_place(const Linear_motion_2& motion, double
       (std::abs(t) + std::abs(t - epoch)) * (std::abs(velocity.x) + std::abs(velocity.y));
   return {rounded_place(motion, t), 0x1p-49 * size + ball::tiny};
 }
-/// As for linear motions.
 inline Approximate_place approximate_place(const Polynomial_motion_2& motion, double t) {
   const auto size = [](const Vector_2& v) { return std::abs(v.x) + std::abs(v.y); };
   const double span = std::abs(t) + std::abs(t - motion.epoch);

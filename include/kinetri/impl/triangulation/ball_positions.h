@@ -36,7 +36,6 @@ class Ball_positions {
   using At_time = Triangulation_at_time<Traits>;
   using Vertex_handle = typename At_time::Vertex_handle;
 
-  /// A neighbor of a point.
   struct Neighbor {
     Vertex_handle vertex;
     Ball_2 vector;  ///< from the point
@@ -54,7 +53,6 @@ class Ball_positions {
     return approximate_place(centre(v->point().motion()), t_.high);
   }
   Ball weight(Vertex_handle v) const { return ball_weight(v->point().motion(), t_); }
-  /// Each coordinate rounded to nearest.
   Vector_2 rounded_position(Vertex_handle v) const {
     const auto known = rounded(position(v));
     return known ? *known : at_.rounded_position(v->point().trajectory());

@@ -33,7 +33,6 @@ enum class Entry_kind : std::uint8_t {
 /// The index of a condition on a hidden point: 0 to 2 for a side of the triangle that hides it, by
 /// the opposite vertex; this for the plane of the lifted triangle.
 inline constexpr std::uint8_t plane_condition = 3;
-/// The index of no condition.
 inline constexpr std::uint8_t no_condition = 4;
 
 /// The points of a certificate, four for in-circle, three for orientation; and the kind of its
@@ -44,7 +43,6 @@ struct Kinetic_types<Traits>::Certificate_points {
   std::array<const Point_2*, 4> points = {};
 };
 
-/// Computes certificates from faces.
 template <class Traits>
 class Kinetic_types<Traits>::Certification {
  public:

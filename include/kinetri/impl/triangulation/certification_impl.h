@@ -233,7 +233,6 @@ inline Entry_kind Kinetic_types<Traits>::Certification::first_failure(
   return Entry_kind::coincidence;
 }
 
-// The certificate that the ends of the edge are apart.
 template <class Traits>
 inline Certificate Kinetic_types<Traits>::Certification::coincidence(
     const Two_sided_edge& edge, const Time& after, const Double_interval& among,

@@ -25,18 +25,15 @@ struct Half_plane {
 /// its area.
 class Clipped_polygon {
  public:
-  /// All of the polygon.
   void assign(std::span<const Vector_2> polygon) {
     vertices_.assign(polygon.begin(), polygon.end());
   }
 
-  /// Whether nothing is left.
   bool is_empty() const { return vertices_.empty(); }
 
   /// The vertices of what is left, in the direction of the polygon.
   std::span<const Vector_2> vertices() const { return vertices_; }
 
-  /// Cuts off what is not in the half plane.
   void clip(const Half_plane& half_plane) {
     const auto beyond = [&](const Vector_2& v) {
       return v.x * half_plane.normal.x + v.y * half_plane.normal.y - half_plane.bound;

@@ -12,7 +12,6 @@
 
 namespace kinetri::detail {
 
-/// What happens to an edge whose certificate has failed.
 enum class Action : std::uint8_t {
   flip,        ///< the edge is flipped
   hide,        ///< a vertex is hidden

@@ -15,7 +15,6 @@ namespace kinetri::detail {
 /// log k) for k notes.
 class Edge_changes {
  public:
-  /// An edge and its net change.
   struct Change {
     Edge_ids edge;
     int net;  ///< 1: added; -1: removed; 0: as it was before

@@ -58,7 +58,6 @@ class Kinetic_types<Traits>::Event_loop {
   /// violated just after that time fails at that time; so the triangulation is Delaunay when no
   /// failure is left. docs/MATH.md, section 5, proves this and that it ends.
   void execute_due_events();
-  /// Reconstructs the triangulation just after the present time.
   void rebuild();
   /// Reverses time: mirrors the motions, and undoes the events of the present time.
   void reverse();

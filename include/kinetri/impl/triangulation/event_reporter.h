@@ -94,7 +94,6 @@ class Kinetic_types<Traits>::Event_reporter {
 
   /// From now on keeps added and removed edges for the owner of the triangulation.
   void keep_trail() { keeps_trail_ = true; }
-  /// What has been kept since the last call.
   Edge_trail take_trail() { return std::exchange(trail_, {}); }
 
   /// Calls change(), which executes the event, and observers before and after it. While edges are
@@ -148,7 +147,6 @@ class Kinetic_types<Traits>::Event_reporter {
     ++events_in_instant_;
   }
   void begin_instant() { events_in_instant_ = 0; }
-  /// The events since begin_instant().
   std::uint64_t events_in_instant() const { return events_in_instant_; }
 
   // ---- edges that are reported together ----

@@ -22,7 +22,6 @@ namespace kinetri::detail {
 /// The parts. A part uses those declared before it; Point_changes uses all.
 template <class Traits>
 struct Kinetic_types<Traits>::Kinetic_core {
-  /// No points at `start`.
   Kinetic_core(const Traits& traits, const Time& start)
       : topology({start, Time_side::after}),
         certification(traits, topology),

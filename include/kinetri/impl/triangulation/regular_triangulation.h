@@ -52,7 +52,6 @@ class Regular_triangulation
   }
   /// @}
 
-  /// The number of vertices that are not hidden. O(1).
   std::size_t number_of_vertices() const {
     return this->tds().number_of_vertices() - 1 - number_of_hidden_vertices();
   }

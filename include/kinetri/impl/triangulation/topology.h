@@ -81,14 +81,11 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   void set_weights_equal(bool are_equal) { are_weights_equal_ = are_equal; }
   static bool have_equal_weights(std::span<const Point_2> points);
 
-  /// The points in the order of their ids.
   std::vector<Point_2> points() const;
 
   // ---- the instant of the predicates ----
 
-  /// The clock of the predicates of the triangulation.
   const Instant_clock& clock() const { return clock_; }
-  /// Sets the instant of the predicates.
   void set_instant(const Instant& instant) { clock_.set(instant); }
 
   // ---- edges ----
@@ -138,7 +135,6 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
             edge_ids(face->vertex(i)->point().id(), neighbor->vertex(j)->point().id())};
   }
 
-  /// Sets the handle in both faces.
   static void set_event(const Two_sided_edge& edge, Queue_handle handle) {
     edge.here.first->set_event(edge.here.second, handle);
     edge.there.first->set_event(edge.there.second, handle);

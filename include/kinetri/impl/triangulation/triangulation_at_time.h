@@ -46,7 +46,6 @@ class Triangulation_at_time {
 
   // ---- predicates ----
 
-  /// The predicates just beside the time.
   const Instantaneous_traits& beside() const { return beside_; }
 
   CGAL::Orientation orientation(const auto& p, const auto& q, const auto& r) const {
@@ -108,7 +107,6 @@ class Triangulation_at_time {
       return at_.construct_circumcenter_2_object()(v->point(), a->point(), b->point()).trajectory();
     }
   }
-  /// The vector from one point to another.
   static Trajectory_2 vector(Vertex_handle from, Vertex_handle to) {
     const Trajectory_2 here = from->point().trajectory();
     const Trajectory_2 there = to->point().trajectory();

@@ -75,7 +75,6 @@ class Kinetic_types<Traits>::Updates {
   /// The triangulation of points just after the present time.
   Triangulation build_now(std::span<const Point_2> points) const;
 
-  /// The number of changes so far.
   std::uint64_t number_of_changes() const { return changes_; }
 
  private:

@@ -161,7 +161,6 @@ class Voronoi_sides {
 
   // ---- the intersection of half planes ----
 
-  // Of the half planes of the candidates.
   Sides intersection(const std::vector<Vertex_handle>& candidates) const {
     std::vector<Vertex_handle> elsewhere;
     for (const Vertex_handle u : candidates) {
