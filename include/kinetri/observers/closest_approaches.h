@@ -18,11 +18,11 @@
 
 namespace kinetri {
 
-/// The closest approach of two points: where the gap between the rims of their discs is least. The
-/// gap is the distance of the centres minus both radii, and negative where the discs overlap.
+/// The closest approach of two points: the least gap between the boundary circles of their discs.
+/// The gap is the distance of the centers minus both radii; it is negative if the discs overlap.
 struct Approach {
   Edge_ids points = {no_point, no_point};  ///< the ids, the smaller first
-  Algebraic_number time;  ///< exact; rational if the minimum is between turns and no radius grows
+  Algebraic_number time;  ///< exact; rational if no motion changes at it and no radius grows
   /// The distance of the centres at that time, rounded to the nearest binary64 number, ties to
   /// even; infinite on overflow.
   double distance = 0;
@@ -35,32 +35,30 @@ concept HasLinearMotion = ContactKineticTraits_2<Traits> &&
     std::same_as<Centre_motion_of<typename Traits::Motion>, Linear_motion_2>;
 
 /// An observer of a simulation that keeps the `number` pairs with the least gaps while they were
-/// neighbors in the triangulation or overlapped, and for each pair the first time at which its gap
-/// was least. A point that leaves is still there at the time at which it does, for each one that
-/// comes then: the two are a pair at that time, though never in one triangulation. Discs have the
-/// radius of the options, or radii of their own, which may differ and grow; where they have none,
+/// neighbors in the triangulation or overlapped, and for each pair the first time of its least gap.
+/// A point that is erased and one that is inserted at the same time are a pair at that time. Discs
+/// have the radius of the options, or radii of their own, which may differ and grow; without radii
 /// the gap is the distance.
 ///
 /// The first of the result is the closest approach of all pairs. For discs of one radius, and
 /// points, the closest pair has an edge at any time. For discs with radii of their own, at any time
 /// the pair with the least gap has an edge in the regular triangulation or overlaps (docs/MATH.md,
-/// section 11). The next ones of the result need not be the next ones of all pairs. An exception is
-/// a contact that involves a disc of radius 0, see section 8 there.
+/// section 11). The further ones need not be the next ones of all pairs. Contacts that involve a
+/// disc of radius 0 are an exception (section 8).
 ///
 /// Gaps are compared exactly, even if they round to the same number. Cost: for each change of an
-/// edge or of a motion at it some hundred floating-point operations, which prove for most pairs
-/// that they are not near enough, and exact arithmetic for the others; for discs with radii of
-/// their own, also for those that overlap. Of k points that leave or come at one time,
-/// O(k log k + number) such operations, and as many for each of their pairs that may be among the
-/// nearest. Memory: O(edges + overlaps + number).
+/// edge or overlap, or of a motion at one, some hundred floating-point operations, which exclude
+/// most pairs; exact arithmetic for the others. For k points that are inserted or erased at one
+/// time, O(k log k + number) such operations, and as many for each of their pairs that may be among
+/// the nearest. Memory: O(edges + overlaps + number).
 template <HasLinearMotion Traits = Linear_kinetic_traits_2>
 class Closest_approaches : public Event_observer, private Overlap_observer {
   static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
 
  public:
-  /// Observes from the current time on. Preconditions: number > 0; if discs have radii of their
-  /// own, the simulation has a response, such as log_contact, because it does not follow overlaps
-  /// without one. The simulation must outlive this object.
+  /// Observes from the current time on. The simulation must outlive this object. Preconditions:
+  /// number > 0; if discs have radii of their own, the simulation has a response, such as
+  /// log_contact, because overlaps are not tracked without one.
   Closest_approaches(Simulation_2<Traits>& simulation, std::size_t number);
   ~Closest_approaches() override;
 
@@ -72,7 +70,7 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
   /// round its numbers.
   std::vector<Approach> approaches();
 
-  /// It does for the edges at points that an event names, as those of contacts do.
+  /// True if events may name points, as contacts do: their edges are read.
   bool looks_at_triangulation() const override {
     return has_radii || simulation_.options().box || simulation_.options().response;
   }
@@ -91,7 +89,7 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
     bool is_edge = false;  // if not, the discs overlapped just after `since`
   };
 
-  // The nearest place of a piece.
+  // The least gap of a piece.
   struct Candidate {
     Edge_ids points = {no_point, no_point};
     detail::Gap_of_pair<Disc_motion_2> least;
@@ -133,8 +131,7 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
   std::vector<Passing> gone_;
   std::vector<Passing> come_;
   std::map<Edge_ids, Candidate> nearest_;
-  // `number_` pairs have had this gap or a smaller one: a pair that certainly has a greater one is
-  // of no interest.
+  // `number_` pairs have had this gap or a smaller one: pairs with greater gaps are not kept.
   double limit_;
 };
 

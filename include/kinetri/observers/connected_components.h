@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which points are connected at a range, over time.
+// The connected components of points at a range, over time.
 #ifndef KINETRI_OBSERVERS_CONNECTED_COMPONENTS_H
 #define KINETRI_OBSERVERS_CONNECTED_COMPONENTS_H
 
@@ -17,13 +17,13 @@
 
 namespace kinetri {
 
-/// What a Component_event tells. Each but `start` changes the number of components by one.
+/// The kinds of Component_event. Each but `start` changes the number of components by one.
 enum class Component_event_kind : std::uint8_t {
-  start,   ///< what the components are at the start; the first event, and no other one
+  start,   ///< the components at the start; the first event only
   merge,   ///< two components become one
   split,   ///< a component becomes two
-  insert,  ///< a point comes, as a component of its own; what it joins then is told by merges
-  erase,   ///< a point goes that is a component of its own; what it left is told by splits before
+  insert,  ///< a point is inserted, as a component of its own; merges follow
+  erase,   ///< a point is erased that is a component of its own, after splits
 };
 
 /// The number of kinds.
@@ -36,12 +36,11 @@ std::string_view name(Component_event_kind kind);
 struct Component_event {
   Algebraic_number time;                                    ///< exact
   Component_event_kind kind = Component_event_kind::start;  ///< what happens
-  /// Of a merge or split, the pair of points whose link joins the two components, or joined them:
-  /// they are at the distance of the range exactly, unless one of them has come, goes, or jumps at
-  /// that time; then they are within the range on the one side of the time on which both are there.
+  /// Of a merge or split, the ends of the link that joins, or joined, the two components. Their
+  /// distance is the range exactly, unless one of them is inserted, erased, or jumps at that time.
   /// Of an insert or erase, the point and no_point. Of a start none.
   Edge_ids points = {no_point, no_point};
-  /// The numbers of points in the component of either: of a merge, before it; of a split, after it.
+  /// The sizes of the two components: before a merge, after a split.
   std::array<std::size_t, 2> sizes = {0, 0};
   std::size_t components = 0;  ///< the number of components after the event
   std::size_t largest = 0;     ///< the number of points in the largest one after it
@@ -58,25 +57,24 @@ template <ContactKineticTraits_2 Traits>
 class Component_tracker;
 }  // namespace detail
 
-/// An observer that keeps the connected components of the graph in which two points are linked
-/// while they are at most `range` apart, and tells every merge and split with its exact time.
+/// An observer that maintains the connected components of the graph in which two points are linked
+/// while they are at most `range` apart, and reports every merge and split with its exact time.
 ///
-/// All of it is closed. Two points are linked also at the moment at which they touch the range from
-/// outside: then a merge and a split have the same time. A point that comes or goes at a time is
-/// there at that time, and one that jumps is there at both of its places. (Of a point that jumps
-/// and one that jumps, comes or goes at the same time, the places before it are looked at, and
-/// those after it, but not one of each.) So at each time there are first the inserts and merges,
-/// then the splits and erasures, and between them the components are those of the time itself.
-/// Which link it is that joins or splits, if several begin or end at one time, follows from their
-/// ids.
+/// Links are closed in time: two points are also linked if they reach the range at one time only,
+/// with a merge and a split at that time. A point exists at the times at which it is inserted and
+/// erased, and one that jumps is at both of its positions. (For two points that change at the same
+/// time, one of which jumps, the positions before and those after are examined, but not one of
+/// each.) So at each time inserts and merges come first, then splits and erasures; between them the
+/// components are those of the time itself. If several links begin or end at one time, the order of
+/// ids decides which of them joins or splits.
 ///
 /// The links of edges of the triangulation have the same components as all links (docs/MATH.md,
-/// section 12). Cost: for each edge that comes, and each edge of a point that gets another motion,
-/// a certificate; for each time at which an edge crosses the range, an event of a queue and a
-/// change of Dynamic_connectivity. A flip changes no component. Memory: O(n + events).
+/// section 12). Cost: a certificate for each new edge and each edge of a point that gets another
+/// motion; for each time at which an edge crosses the range, an event of a queue and a change of
+/// Dynamic_connectivity. Memory: O(n + events).
 ///
-/// A question is answered for just after the current time, with what has happened so far: what
-/// changes afterwards at the same time comes later in the order.
+/// Answers are for just after the current time; changes made afterwards at the same time come later
+/// in the order.
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Connected_components : public Edge_follower<Traits> {
   static_assert(!HasWeight<typename Traits::Motion>, "of points, or discs of one radius");
@@ -84,11 +82,11 @@ class Connected_components : public Edge_follower<Traits> {
  public:
   using typename Edge_follower<Traits>::Triangulation;
   using typename Edge_follower<Traits>::Time;
-  using Component = Dynamic_connectivity::Component;  ///< names one until the next event
+  using Component = Dynamic_connectivity::Component;  ///< valid until the next event
 
   /// @{
-  /// Observes from the current time on; the object must not outlive what it observes.
-  /// Precondition: the range is at least 0 and finite.
+  /// Observes from the current time on. What is observed must outlive this object. Precondition:
+  /// the range is at least 0 and finite.
   Connected_components(Simulation_2<Traits>& simulation, double range);
   Connected_components(Triangulation& triangulation, double range);
   /// @}
@@ -96,8 +94,8 @@ class Connected_components : public Edge_follower<Traits> {
   /// The range.
   double range() const { return range_; }
 
-  /// All events up to the current time, in their order. The reference is valid, and refers to the
-  /// same events, until this object is used again after the triangulation has gone on.
+  /// All events up to the current time, in their order. The reference is valid until this object is
+  /// used again after the triangulation has advanced.
   const std::vector<Component_event>& events();
 
   /// The components just after the current time.
@@ -112,7 +110,7 @@ class Connected_components : public Edge_follower<Traits> {
   std::size_t largest() { return components().largest(); }
   /// @}
 
-  /// Notes from the current time on when the two points are connected. They need not be there yet.
+  /// Records from the current time on when the two points are connected. They need not exist yet.
   /// Cost: O(1) for each pair and event. Precondition: they differ.
   void watch(const Edge_ids& points);
   /// The times since watch(points), up to the current one, at which the two were connected, in

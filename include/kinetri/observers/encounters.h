@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Encounters: which points come near one another, from when until when.
+// Encounters: which points are in range of one another, and when.
 //
-// A pair that comes in range has an edge then, or a point that both have in range already and that
-// has an edge with one of the two (docs/MATH.md, section 14). So few pairs are *candidates*: these
-// are certified apart once for each motion, and those that will come in range wait in a queue. No
-// pair leaves the queue because it is no candidate any more; its time stays right as long as the
-// two motions do.
+// A pair that comes in range has an edge then, or a third point is in range of both and has an edge
+// with one of them (docs/MATH.md, section 14). So few pairs are *candidates*: each is certified
+// once for each motion, and enters a queue if it will come in range. A pair that ceases to be a
+// candidate stays in the queue: its time is right as long as its motions do not change.
 #ifndef KINETRI_OBSERVERS_ENCOUNTERS_H
 #define KINETRI_OBSERVERS_ENCOUNTERS_H
 
@@ -22,7 +21,7 @@ namespace kinetri {
 struct Encounter {
   Edge_ids points = {no_point, no_point};  ///< the ids, the smaller first
   Algebraic_number begin;                  ///< exact
-  Algebraic_number end;                    ///< exact; the present time if it goes on
+  Algebraic_number end;                    ///< exact; the present time if it has not ended
   Algebraic_number closest;                ///< the first time at which their gap was least, exact
   /// The distance of the centres at that time, rounded to the nearest binary64 number, ties to
   /// even; infinite on overflow.
@@ -30,12 +29,12 @@ struct Encounter {
   double gap = 0;  ///< the gap at that time, rounded in the same way; of points, the distance
 };
 
-/// Is told of encounters, in the order of time.
+/// Is called at encounters, in the order of time.
 class Encounter_observer {
  public:
   virtual ~Encounter_observer() = default;
-  /// The two are in range from `time` on. Must neither change what is observed nor ask the object
-  /// that tells of it. May be called when time has gone on: must not look at the triangulation.
+  /// The two are in range from `time` on. Must neither change what is observed nor call the object
+  /// that reports it. May be called later than at `time`: must not read the triangulation.
   virtual void begins(const Edge_ids& points, const Algebraic_number& time) = 0;
   /// The two were in range up to `time`. As above.
   virtual void ends(const Edge_ids& points, const Algebraic_number& time) = 0;
@@ -58,18 +57,18 @@ class Encounter_tracker;
 /// distance of two points less the radii of their discs, which are those of the motions (HasWeight)
 /// or the radius of the options. A gap of just `range` counts, so an encounter may be one moment.
 ///
-/// An encounter that begins at the start, or when one of the two comes, begins there; one that has
-/// not ended ends now, or when one of the two leaves. It goes on through a change of motion if the
-/// two are in range at that time under the motions before and after it; of several changes of a
-/// point at one time, as far as this object has not been asked in between, only the last one
-/// counts. A point that leaves is still there at the time at which it does, for one that comes
-/// then. All of it is exact.
+/// Encounters begin at the earliest at the start of the observation or when a point is inserted,
+/// and end at the latest now or when a point is erased. An encounter continues through a change of
+/// motion if the two are in range at that time under the motions before and after it; of several
+/// changes of a point at one time only the last counts, unless this object is called in between. A
+/// point that is erased and one that is inserted at the same time may have an encounter at that
+/// time. All of it is exact.
 ///
-/// Cost: for each edge that comes and for each encounter some certificates, in proportion to the
-/// number of points in range of one; for each encounter two entries of a queue. The least gaps are
-/// found when they are asked for. Memory: O(n + encounters). Discs with radii of their own are
-/// followed by a simulation of enlarged discs beside the observed one, which costs as much as it
-/// does with a response to contacts, and a certificate for each pair that overlaps there.
+/// Cost: for each new edge and each encounter some certificates, in proportion to the number of
+/// points in range of one; for each encounter two entries of a queue. Least gaps are computed on
+/// request. Memory: O(n + encounters). For discs with radii of their own a second simulation, of
+/// enlarged discs, runs beside the observed one; its cost is that of the observed one with a
+/// response, and a certificate for each pair that overlaps there.
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Encounters final : public Edge_follower<Traits> {
  public:
@@ -79,8 +78,8 @@ class Encounters final : public Edge_follower<Traits> {
   using typename Edge_follower<Traits>::Time;
 
   /// Observes from the current time on. The simulation must outlive this object. Throws
-  /// Precondition_error if `range` is negative or not finite, or is too large for a disc of that
-  /// radius to have a finite one.
+  /// Precondition_error if `range` is negative or not finite, or if a radius enlarged by half of it
+  /// is not finite.
   Encounters(Simulation_2<Traits>& simulation, double range);
   /// The same of a triangulation of points.
   Encounters(Triangulation& triangulation, double range) requires(!HasWeight<Motion>)
@@ -92,11 +91,10 @@ class Encounters final : public Edge_follower<Traits> {
   /// As given to the constructor.
   double range() const { return range_; }
 
-  /// All encounters up to the current time, those that go on included, in the order of `begin`,
-  /// then of ids. Cost: O(m log m) comparisons of times for m encounters, and for each that has
-  /// ended since the last call, and each that goes on, the rounding of its least distance: some
-  /// hundred floating-point operations where that is certain (points in linear motion), else exact
-  /// arithmetic.
+  /// All encounters up to the current time, also those that have not ended, in the order of
+  /// `begin`, then of ids. Cost: O(m log m) comparisons of times for m encounters, and the rounding
+  /// of the least distance of those that have not ended or have ended since the last call: some
+  /// hundred floating-point operations for most points in linear motion, else exact arithmetic.
   std::vector<Encounter> encounters();
 
   /// The points in range of a point at the current time, sorted. Precondition: the triangulation
@@ -104,8 +102,8 @@ class Encounters final : public Edge_follower<Traits> {
   std::vector<Point_id> in_range(Point_id id);
 
   /// @{
-  /// Has the observer told of what happens from the next call of it on; it must outlive this object
-  /// or be removed, which it may do when it is called.
+  /// The observer is called from now on; it must outlive this object or be removed, which it may do
+  /// when it is called.
   void add_encounter_observer(Encounter_observer& observer);
   void remove_encounter_observer(Encounter_observer& observer);
   /// @}

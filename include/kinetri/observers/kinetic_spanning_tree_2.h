@@ -13,15 +13,15 @@
 
 namespace kinetri {
 
-/// What changes in a spanning tree at one time. Both lists are sorted; they are equally long unless
-/// points come or go.
+/// A change of a spanning tree at one time. Both lists are sorted; they are equally long unless
+/// points are inserted or erased.
 struct Spanning_tree_change {
   Algebraic_number time;          ///< exact
   std::vector<Edge_ids> removed;  ///< edges of the tree just before the time and not just after it
   std::vector<Edge_ids> added;    ///< edges of the tree just after the time and not just before it
 };
 
-/// Which edge of the tree is the longest one, from a time on.
+/// The longest edge of the tree, from a time on.
 struct Longest_edge {
   Algebraic_number time;         ///< exact
   std::optional<Edge_ids> edge;  ///< none if there are fewer than two points
@@ -41,19 +41,17 @@ template <ContactKineticTraits_2 Traits>
 class Spanning_tree;
 }  // namespace detail
 
-/// An observer that keeps the Euclidean minimum spanning tree, with every change at its exact time,
-/// and its longest edge: the range at which everything is connected.
+/// An observer that maintains the Euclidean minimum spanning tree, with every change at its exact
+/// time, and its longest edge: the range at which everything is connected.
 ///
-/// Lengths are compared exactly, just after the time; edges that have the same length throughout
-/// some time are in the order of their ids. So there is one tree. It is a subset of the
-/// triangulation's edges (docs/MATH.md, section 15). The simultaneous changes of one time are one
-/// change; of points that go and others that come at one time, the tree is that before and that
-/// after it.
+/// Lengths are compared exactly, just after the time; edges of equal length throughout some time
+/// are in the order of their ids. So the tree is unique. It is a subset of the triangulation's
+/// edges (docs/MATH.md, section 15). All changes at one time are one change.
 ///
 /// Each edge outside of the tree has a certificate: a cycle of which it is the longest edge. Cost:
 /// for each edge whose certificate fails, certificates of the edges of triangles at it, or of those
 /// on its path in the tree. A change of the longest edge costs O(n) certificates. Memory: O(n times
-/// the length of a path in the tree), which is that of the cycles with paths, + changes.
+/// the length of a path in the tree + changes).
 ///
 /// Kinetic spanning trees: J. Basch, L. J. Guibas, L. Zhang, Proximity problems on moving points,
 /// 13th Symposium on Computational Geometry, 1997; P. K. Agarwal, D. Eppstein, L. J. Guibas, M. R.
@@ -70,7 +68,7 @@ class Kinetic_spanning_tree_2 : public Edge_follower<Traits> {
   using typename Edge_follower<Traits>::Point_2;
 
   /// @{
-  /// Observes from the current time on; the object must not outlive what it observes.
+  /// Observes from the current time on. What is observed must outlive this object.
   explicit Kinetic_spanning_tree_2(Simulation_2<Traits>& simulation);
   explicit Kinetic_spanning_tree_2(Triangulation& triangulation);
   /// @}
@@ -80,24 +78,23 @@ class Kinetic_spanning_tree_2 : public Edge_follower<Traits> {
   /// Whether the tree has that edge just after the current time.
   bool is_edge(const Edge_ids& edge);
   /// All changes so far, in their order. The reference is valid until this object is used again
-  /// after the triangulation has gone on.
+  /// after the triangulation has advanced.
   const std::vector<Spanning_tree_change>& changes();
 
   /// The longest edge of the tree just after the current time; none of fewer than two points.
   std::optional<Edge_ids> longest_edge();
-  /// The longest edge at the start, and whenever another one is the longest. Cost: for each, the
-  /// rounding of its length.
+  /// The longest edge at the start, and whenever it changes. Cost: the rounding of each length.
   std::vector<Longest_edge> longest_edges();
 
   /// The range at which all points are connected at the current time; none of fewer than two
   /// points.
   std::optional<Connecting_range> connecting_range();
   /// @{
-  /// The least and the greatest such range from the start up to the current time, each at the first
-  /// time at which it is that: the first is where everything is connected once, the second is where
-  /// everything stays connected. None if there never were two points. Cost: interval arithmetic
-  /// for each change of the longest edge or its motion, and exact arithmetic for those that come
-  /// into question.
+  /// The least and the greatest such range from the start up to the current time, each at its first
+  /// time. All points are connected at some time if the range is at least the former, and at all
+  /// times if it is at least the latter. None if there never were two points. Cost: interval
+  /// arithmetic for each change of the longest edge or its motion, and exact arithmetic for the
+  /// candidates that remain.
   std::optional<Connecting_range> least_connecting_range();
   std::optional<Connecting_range> greatest_connecting_range();
   /// @}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much room each point has had on the average of a time.
+// The mean over time of the area of each point.
 #ifndef KINETRI_OBSERVERS_MEAN_CELL_AREAS_H
 #define KINETRI_OBSERVERS_MEAN_CELL_AREAS_H
 
@@ -21,29 +21,29 @@ class Cell_integrator;
 
 }  // namespace detail
 
-/// The room of a point on the average of the time in which it was observed.
+/// The mean area of a point over the time in which it was observed.
 struct Mean_cell_area {
   Point_id id = no_point;  ///< the point
   double from = 0;         ///< when that time began, rounded to the nearest binary64 number
   double until = 0;        ///< when it ended, or now; later than `from`
   double area = 0;         ///< the integral of the area over that time, divided by its length
-  double error = 0;        ///< an estimate of how far the mean is off, see Mean_cell_areas
+  double error = 0;        ///< an estimate of the error of the mean, see Mean_cell_areas
 };
 
 /// An observer that integrates the area of each point's cell (cell_areas) over time. Between two
-/// changes of its neighbors, and of the motions of these and its own, the area is a smooth function
-/// of time, but where walls begin to cut the cell in another way, or it jumps, as where walls
-/// separate a part of the cell. Each such piece of time is integrated by itself, by the rule of
-/// Gauss and Kronrod with 7 nodes (A. S. Kronrod, Nodes and weights of quadrature formulas, 1965),
-/// and divided in halves, up to 10 times, until the estimate of the error is small.
+/// changes of the neighbors or of their motions and its own, the area is a piecewise smooth
+/// function of time: walls may begin to cut the cell in another way, or separate a part of it, so
+/// that the area jumps. Each such piece of time is integrated separately, by the rule of Gauss and
+/// Kronrod with 7 nodes (A. S. Kronrod, Nodes and weights of quadrature formulas, 1965), and
+/// halved, up to 10 times, until the estimate of the error is small.
 ///
 /// `error` is the sum, over the pieces, of the difference of the two rules, and of the bounds of
-/// the errors of the areas (Cell_area::error) at the nodes. The first of these is an estimate and
-/// no bound, as a rule sees the function at its nodes only; that of Kronrod is in general far
-/// better than the difference.
+/// the errors of the areas (Cell_area::error) at the nodes. The difference is an estimate, not a
+/// bound, since the rules evaluate the function at their nodes only; in general the rule of Kronrod
+/// is far better than the difference.
 ///
-/// Cost: 7 areas of cells for a piece, and more where the error is not small at once. Memory: O(n),
-/// and one result for each point that has ever been there.
+/// Cost: 7 areas of cells for each piece, and more if it is halved. Memory: O(n), and one result
+/// for each point that has ever existed.
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Mean_cell_areas : private Edge_follower<Traits> {
  public:
@@ -67,10 +67,9 @@ class Mean_cell_areas : private Edge_follower<Traits> {
   using Point_2 = typename Traits::Point_2;
   using Changed_point = typename Edge_follower<Traits>::Changed_point;
 
-  // What is known of a point.
   struct Record {
     double from = 0;
-    double until = 0;  // as far as has been integrated
+    double until = 0;  // the end of what has been integrated
     double integral = 0;
     double error = 0;
     bool has_come = false;

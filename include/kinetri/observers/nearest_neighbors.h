@@ -2,10 +2,9 @@
 //
 // The nearest neighbor of each point, over a run.
 //
-// A point q that is nearest to p is alone in the disc about p through q, and so in the smaller disc
-// whose diameter is pq: the two have an edge, in every Delaunay triangulation. So a point has one
-// entry in a queue: the first time at which another neighbor becomes nearer than the present
-// nearest one.
+// Let q be nearest to p. No other point is inside the disc about p through q, nor in the smaller
+// disc with the diameter pq, so pq is an edge of every Delaunay triangulation. Each point has one
+// entry in a queue: the first time at which another neighbor becomes nearer than the nearest one.
 #ifndef KINETRI_OBSERVERS_NEAREST_NEIGHBORS_H
 #define KINETRI_OBSERVERS_NEAREST_NEIGHBORS_H
 
@@ -24,9 +23,8 @@ namespace kinetri {
 struct Nearest_neighbor_change {
   Algebraic_number time;       ///< exact
   Point_id id = no_point;      ///< the point that has another nearest neighbor from then on
-  Point_id before = no_point;  ///< its nearest neighbor just before; none at the start, where the
-                               ///< point comes, and where it was the only point
-  Point_id after = no_point;   ///< just after; none where the point leaves, or becomes the only one
+  Point_id before = no_point;  ///< its nearest neighbor just before; no_point at the start, or if it is inserted or was alone
+  Point_id after = no_point;   ///< just after; no_point if the point is erased or is alone from then on
 };
 
 namespace detail {
@@ -34,31 +32,32 @@ template <ContactKineticTraits_2 Traits>
 class Nearest_tracker;
 }  // namespace detail
 
-/// An observer that knows the nearest neighbor of each point at every time of a run.
+/// An observer that maintains the nearest neighbor of each point.
 ///
-/// *The nearest neighbor* is the one whose distance is least just after the time, exactly. Of
-/// points that are equally near just after it, and so until a motion changes, it is the one with
-/// the smallest id. A tie at one moment is no change if the order after it is that before it.
-/// Kinetic_queries_2::nearest_neighbor is about the time itself: there a tie of a moment counts.
+/// *The nearest neighbor* is the one whose distance is least just after the time, exactly; of
+/// points that are equally near then, and so until a motion changes, the one with the smallest id.
+/// A tie at a single time is not a change if the order after it is that before it.
+/// (Kinetic_queries_2::nearest_neighbor is about the time itself: there such a tie counts.)
 ///
-/// Cost: one or two certificates for each edge that is added, and for each change, turn and lost
-/// candidate as many as the point has neighbors. Memory: O(n), and the list of changes.
+/// Cost: one or two certificates for each added edge; for each change of a nearest neighbor or
+/// motion, and each removed edge to the next candidate, as many as the point has neighbors. Memory:
+/// O(n), and the list of changes.
 ///
-/// Of points with weights, the edges of a regular triangulation do not tell which centres or rims
-/// are nearest to each other (docs/MATH.md, section 10); so there is no such observer of these.
+/// There is no such observer of points with weights: the nearest center or boundary circle need not
+/// be a neighbor in the regular triangulation (docs/MATH.md, section 10).
 template <ContactKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits>
 class Nearest_neighbors final : private Edge_follower<Traits> {
  public:
   using Time = Algebraic_number;                                          ///< of changes
   using Triangulation = Kinetic_triangulation_2<Traits>;                  ///< what is observed
-  using On_change = std::function<void(const Nearest_neighbor_change&)>;  ///< what is told
+  using On_change = std::function<void(const Nearest_neighbor_change&)>;  ///< called at changes
 
   /// @{
   /// Observes from the current time on. The first changes are those of the start: each point that
-  /// is not alone gets its nearest neighbor. Changes are given to `on_change`, which must
-  /// neither change the triangulation nor look at it, since time may have gone on, where there is
-  /// such a function; else they are kept for changes().
+  /// is not alone gets its nearest neighbor. Changes are passed to `on_change`, or kept for
+  /// changes() if it is empty. It may be called late: it must neither change nor read the
+  /// triangulation.
   explicit Nearest_neighbors(Simulation_2<Traits>& simulation, On_change on_change = {});
   explicit Nearest_neighbors(Triangulation& triangulation, On_change on_change = {});
   /// @}
@@ -67,13 +66,12 @@ class Nearest_neighbors final : private Edge_follower<Traits> {
   /// point. Precondition: the triangulation contains the point.
   std::optional<Point_id> nearest_neighbor(Point_id id);
 
-  /// That of each point, by id; no_point where there is none. next_id() ids.
+  /// That of each point, by id; no_point if there is none. Its size is next_id().
   const std::vector<Point_id>& nearest_neighbors();
 
-  /// All changes so far, in the exact order of time, then by id. What happens at one time is one
-  /// change: from just before it to just after it. (If this function is called at that time, and
-  /// points are changed afterwards at the same time, these are changes of their own.) Empty if the
-  /// changes go to a function.
+  /// All changes so far, in the exact order of time, then by id. All changes of a point at one time
+  /// are one change. (Changes made after a call of this function at that time are separate.) Empty
+  /// if there is a function `on_change`.
   const std::vector<Nearest_neighbor_change>& changes();
 
  private:

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which points were neighbors in the triangulation, from when until when: the lives of its edges.
+// Which points were neighbors in the triangulation, and when: the lifetimes of its edges.
 //
-// Where points move, two neighbors part and two others meet in their place: a neighbor exchange, or
-// T1 process, as it is called of foams and tissues. The four cells meet in one vertex of the
-// Voronoi diagram; the ridge between the two that part shrinks to that vertex, and the ridge
-// between the two that meet grows from it.
+// When points move, two neighbors separate and two others become neighbors instead: a neighbor
+// exchange, called T1 process in foams and tissues. At that time the four cells share a vertex of
+// the Voronoi diagram; one ridge shrinks to that vertex, and the other one grows from it.
 //
 // Source of the name: D. Weaire, N. Rivier, Soap, cells and statistics: random patterns in two
 // dimensions, Contemporary Physics 25, 1984.
@@ -26,69 +25,68 @@
 
 namespace kinetri {
 
-/// Why two points become neighbors, or cease to be.
+/// Why a lifetime begins or ends.
 enum class Life_limit : std::uint8_t {
   run,       ///< the observation begins or ends
-  point,     ///< a point has come or gone: one of the two, or one beside both
+  point,     ///< a point is inserted or erased: one of the two, or a neighbor of both
   exchange,  ///< the motions
 };
 
 /// The name in files: "run", "point", "exchange".
 const char* name(Life_limit limit);
 
-/// Two points that were neighbors without a break.
+/// A lifetime of an edge.
 struct Neighbor_life {
   Edge_ids points = {no_point, no_point};  ///< the ids, the smaller first
   Algebraic_number begin;                  ///< just after it they are neighbors; exact
   Algebraic_number end;                    ///< just before it; later than `begin`; exact
   Life_limit begins_by = Life_limit::run;  ///< why then
   Life_limit ends_by = Life_limit::run;    ///< why then
-  /// Whether the ridge between the two cells was shorter than the threshold at every time of this
-  /// life; false without a threshold.
+  /// Whether the ridge between the two cells was shorter than the threshold throughout; false
+  /// without a threshold.
   bool is_short = false;
 };
 
-/// The neighbor exchanges of a point. A point takes part in an exchange where it gains or loses a
-/// neighbor by one; each exchange of two pairs has four such points.
+/// The neighbor exchanges in which a point gains or loses a neighbor. Each exchange of two pairs
+/// concerns four points.
 struct Point_exchanges {
   Point_id id = no_point;  ///< the point
-  Algebraic_number from;   ///< it was there from then on
-  Algebraic_number until;  ///< until then: it left, or the present
+  Algebraic_number from;   ///< the beginning of its presence
+  Algebraic_number until;  ///< its erasure, or the present time
   std::size_t gained = 0;  ///< neighbors, by exchanges
   std::size_t lost = 0;    ///< neighbors, by exchanges
-  /// Those of gained + lost by a short exchange: one that begins or ends a short life.
+  /// Of gained + lost, those by short exchanges: they begin or end a short lifetime.
   std::size_t short_ones = 0;
 };
 
-/// An observer that keeps the life of every edge of a triangulation. An edge that goes and comes
-/// back within one time has not gone. A turn of a point does not end the lives of its edges; that
-/// of a jump ends those that the new place does not have, by exchange.
+/// An observer that records the lifetime of every edge of a triangulation. An edge that is removed
+/// and added again at one time has one lifetime. A new motion of a point does not end the lifetimes
+/// of its edges; if the point jumps, lifetimes of edges that it does not have at the new position
+/// end by exchange.
 ///
-/// *By a point*: an edge comes or goes by a point if each end of it has come, has gone, or is a
-/// neighbor of a point that has come or gone, at that time. So an exchange that happens at exactly
-/// that time between such neighbors is not told apart.
+/// *By a point*: a lifetime begins or ends by a point if each end of the edge is inserted or
+/// erased, or is a neighbor of such a point, at that time. An exchange between such neighbors at
+/// exactly that time is not distinguished.
 ///
-/// *Short ridges.* With a threshold, a life is short if the length of its ridge, the side that the
-/// two Voronoi cells (with weights: power cells) have in common, is less than the threshold at all
-/// times of the life, from its begin to its end, these included; at a time at which points meet,
-/// its length is the limit of that before and after it. That is decided exactly: the squared length
-/// is a quotient of two polynomials in time, of degrees 10 and 8 for linear motion, whose common
-/// divisor is divided out. Of a life that goes on, it is decided up to the present. The ridge of a
-/// hull edge has no end, and is not short. Where an exchange is undone before the new ridge has
-/// reached the threshold, that life is short, and both exchanges are. (Which pair another one
-/// replaces is known of exchanges of two pairs that are alone in their quadrilateral; of several at
-/// one time in one place, an exchange is short only for the two points of the short life.) The life
-/// of the pair that parts and meets again is not joined.
+/// *Short ridges.* With a threshold, a lifetime is short if the length of its ridge, the common
+/// side of the two Voronoi cells (with weights: power cells), is less than the threshold from its
+/// begin to its end, both included; at a time at which points meet, the length is the limit before
+/// and after it. That is decided exactly: the squared length is a quotient of two polynomials in
+/// time, of degrees 10 and 8 for linear motion, whose common divisor is divided out. For a present
+/// edge it is decided up to the present time. The ridge of a hull edge is unbounded, and not short.
+/// If an exchange is reversed before the new ridge has reached the threshold, the lifetime between
+/// is short, and so are both exchanges. (Which pair replaces which is known only if the exchange is
+/// alone in its quadrilateral; otherwise it is short only for the two points of the short
+/// lifetime.) The two lifetimes before and after it are not joined.
 ///
-/// Cost: O(log n) for each edge that changes, and O(degree) for each turn. With a threshold, also
-/// predicates for the five edges around it, and until the ridge of an edge has reached the
-/// threshold, bounds of its length, or the polynomial of each quadrilateral that it is the diagonal
-/// of where these do not decide. Memory: O(n), and
-/// for each life two exact times.
+/// Cost: O(log n) for each edge that changes, and O(degree) for each new motion. With a threshold,
+/// also predicates for the five edges around it, and until the ridge of an edge has reached the
+/// threshold, bounds of its length for each of its quadrilaterals, or a polynomial if these do not
+/// decide. Memory: O(n), and two exact times for each lifetime.
 template <ContactKineticTraits_2 Traits>
 class Neighbor_lives final : private Edge_follower<Traits> {
  public:
-  using Time = Algebraic_number;                          ///< of lives
+  using Time = Algebraic_number;                          ///< of lifetimes
   using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what is observed
 
   /// @{
@@ -99,13 +97,13 @@ class Neighbor_lives final : private Edge_follower<Traits> {
                           std::optional<double> ridge_threshold = std::nullopt);
   /// @}
 
-  /// All lives up to now, in the exact order of their begin, then of the ids. Those of the present
-  /// neighbors end at the current time, by the end of the run. A life without duration, which has
-  /// begun at the current time, is left out. Cost: O(n log n) exact comparisons.
+  /// All lifetimes up to now, in the exact order of their begin, then of the ids. Those of present
+  /// edges end at the current time, by the end of the run; those that have begun at the current
+  /// time are left out. Cost: O(m log m) exact comparisons for m lifetimes.
   std::vector<Neighbor_life> lives();
 
-  /// The exchanges of each point that has been there, up to now, in the order of the ids. An
-  /// exchange at the current time counts.
+  /// The exchanges of each point that has ever existed, in the order of the ids. An exchange at the
+  /// current time counts.
   std::vector<Point_exchanges> exchanges();
 
  private:
@@ -121,11 +119,11 @@ class Neighbor_lives final : private Edge_follower<Traits> {
   struct Life {
     Neighbor_life life;
     bool has_ended = false;
-    Index replaced = none;     // the life in the place of which this one has begun
-    Index replaced_by = none;  // the one that has begun in its place
+    Index replaced = none;     // the lifetime that the exchange has ended
+    Index replaced_by = none;  // the one that has begun instead
   };
 
-  /// A present edge. The rest is kept with a threshold only.
+  /// A present edge. All but `index` is kept with a threshold only.
   struct Present {
     Index index = none;
     Opposite opposite = {no_point, no_point};  // the points of the triangles at the edge ...
@@ -160,8 +158,7 @@ class Neighbor_lives final : private Edge_follower<Traits> {
   std::vector<Life> lives_;
   std::map<Edge_ids, Present> present_;
   std::map<Point_id, Presence> presences_;
-  // Of the change that has begun: the neighbors that the points had which change, and what the
-  // edges that go were.
+  // Of the change in progress: the former neighbors of changed points, and removed edges.
   std::vector<std::pair<Point_id, std::vector<Point_id>>> neighbors_before_;
   std::map<Edge_ids, Present> ended_;
 };

@@ -3,10 +3,9 @@
 // The Gabriel graph and the relative neighborhood graph of moving points: filters of the edges of
 // a kinetic Delaunay triangulation.
 //
-// Both graphs are those of the points alone, whichever Delaunay triangulation of cocircular points
-// there is: every edge of the relative neighborhood graph is one of the Gabriel graph, and each of
-// these is in every Delaunay triangulation. The edge from a point to a nearest neighbor, and a
-// minimum spanning tree, are in both.
+// Every edge of the relative neighborhood graph is one of the Gabriel graph, and each of these is
+// in every Delaunay triangulation. So cocircular points make no difference. The edge from a point
+// to a nearest neighbor, and a minimum spanning tree, are in both.
 #ifndef KINETRI_OBSERVERS_PROXIMITY_GRAPHS_H
 #define KINETRI_OBSERVERS_PROXIMITY_GRAPHS_H
 
@@ -37,9 +36,8 @@ bool is_gabriel_edge(const Kinetic_triangulation_2<Traits>& triangulation, const
 /// |ab|. False for points without an edge.
 ///
 /// Cost: that of is_gabriel_edge and, if it is true, a comparison of distances for each point that
-/// is nearer to one end than the other end is, and for the neighbors of these. That is O(1) for
-/// most edges of points that are spread evenly, and O(n) at worst. Precondition: the triangulation
-/// contains both.
+/// is nearer to one end than the other end is, and for the neighbors of these: O(1) for most edges
+/// of evenly spread points, and O(n) at worst. Precondition: the triangulation contains both.
 ///
 /// Source: G. T. Toussaint, The relative neighbourhood graph of a finite planar set, Pattern
 /// Recognition 12, 1980.

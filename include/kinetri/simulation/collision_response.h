@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What two discs do when they touch: the built-in responses, and the argument and result of a
-// user-defined response.
+// Responses to contacts of two discs: the built-in ones, and the argument and result of a
+// user-defined one.
 #ifndef KINETRI_SIMULATION_COLLISION_RESPONSE_H
 #define KINETRI_SIMULATION_COLLISION_RESPONSE_H
 
@@ -28,20 +28,20 @@ struct Contact_2 {
   double mass_b = 1;            ///< of point_b: positive
   double growth_a = 0;          ///< growth of the radius of point_a per unit of time
   double growth_b = 0;          ///< growth of the radius of point_b per unit of time
-  /// Whether they have no speed toward each other, but accelerate toward each other: the first
-  /// derivative of their squared distance is zero, exactly. No exchange of velocities parts them.
+  /// Whether this is a resting contact: the first derivative of their gap is zero, exactly, but
+  /// they accelerate toward each other. No exchange of velocities separates them.
   bool is_pressed = false;
   /// Whether the two would approach each other with these new velocities, decided exactly for the
   /// resulting motions. A response with such velocities leads to the same contact again.
   std::function<bool(const Vector_2& a, const Vector_2& b)> would_approach;
 };
 
-/// The result of a response. A point gets a new velocity and keeps its acceleration; or comes to
-/// rest; or is erased; or else keeps its motion. If the response says nothing of either point, the
-/// discs pass through each other: they have no further contact until they have separated.
+/// The result of a response. Each point gets a new velocity and keeps its acceleration, or comes to
+/// rest, or is erased, or keeps its motion. If both keep their motions, the discs pass through each
+/// other: their next contact comes only after they have separated.
 ///
-/// A response to discs that are pressed must not leave them so, unless it lets them pass: the
-/// simulation then throws Endless_contacts_error.
+/// If a response gives discs in resting contact motions with which they are still in resting
+/// contact, the simulation throws Endless_contacts_error.
 struct Contact_response_2 {
   std::optional<Vector_2> velocity_a = std::nullopt;  ///< new velocity of point_a; finite
   std::optional<Vector_2> velocity_b = std::nullopt;  ///< new velocity of point_b; finite
@@ -57,36 +57,35 @@ struct Contact_response_2 {
   }
 };
 
-/// A response: called at every contact. It may look at the simulation, and schedule changes unless
-/// it is pure (Simulation_options::response_is_pure); other functions that change the simulation
-/// throw Precondition_error. If it throws, the simulation cannot go on. An empty function means
-/// that discs do not collide and that no contacts are computed.
+/// A response: called at every contact. It may read the simulation, and schedule changes unless it
+/// is pure (Simulation_options::response_is_pure); other functions that change the simulation throw
+/// Precondition_error. If it throws, the simulation cannot continue. If the function is empty,
+/// discs do not collide and no contacts are computed.
 using Collision_response = std::function<Contact_response_2(const Contact_2&)>;
 
 /// Changes nothing: contacts are only reported as events.
 Contact_response_2 log_contact(const Contact_2& contact);
 
 /// The two points exchange their velocities: a point that hits a resting point stops and sets it in
-/// motion. The masses make no difference. Energy and momentum are conserved exactly where the
-/// masses are equal. If the exchanged velocities would still make the discs approach, they pass
-/// through each other. So do discs that grow faster than the exchanged velocities part them, such
-/// as two that rest, and discs of nearly equal centres, because of rounded positions. Source:
-/// Computation of Topologic Events in Kinetic Delaunay Triangulation using Sturm Sequences of
-/// Polynomials, section 6.3.
+/// motion. Masses are ignored. If they are equal, energy and momentum are conserved exactly. If the
+/// exchanged velocities would still make the discs approach, they pass through each other. So do
+/// discs that grow faster than the exchanged velocities separate them, such as two that rest, and
+/// discs of nearly equal centers, because of rounded positions. Source: Computation of Topologic
+/// Events in Kinetic Delaunay Triangulation using Sturm Sequences of Polynomials, section 6.3.
 Contact_response_2 swap_velocities(const Contact_2& contact);
 
-/// Elastic collision: impulses along the line of centres, equal and opposite, after which the rims
-/// part as fast as they approached. Let v be the component of the relative velocity along the line
-/// of centres, positive where the centres part, and G the sum of the growths: then v becomes 2 G -
-/// v, and each velocity changes by the part of that change that is in inverse proportion to the
-/// mass. So momentum is conserved up to rounding, and energy too where nothing grows; equal masses
-/// exchange the components. (Growing discs gain energy. The rule for them: B. Lubachevsky, F.
-/// Stillinger, Geometric properties of random disk packings, Journal of Statistical Physics 60,
-/// 1990.)
+/// Elastic collision: equal and opposite impulses along the line of centers, after which the
+/// boundary circles separate as fast as they approached. Let v be the component of the relative
+/// velocity along the line of centers, positive if the centers separate, and G the sum of the
+/// growths: v becomes 2 G - v, and this change is divided between the two velocities in inverse
+/// proportion to the masses. Momentum is conserved up to rounding, and so is energy if neither disc
+/// grows; equal masses exchange the components. (Growing discs gain energy. The rule for them: B.
+/// Lubachevsky, F. Stillinger, Geometric properties of random disk packings, Journal of Statistical
+/// Physics 60, 1990.)
 ///
-/// If the rounded velocities would still approach, as in a nearly tangential contact, they get the
-/// least further change with which they do not. If no change up to the size of the speeds achieves
-/// that, because the centres nearly coincide, they pass through each other.
+/// If the discs would still approach with the rounded velocities, as in a nearly tangential
+/// contact, the impulse is increased until they do not. If no increase up to the size of the speeds
+/// achieves that, because the centers nearly coincide, they pass through each other.
 Contact_response_2 collide_elastically(const Contact_2& contact);
 
 /// Both points stop, and stay where they are: velocity, acceleration, jerk and growth are 0.
@@ -95,7 +94,7 @@ Contact_response_2 stop_both(const Contact_2& contact);
 /// Both points are erased.
 Contact_response_2 erase_both(const Contact_2& contact);
 
-/// A response as the program `kinetri` offers it.
+/// A response and its name in the program `kinetri`.
 struct Named_response {
   std::string_view name;                             ///< "swap", for example
   Contact_response_2 (*response)(const Contact_2&);  ///< null for "none"
@@ -113,7 +112,7 @@ inline constexpr std::array<Named_response, 6> named_responses = {
 
 namespace detail {
 
-/// Whether a response is a built-in one that changes the points, and so depends on its argument
+/// Whether a response is a built-in one that changes the points. Its result depends on its argument
 /// only.
 bool is_pure(const Collision_response& response);
 

@@ -21,7 +21,7 @@
 
 namespace kinetri {
 
-/// Why an event has happened when it did. `points` and the polynomial that must not be negative:
+/// Why an event happened at its time. `points`, and the polynomial whose failure is the event:
 ///
 /// | Kind | Points | Polynomial |
 /// |---|---|---|
@@ -33,48 +33,46 @@ namespace kinetri {
 /// | `wall` | the point | wall_polynomial |
 /// | `collision` | both points | contact_polynomial |
 ///
-/// For discs that overlap when one gets its motion, and at first part, the derivative of
-/// contact_polynomial decides: they collide when they cease to part. The points are in the order in
-/// which the function takes them. Of all other events nothing fails; their points are those that
-/// they name.
+/// If discs overlap when one gets its motion, and separate at first, the derivative of
+/// contact_polynomial is the polynomial: they collide when they cease to separate. Points are in
+/// the order of the function's parameters. Other events have no failure; their points are those
+/// that they name.
 struct Event_certificate {
   std::uint64_t event = 0;                     ///< the number of the event
   Event_kind kind = Event_kind::flip;          ///< of the event
   std::vector<Point_id> points;                ///< see above
-  std::optional<Failure_certificate> failure;  ///< none where nothing fails, or not at a root
+  std::optional<Failure_certificate> failure;  ///< none if nothing fails, or not at a root
   std::string_view reason;                     ///< why there is none, for people
 };
 
-/// An observer that certifies events. A certificate is asked for from the last time on at which
-/// it has become what it is: the edge got the triangles beside it, the hidden point came into its
-/// triangle, or one of the points got its motion; the start of the observation, if all of that was
-/// before. That of a contact is asked for from the last time on at which a disc got its motion, or
-/// the two discs touched, or parted. So the certificates depend on what has happened alone, not on
-/// how it was computed.
+/// An observer that certifies events. A certificate begins at the last time at which the edge got
+/// its two triangles, the hidden point came into its triangle, or one of the points got its motion,
+/// or else at the start of the observation. That of a contact begins at the last time at which a
+/// disc got its motion, or the two discs touched or separated. So certificates depend only on the
+/// events of the run, not on how it was computed.
 ///
-/// Cost: for each event the roots of a polynomial and a Sturm sequence; for each change of the
-/// triangulation that is no flip, a look at the triangles of the points whose edges have changed.
-/// Memory: a record for each edge. Runs with such an observer take one thread, since it looks at
-/// the triangulation.
+/// Cost: for each event the roots of a polynomial and a Sturm sequence; for each change other than
+/// a flip, the degrees of the points whose edges have changed. Memory: a record for each edge. Runs
+/// with such an observer use one thread, since it looks at the triangulation.
 template <class Traits = Linear_kinetic_traits_2>
 class Event_certificates : public Event_observer {
  public:
   using Triangulation = Kinetic_triangulation_2<Traits>;           ///< what is observed
   using Function = std::function<void(const Event_certificate&)>;  ///< what it calls
 
-  /// Calls `function` with the certificate of each event from now on, when it has happened.
-  /// `options` are those of the simulation that owns the triangulation. The triangulation must
-  /// outlive this object, and must not be reversed while it is observed. O(n log n).
+  /// Calls `function` with the certificate of each event from now on, after the event. `options`
+  /// are those of the simulation that owns the triangulation. The triangulation must outlive this
+  /// object, and must not be reversed while it is observed. O(n log n).
   Event_certificates(const Triangulation& triangulation, const Simulation_options& options,
                      Function function);
 
-  /// Certifies the event.
+  /// Computes the certificate of the event.
   void before_event(const Event& event) override;
-  /// Gives the certificate away.
+  /// Calls the function with the certificate.
   void after_event(const Event& event) override;
-  /// Notes which certificates are others than before.
+  /// Records which certificates have changed.
   void after_rebuild(const Algebraic_number& time, std::span<const Edge_ids> edges) override;
-  /// Notes which triangles hide the points.
+  /// Records which triangles hide the points.
   void after_hiding(const Algebraic_number& time, std::span<const Point_id> points) override;
 
  private:
@@ -85,7 +83,7 @@ class Event_certificates : public Event_observer {
   using Sides = std::array<Point_id, 2>;
   using Triple = std::array<Point_id, 3>;
 
-  /// A time, and how many other times have been noted before it.
+  /// A time, and the number of times recorded before it.
   struct Moment {
     std::uint64_t number = 0;
     Algebraic_number time;

@@ -46,7 +46,7 @@ class Event_statistics : public Event_observer {
   /// the ends of all intervals are distinct binary64 numbers.
   Event_statistics(double from, double to, std::size_t intervals);
 
-  /// It does not: it counts events.
+  /// False: only counts events.
   bool looks_at_triangulation() const override { return false; }
   /// Counts the event.
   void after_event(const Event& event) override;
@@ -59,7 +59,8 @@ class Event_statistics : public Event_observer {
   const std::vector<Events_in_interval>& intervals() const { return intervals_; }
 
   /// The number of events that involve the point: as an end of the removed or added edge, or as a
-  /// point that was inserted, was erased, turned, hit a wall or collided. Each event counts once.
+  /// point that was inserted or erased, got another motion, hit a wall or collided. Each event
+  /// counts once.
   std::uint64_t events_of(Point_id id) const;
 
   /// The number of distinct times of events.

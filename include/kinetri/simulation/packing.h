@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Dense random packings of discs in a box: discs that move, collide and grow until they cover a
-// given share of the box.
+// Dense random packings of discs in a box: discs that move, collide and grow up to a given area
+// fraction.
 #ifndef KINETRI_SIMULATION_PACKING_H
 #define KINETRI_SIMULATION_PACKING_H
 
@@ -17,16 +17,16 @@
 
 namespace kinetri {
 
-/// What a packing is to be.
+/// The parameters of a packing.
 struct Packing_options {
   std::size_t points = 1000;  ///< number of discs
-  /// The share of the box that the discs cover, greater than 0. What can be reached depends on the
-  /// sizes, and on the box if there are few discs: thousand discs have reached 0.82 if they are
+  /// The area fraction that the discs cover, greater than 0. What can be reached depends on the
+  /// sizes, and on the box if there are few discs: a thousand discs have reached 0.82 if they are
   /// equal, and 0.8 with the ratio 1.4.
   double share = 0.8;
   /// The radius of every second disc, those of odd ids, over that of the others: from 1 to 1000.
   double size_ratio = 1;
-  std::uint64_t seed = 1;  ///< of the random places and velocities
+  std::uint64_t seed = 1;  ///< of the random positions and velocities
   /// The side of the square box; by default 10 sqrt(points), as in other scenarios.
   std::optional<double> side = std::nullopt;
   double speed = 5;  ///< bound of the velocity components of the result, as in other scenarios
@@ -38,15 +38,15 @@ struct Packing {
   std::vector<Disc_motion_2> discs;  ///< at time 0, with random velocities; they do not grow
 };
 
-/// The share cannot be reached, or not in reasonable time: the discs are jammed.
+/// The area fraction cannot be reached, or not in reasonable time: the discs are jammed.
 class Packing_error : public Error {
  public:
   using Error::Error;
 };
 
-/// Makes a packing: points at random places grow to discs, at rates in proportion to their final
-/// sizes, and collide elastically with each other and, with their rims, with the box. No two discs
-/// of the result overlap, and none is partly outside of the box: proved exactly, over all pairs.
+/// Makes a packing: points at random positions grow to discs, at rates proportional to their final
+/// sizes, and collide elastically with each other and, with their boundary circles, with the box.
+/// No two discs of the result overlap, and each is inside the box: proved exactly, over all pairs.
 /// The same options give the same numbers on every platform. Throws Packing_error. Cost: some
 /// hundred collisions for each disc.
 ///

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run, recorded: the edges and triangles at the start, the trajectories, the events, and the
-// triangles that each event changes, so that the run can be played forward and backward without
-// computing anything again. Viewers are made from it.
+// A recorded run: the edges and triangles at the start, the trajectories, the events, and the
+// triangles that each event changes, so that it can be played forward and backward without
+// predicates.
 #ifndef KINETRI_SIMULATION_RECORDING_H
 #define KINETRI_SIMULATION_RECORDING_H
 
@@ -38,8 +38,7 @@ using Recorded_event = Basic_event<Recorded_time>;
 struct Recorded_motion {
   std::optional<std::size_t> event;  ///< index of the event in the recording; none: from the start
   Point_id point = no_point;         ///< the point
-  /// The new motion, with the radius and the weight where points have one; none: the point is
-  /// erased.
+  /// The new motion, with radius and weight if points have them; none: the point is erased.
   std::optional<Polynomial_disc_motion_2> motion;
 };
 
@@ -56,11 +55,11 @@ struct Recorded_triangle {
 /// without an event. At each event, in order, remove and add its edge, remove and add the triangles
 /// that name it, and set the motions that name it.
 ///
-/// `events` has the events of the run. Where triangles change, or turn over, although no edge does
-/// (points meet and pass, or all points are on a line for an instant), there is a row of the kind
-/// rebuild without an edge, which is no event of the run: its number is that of the next event.
+/// `events` has the events of the run. If triangles change or are inverted although no edge changes
+/// (points meet, or all points are collinear for an instant), there is a row of the kind rebuild
+/// without an edge, which is not an event of the run: its number is that of the next event.
 ///
-/// Points that others hide are those that are there without an edge, if any point has one.
+/// Hidden points are those without an edge, if any point has one.
 struct Recording {
   double from = 0;                              ///< the start, rounded
   double until = 0;                             ///< the end, rounded
@@ -77,10 +76,10 @@ struct Recording {
   bool is_thinned = false;
 };
 
-/// Observes a run and records it. Cost of an event: the degrees of the ends of its edges; besides,
-/// O(rows log rows) once in `most_rows` / 2 events or less often. Memory: O(points + rows). It
-/// looks at the triangulation only where points change or more than a flip happens, so that flips
-/// may be reported some time after they have happened.
+/// Observes a run and records it. Cost of an event: the degrees of the ends of its edges; also
+/// O(rows log rows) at most once in `most_rows` / 2 events. Memory: O(points + rows). It looks at
+/// the triangulation only if points change or at changes other than flips, so flips may be reported
+/// late.
 template <class Traits = Linear_kinetic_traits_2>
 class Recorder : public Event_observer {
  public:
@@ -97,7 +96,7 @@ class Recorder : public Event_observer {
   /// Records the event.
   void after_event(const Event& event) override;
 
-  /// Records the triangles that have changed.
+  /// Records the changed triangles.
   void after_rebuild(const Time& time, std::span<const Edge_ids> edges) override;
 
   /// The recording up to the current time of the triangulation. Precondition: not called during an

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Moving points in a box, with discs about them that collide: a kinetic triangulation, and the
-// contacts that change its motions.
+// Moving points in a box, with discs about them that collide: a kinetic triangulation whose motions
+// change at contacts.
 //
-// The triangulation's events have a queue of their own. The one of the simulation holds, for each
-// point, the next wall that it reaches; for each pair of discs that may touch next, their contact;
-// and changes of points that were scheduled.
+// The triangulation has its own queue of events. That of the simulation holds for each point the
+// next wall that it reaches, for each pair of discs that may touch next their contact, and
+// scheduled changes.
 //
-// Which pairs these are follows from the triangulation. The points in a disc are connected by edges
-// inside of it. So two discs of equal diameter that come into contact are neighbors, or there is a
-// disc that overlaps both and is a neighbor of one (docs/MATH.md, section 8). Of discs of any radii
-// that is true of the regular triangulation, but for the last condition; a hidden point of radius 0
-// is watched with the corners of the triangle that hides it. The pairs that overlap are kept.
+// The pairs follow from the triangulation (docs/MATH.md, section 8). Two discs of equal diameter
+// that come into contact are neighbors, or there is a disc that overlaps both and is a neighbor of
+// one, since the points in a disc are connected by edges inside it. The same holds for discs of any
+// radii and the regular triangulation, except that the third disc need not be a neighbor; a hidden
+// point of radius 0 is watched with the corners of the triangle that hides it. Overlapping pairs
+// are stored.
 //
-// Its parts are those of detail::Simulation_core; docs/ARCHITECTURE.md follows one contact through
-// them.
+// docs/ARCHITECTURE.md follows one contact through the parts (detail::Simulation_core).
 #ifndef KINETRI_SIMULATION_SIMULATION_2_H
 #define KINETRI_SIMULATION_SIMULATION_2_H
 
@@ -47,24 +47,24 @@ enum class Contact_kind : std::uint8_t;
 }  // namespace detail
 
 /// The simulation, compiled into the library for its own traits. Points have the common radius of
-/// the options; motions that have a radius (HasWeight) are discs of that radius, which may differ
-/// and grow, and the triangulation is the regular one. At each time first the triangulation's own
-/// events are executed, then contacts with walls, by point id, then those of discs, by ids, then
-/// changes that were scheduled.
+/// the options; motions with a radius (HasWeight) are discs whose radii may differ and grow, and
+/// the triangulation is the regular one. At each time the triangulation's events are executed
+/// first, then contacts with walls, by point id, then those of discs, by ids, then scheduled
+/// changes.
 ///
-/// A reflection or response gives a point a new motion whose place is that of the old one at the
-/// binary64 number nearest to the time, rounded (see `with_velocity_at`); where that would be
-/// outside of the box at the time itself, it is moved onto its inner side, by the least binary64
-/// step that is certain to do it. So points are never outside of the box, exactly, and everything
-/// else happens exactly for the motions as they are.
+/// After a reflection or response the motion of a point begins at its old position at the binary64
+/// number nearest to the time, rounded (see `with_velocity_at`); if that would be outside of the
+/// box at the time itself, the position is moved inside by the least binary64 step that is certain
+/// to suffice. So points are never outside of the box, exactly, and all events are exact for these
+/// motions.
 ///
 /// Functions that are not const change the simulation, except set_threads and those that remove
-/// observers. They throw Precondition_error if they are called while another one of them runs: by
-/// an observer, a response, or the function `may_go_on`. Only changes may be scheduled within an
-/// event (see below). All of these functions throw Precondition_error when an observer has thrown
-/// within an event, or an exception (Contact_error, or one of a response) has left the simulation
-/// within a contact: make another one then, or restore a snapshot. Until then only what is const
-/// may be called.
+/// observers. They throw Precondition_error if called while another one of them runs: by an
+/// observer, a response, or the stop token `may_go_on`. Within an event only the functions
+/// schedule_... may be called (see below). All of these functions throw Precondition_error after an
+/// observer has thrown within an event, or an exception (Contact_error, or one of a response) has
+/// left the simulation within a contact: then only const functions may be called; construct another
+/// simulation, or restore a snapshot.
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Simulation_2 {
  public:
@@ -75,18 +75,18 @@ class Simulation_2 {
   using Observer = Event_observer;                        ///< what add_observer takes
   using Snapshot = Simulation_snapshot<Traits>;           ///< what snapshot() gives
 
-  /// Throws Precondition_error where an option has no meaning: a box without area, or not finite;
-  /// a radius that is negative or not finite; collisions of discs without a radius; a box that is
-  /// not wider than a disc whose rim touches it; masses that are not positive and finite, or
-  /// another number of masses than of points. Throws Outside_box_error if a point is outside of the
-  /// box at the start, and as the constructor of the triangulation. Cost: that of the
-  /// triangulation, and a contact certificate for each edge and wall.
+  /// Throws Precondition_error for invalid options: a box without area, or not finite; a radius
+  /// that is negative or not finite; collisions of discs without a radius; a box that is not wider
+  /// than a disc whose boundary circle touches it; masses that are not positive and finite, or not
+  /// as many as points. Throws Outside_box_error if a point is outside of the box at the start, and
+  /// as the constructor of the triangulation. Cost: that of the triangulation, and a contact
+  /// certificate for each edge and wall.
   Simulation_2(const std::vector<Motion>& motions, const Simulation_options& options,
                const Time& start = Time(), const Traits& traits = Traits());
 
-  /// The simulation of the snapshot. It goes on as the simulation that the snapshot was taken of:
-  /// the same events, with the same numbers, for the same calls. The response is what that
-  /// simulation had, since a function cannot be kept. Counters go on, except those of the queues.
+  /// The simulation of the snapshot. From here on it behaves exactly like the original: the same
+  /// events, with the same numbers, for the same calls. Pass the response of the original, since a
+  /// snapshot cannot store a function. Counters continue, except those of the queues.
   ///
   /// Throws Snapshot_error if the snapshot is not the state of a simulation. Precondition: there is
   /// a response if there was one. Cost: that of the triangulation, and a contact certificate for
@@ -102,71 +102,68 @@ class Simulation_2 {
 
   // ---- the present ----
 
-  /// The triangulation, to look at. Time advances here.
+  /// The triangulation, const: this object advances its time.
   const Triangulation& triangulation() const;
   /// The time just after which the triangulation is Delaunay now.
   const Time& current_time() const { return triangulation().current_time(); }
-  /// The box and the discs, as given to the constructor or held by the snapshot, with the present
-  /// masses.
+  /// The options of the constructor or snapshot, with the present masses.
   const Simulation_options& options() const;
   /// The mass of a point: as given, or 1.
   double mass(Point_id id) const;
 
-  /// The whole state but the response and the observers, to be restored later or elsewhere; see
-  /// Simulation_snapshot. O(n). Precondition: not within an event or an instant: not called by an
-  /// observer or a response, nor after an exception has left the simulation there (checked).
+  /// The whole state except the response and the observers; see Simulation_snapshot. O(n).
+  /// Precondition (checked): not called by an observer or a response, nor after an exception has
+  /// left the simulation within an event or instant.
   Snapshot snapshot() const;
 
   // ---- time ----
 
   /// Goes to the time of the next event and executes all events of that time, contacts included.
-  /// Returns their number; 0 if there is no next event. Throws Endless_contacts_error before
-  /// the contact that it names. After another Contact_error the simulation is left within the
-  /// contact, and cannot go on. Throws Negative_radius_error instead of
-  /// passing the time at which a radius that shrinks is 0; change that motion then, or erase the
-  /// point, to go on.
+  /// Returns their number; 0 if there is no next event. Throws Endless_contacts_error before the
+  /// contact that it names. After another Contact_error the simulation is left within the contact,
+  /// and cannot continue. Throws Negative_radius_error instead of passing the time at which a
+  /// shrinking radius reaches zero; to continue, change that motion or erase the point.
   std::size_t step();
 
-  /// As step(), but only if the next event is at or before `until`; else nothing happens.
+  /// As step(), if the next event is at or before `until`; else returns 0.
   std::size_t step(const Time& until);
 
-  /// Goes to `time`: every event at or before it has happened. Returns the number of events. The
-  /// result, exceptions included, is that of step(time) until there is none, and then of time
-  /// passing. Precondition: time >= current_time().
+  /// Executes every event at or before `time`, which is then the current time. Returns their
+  /// number. The result, exceptions included, is that of step(time) until it returns 0.
+  /// Precondition: time >= current_time().
   std::size_t advance_to(const Time& time) { return advance_to(time, nullptr); }
 
-  /// As advance_to(time), but asks `may_go_on` at first and then again and again: not less often
-  /// than at every second time at which something changes, or in a run by regions (set_threads) in
-  /// each window of time. Where it returns false, nothing more happens: current_time() is the time
-  /// of the last event. It may call current_time(), and current_time() and counters() of
-  /// triangulation(), and no other function of this object.
+  /// As advance_to(time), but calls the stop token `may_go_on` first and then at least at every
+  /// second time with an event or, on several threads, in each time window. If it returns false,
+  /// current_time() is the time of the last event. It may call current_time(), and current_time()
+  /// and counters() of triangulation(), and no other function of this object.
   std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on);
 
-  /// How many threads advance_to may use from now on: 1, as at first, or more, or those of oneTBB's
-  /// arena if 0. They share the work, contacts included, where set_threads of the triangulation
-  /// says so, there is no overlap observer, and a response of the user is said to be pure
-  /// (Simulation_options::response_is_pure). One thread does everything with log_contact or
-  /// erase_both, and while discs overlap that collide. The result is the same. An error that an
-  /// observer throws then leaves the simulation as it is some events later.
+  /// The greatest number of threads that advance_to may use from now on; 1 at first; 0 stands for
+  /// all of oneTBB's arena. Events, contacts included, are executed in parallel under the
+  /// conditions of the triangulation's set_threads, if there is no overlap observer, and a
+  /// user-defined response is declared pure (Simulation_options::response_is_pure). The sequential
+  /// loop runs with log_contact or erase_both, and while discs that collide overlap. The result is
+  /// the same. If an observer throws, later events may have been executed already.
   void set_threads(std::size_t most);
 
   // ---- changing points ----
 
   /// @{
   /// Changes a point at current_time(), as the functions of the triangulation of these names do.
-  /// Precondition: triangulation().contains(id); the mass is positive and finite. With a box, the
-  /// point must be inside the box now; throws Outside_box_error if it is not.
+  /// Throws Outside_box_error if the point would be outside of the box now. Precondition:
+  /// triangulation().contains(id); the mass is positive and finite.
   Point_id insert(const Motion& motion, double mass = 1);
   void set_motion(Point_id id, const Motion& motion);
   void set_motions(std::span<const Point_id> ids, std::span<const Motion> motions);
   void erase(Point_id id);
   /// @}
 
-  /// Gives the points `ids` these velocities from now on. Each goes on from its place now, rounded
-  /// and kept inside of the box as after a contact; see `with_velocity_at`. All or nothing, and one
-  /// set_motions. Throws Contact_overflow_error if a place is beyond the range of binary64, and
-  /// what set_motions throws. Precondition: as many velocities as ids; each id is contained, and
-  /// named once; the velocities are finite.
+  /// Gives the points `ids` these velocities from now on. Each continues from its present position,
+  /// rounded and kept inside the box as after a contact (`with_velocity_at`). All or nothing: one
+  /// call of set_motions. Throws Contact_overflow_error if a position is beyond the range of
+  /// binary64, and what set_motions throws. Precondition: as many velocities as ids; the ids are
+  /// contained and distinct; the velocities are finite.
   void set_velocities(std::span<const Point_id> ids, std::span<const Vector_2> velocities);
 
   /// Gives a point another mass from now on. Precondition: triangulation().contains(id); the mass
@@ -175,13 +172,12 @@ class Simulation_2 {
 
   /// @{
   /// Schedules a change at `time`, after the triangulation's events and the contacts of that time.
-  /// Changes of one time are made in this order: erasures, new motions, insertions; each by point
+  /// Changes at one time are made in this order: erasures, new motions, insertions; each by point
   /// id, then in the order in which they were scheduled. New motions of several points are one
-  /// set_motions. A change of a point that is not there then
-  /// is dropped. A change that leads out of the box, or to the trajectory of a point that keeps it
-  /// at that time, is dropped too: the call that has reached its time throws what the functions
-  /// above throw, and the next call goes on with the remaining changes. An observer may schedule
-  /// changes within an event if it looks at the triangulation
+  /// set_motions. A change of a point that does not exist then is dropped. So is a change that
+  /// leads out of the box, or to the trajectory of another point: the call that reaches its time
+  /// throws what the functions above throw, and the next call continues with the remaining changes.
+  /// An observer may schedule changes within an event if it looks at the triangulation
   /// (Event_observer::looks_at_triangulation; checked by advance_to); so may a response that is not
   /// pure (Simulation_options::response_is_pure). Precondition: time >= current_time(); the motion
   /// is finite; the id has been given, by schedule_insert too; the mass is positive and finite.
@@ -195,47 +191,46 @@ class Simulation_2 {
 
   /// @{
   /// The functions of the triangulation of these names. Contacts are events of the kinds wall and
-  /// collision; the motions change between `before_event` and `after_event`.
-  /// The queue of contacts follows the edges when all events of the triangulation at one time have
-  /// happened, so within an event it is that of before.
+  /// collision; the motions change between `before_event` and `after_event`. The queue of contacts
+  /// is updated after all events of the triangulation at one time, so within an event it may be out
+  /// of date.
   void add_observer(Observer& observer);
   void remove_observer(Observer& observer);
   /// @}
 
   /// The points whose discs overlap that of the point just after the current time, exactly; sorted.
-  /// Precondition: there is a response, since without one overlaps are not followed;
+  /// Precondition: there is a response, since overlaps are not tracked without one;
   /// triangulation().contains(id). Cost: an exact predicate for each disc that overlaps or almost
   /// does.
   std::vector<Point_id> overlapping_discs(Point_id id) const;
 
   /// @{
-  /// Has the observer told of changes of points; it must outlive this object or be removed, which
-  /// it may do when it is called.
+  /// The observer is called after changes of points; it must outlive this object or be removed,
+  /// which it may do when it is called.
   void add_overlap_observer(Overlap_observer& observer);
   void remove_overlap_observer(Overlap_observer& observer);
   /// @}
 
-  /// Counts of contacts since the start, those of the snapshot included; of the queue since this
+  /// Counts of contacts since the start of the run, before a snapshot too; of the queue since this
   /// object was made.
   Contact_counters contact_counters() const;
-  /// The present number of entries in the queue of contacts and scheduled changes, which is apart
-  /// from that of the triangulation: contacts, and times up to which there certainly is none; at
-  /// most one for each point, one for each edge, and one for each change. O(1).
+  /// The present number of entries in the queue of contacts and scheduled changes: contacts, times
+  /// at which a certificate must be checked again, and changes. O(1).
   std::size_t queue_size() const noexcept;
-  /// How many contacts of discs, since this object was made, have left both discs their motions: of
-  /// log_contact all, of other responses those whose discs pass through each other. O(1).
+  /// The number of non-colliding contacts of discs since this object was made: both discs kept
+  /// their motions. O(1).
   std::uint64_t number_of_passes() const noexcept;
-  /// Counts of certificates, those of topology and of contacts together.
+  /// Counts of certificates, of the triangulation and of contacts together.
   Certificate_counters certificate_counters() const;
 
-  /// Audits the triangulation up to `level`, and from the level `links` on the queue of contacts;
-  /// from `delaunay` on that no point is outside of the box, and that no two discs overlap and
-  /// approach each other unless a response has let them pass; from `certificates` on every contact
-  /// is computed anew. All of it exactly, just after now.
+  /// Audits the triangulation up to `level`; from `links` on also the queue of contacts; from
+  /// `delaunay` on that no point is outside of the box, and that no two discs overlap and approach
+  /// each other unless a response has let them pass; from `certificates` on every contact, computed
+  /// anew. All of it exactly, just after now.
   Audit_report audit(Audit_level level) const;
 
-  /// Whether the simulation is valid: audit() up to the level `links` if `level` is 0, else up to
-  /// `delaunay`. Prints what is wrong to std::cerr if `verbose`.
+  /// Whether audit() passes, up to the level `links` if `level` is 0, else `delaunay`. Prints
+  /// errors to std::cerr if `verbose`.
   bool is_valid(bool verbose = false, int level = 0) const {
     return detail::is_passed(audit(level > 0 ? Audit_level::delaunay : Audit_level::links),
                              verbose);

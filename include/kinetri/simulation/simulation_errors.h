@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a simulation refuses.
+// The errors of simulations.
 #ifndef KINETRI_SIMULATION_SIMULATION_ERRORS_H
 #define KINETRI_SIMULATION_SIMULATION_ERRORS_H
 
@@ -15,7 +15,7 @@
 
 namespace kinetri {
 
-/// A contact that no response can deal with.
+/// A contact that cannot be executed.
 class Contact_error : public Error {
  public:
   /// About the contact of the point, with the message that what() gives.
@@ -27,36 +27,36 @@ class Contact_error : public Error {
   Point_id point_;
 };
 
-/// Contacts that do not end: more at one time than allowed; or a point that is pressed against a
-/// wall or another point, so that no new velocity separates them. The contact has not been executed
-/// and is still to come, at the present time: until it is, the simulation is as between two events,
-/// and its snapshot too. Other motions of its points may let the run go on.
+/// Endless contacts: more at one time than allowed, or a resting contact of a point with a wall or
+/// another point, which no new velocity separates. The contact has not been executed and is due at
+/// the present time; until then the simulation is as between two events, and so is its snapshot.
+/// Other motions of its points may let the run continue.
 class Endless_contacts_error : public Contact_error {
  public:
   using Contact_error::Contact_error;
 };
 
-/// After a contact, a place, velocity or acceleration is beyond the range of binary64.
+/// After a contact, a position, velocity or acceleration is beyond the range of binary64.
 class Contact_overflow_error : public Contact_error {
  public:
   using Contact_error::Contact_error;
 };
 
-/// Discs overlap at the start, or where one is inserted, and the options refuse that.
+/// Discs overlap at the start, or when one is inserted, and the options refuse that.
 class Overlapping_discs_error : public Error {
  public:
   /// About the pairs, with the message that what() gives.
   Overlapping_discs_error(std::vector<Edge_ids> pairs, const std::string& message)
       : Error(message), pairs_(std::move(pairs)) {}
-  /// All pairs that overlap, sorted. The id of an inserted point is the one that it would have got.
+  /// All overlapping pairs, sorted. The id of an inserted point is the one that it would have got.
   const std::vector<Edge_ids>& pairs() const noexcept { return pairs_; }
 
  private:
   std::vector<Edge_ids> pairs_;
 };
 
-/// The radius of a disc is negative at the start, or where it is inserted or gets another motion;
-/// or it shrinks, and would be negative after a time that the simulation was to pass.
+/// The radius of a disc is negative at the start, or when it is inserted or gets another motion; or
+/// it shrinks, and would be negative after a time that the simulation was to pass.
 class Negative_radius_error : public Error {
  public:
   /// About the radius of the point after the time, with the message that what() gives.

@@ -19,27 +19,27 @@ struct Simulation_options {
   /// If set, a point that reaches a side of the box while moving outward is reflected: the
   /// component of its velocity normal to that side changes sign, exactly.
   std::optional<Box_2> box = std::nullopt;
-  /// Whether the rim of a disc touches the box, instead of its centre.
+  /// Whether the boundary circle of a disc touches the box, instead of its center.
   bool rim_touches = false;
-  /// The radius of every disc, in the unit of the coordinates. Discs of different radii, or that
-  /// grow, have motions with a radius, such as Disc_motion_2; then this is 0.
+  /// The radius of every disc, in the unit of the coordinates. It is 0 if motions have radii, such
+  /// as Disc_motion_2: these may differ and grow.
   double radius = 0;
   /// The response to contacts of discs. If empty, no contacts are computed.
   Collision_response response = nullptr;
-  /// Whether the response depends on nothing but its argument, and may be called by several threads
-  /// at once, also for contacts that turn out not to happen. Then runs on several threads
-  /// (Simulation_2::set_threads) execute contacts too. Of the built-in responses this is known.
-  /// Contacts at which both discs keep their motions, or a disc vanishes, cost much more there:
-  /// with many of them one thread is faster.
+  /// Whether the response depends on its argument only, and may be called by several threads at
+  /// once, also for contacts that are rolled back. Then several threads (Simulation_2::set_threads)
+  /// execute contacts too. Built-in responses need not be declared. Contacts at which both discs
+  /// keep their motions, or a disc is erased, cost much more on several threads: with many of them
+  /// one thread is faster.
   bool response_is_pure = false;
-  /// Whether discs that overlap at the start, or where one is inserted, are refused: touching is
-  /// allowed. For responses that cannot deal with discs that overlap, such as elastic collisions.
+  /// Whether discs that overlap at the start, or when one is inserted, are refused; touching is
+  /// allowed. For responses that assume discs without overlaps, such as elastic collisions.
   bool refuses_overlaps = false;
-  /// The masses by point id, each positive and finite; points beyond the end, such as those that
-  /// are inserted without one, have the mass 1. Empty, or one for each point at the start.
+  /// The masses by point id, each positive and finite: one for each point at the start, or none.
+  /// Points without one have the mass 1.
   std::vector<double> masses = {};
-  /// The most contacts at one time that change points, of all points together. Those at which both
-  /// discs keep their motions do not count: they are one for each pair.
+  /// The greatest number of contacts at one time that change points. Contacts at which both discs
+  /// keep their motions do not count: there is at most one for each pair.
   std::uint64_t max_contacts_per_instant = 1'000'000;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Recorded tracks as a simulation: points that appear, move from observation to observation along
-// straight lines, and leave.
+// Recorded tracks as a simulation: points that are inserted, move from observation to observation
+// along straight lines, and are erased.
 #ifndef KINETRI_SIMULATION_TRACKS_H
 #define KINETRI_SIMULATION_TRACKS_H
 
@@ -25,7 +25,7 @@ struct Observation_2 {
 struct Tracks_options {
   double from = -std::numeric_limits<double>::infinity();  ///< ignore everything before this time
   double until = std::numeric_limits<double>::infinity();  ///< ignore everything after this time
-  /// After a longer time without observations the track continues as a new stay.
+  /// After a longer time without observations a new stay begins.
   double longest_gap = std::numeric_limits<double>::infinity();
 };
 
@@ -40,9 +40,9 @@ struct Stay {
 
 /// The stays of the tracks, in the order of the ids that their points will have: by start time, but
 /// at least options.from, then by track. A single observation without another one near enough in
-/// time has no path, and is not a stay. Stays that end at or before options.from, or begin at or
-/// after options.until, are omitted. Precondition: the observations of each track have finite
-/// numbers and strictly increasing times. Cost: O(n log n) for n observations.
+/// time is not a stay. Stays that end at or before options.from, or begin at or after
+/// options.until, are omitted. Precondition: the observations of each track have finite numbers and
+/// strictly increasing times. Cost: O(n log n) for n observations.
 std::vector<Stay> stays_of(std::span<const std::vector<Observation_2>> tracks,
                            const Tracks_options& options);
 
@@ -52,11 +52,11 @@ std::vector<Stay> stays_of(std::span<const std::vector<Observation_2>> tracks,
 /// exists.
 Linear_motion_2 motion_after(const std::vector<Observation_2>& track, std::size_t i);
 
-/// A simulation at the time `start`. The point of each stay appears at its first observation (event
-/// `insert`; stays that include `start` are present from the beginning), turns at each later one
-/// (event `trajectory`) and leaves at its last one (event `erase`). The id of a point is the index
-/// of its stay. All changes are scheduled. Preconditions: `stays` is the result of stays_of for
-/// these tracks, with options.from = start; the velocities are finite.
+/// A simulation at the time `start`. The point of each stay is inserted at its first observation
+/// (event `insert`; stays that include `start` are present from the beginning), gets another motion
+/// at each later one (event `trajectory`) and is erased at its last one (event `erase`). The id of
+/// a point is the index of its stay. All changes are scheduled. Preconditions: `stays` is the
+/// result of stays_of for these tracks, with options.from = start; the velocities are finite.
 ///
 /// Throws the exceptions of the constructor of Simulation_2. Advancing the simulation throws
 /// Coincident_trajectories_error if two things have the same trajectory between observations.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The tables in which answers about a run are written: names and values of their columns, for the
-// program's files and the tables of the Python package alike.
+// The tables of answers about a run: names and values of their columns, for the program's files and
+// the Python package.
 #ifndef KINETRI_IMPL_OBSERVERS_ANSWER_COLUMNS_H
 #define KINETRI_IMPL_OBSERVERS_ANSWER_COLUMNS_H
 
@@ -21,18 +21,17 @@
 
 namespace kinetri::detail {
 
-/// The columns of a table. `Row` is what a row is made of, and rows(observer) gives them all.
+/// The columns of a table. `Row` is the type of a row; rows(observer) returns all rows.
 ///
 /// visit(column) calls column(name, value) for each column, in their order. `value` is a member of
-/// Row, or a function of one; std::invoke(value, row) gives what stands in the row:
+/// Row, or a function of one; std::invoke(value, row) is the value in the row:
 /// - Algebraic_number: an exact time, which files give as its tight_interval() in two columns,
 ///   name_lo and name_hi;
 /// - Point_id: a point, or no_point where there is none;
 /// - std::size_t: a count; bool; a text;
 /// - double: a number, NaN where there is none.
 ///
-/// A column about which nothing is known in any row, because that was not asked for, has a third
-/// argument, false.
+/// A third argument, false, means that the column has no values, because they were not requested.
 struct Approach_columns {
   using Row = Approach;
   bool has_gaps = false;  ///< whether the points are discs
@@ -77,7 +76,7 @@ struct Component_columns {
   }
 };
 
-/// `Name` is what a and b are called by: Point_id, or a text.
+/// `Name` is the type of a and b: Point_id, or a text.
 template <class Name>
 struct Connection_columns {
   using Row = Connection;
@@ -136,7 +135,7 @@ struct Exchange_columns {
     column("rate", &rate);
   }
 
-  /// The exchanges that are not short in a unit of time; NaN of a point that was there for no time.
+  /// The exchanges that are not short per unit of time; NaN if the duration is 0.
   static double rate(const Row& row) {
     const double duration = row.until.to_double() - row.from.to_double();
     const std::size_t counted = row.gained + row.lost - row.short_ones;

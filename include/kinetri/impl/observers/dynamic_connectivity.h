@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The connected components of a graph that changes.
+// The connected components of a changing graph.
 #ifndef KINETRI_IMPL_OBSERVERS_DYNAMIC_CONNECTIVITY_H
 #define KINETRI_IMPL_OBSERVERS_DYNAMIC_CONNECTIVITY_H
 
@@ -15,22 +15,20 @@
 
 namespace kinetri {
 
-/// A graph whose vertices are points, and its connected components: which one each point belongs
-/// to, and their sizes. It knows no geometry and no time.
+/// A graph whose vertices are points, and its connected components with their sizes. It knows
+/// neither geometry nor time.
 ///
-/// Cost: an edge that joins two components, O(points and edges of the smaller one). The removal of
-/// an edge, a search from both of its ends in step, which stops when the two meet, or when one has
-/// found all of its side: O(points and edges of the side that is done first) where the removal
-/// splits; else O(edges within the distance at which the searches meet), which is little where the
-/// edge is on a short cycle, as in graphs of near points, and O(edges of the component) at worst.
-/// All else O(1), but for the logarithm of the number of different sizes. Memory: O(points +
-/// edges). (There are structures with a polylogarithmic bound for every change: J. Holm, K. de
-/// Lichtenberg, M. Thorup, Poly-logarithmic deterministic fully-dynamic algorithms for
-/// connectivity, Journal of the ACM 48(4), 2001. They are slower where components are small or
-/// cycles short.)
+/// Cost: to add an edge that joins two components, O(points and edges of the smaller one). To
+/// remove an edge, alternating searches from both ends until they meet or one is complete: O(points
+/// and edges of the side that is complete first) if the component splits; else O(edges visited
+/// until the searches meet), few if the edge is on a short cycle, and O(edges of the component) at
+/// worst. All else O(1), except for the logarithm of the number of different sizes. Memory:
+/// O(points + edges). (Structures with a polylogarithmic bound for every change are slower if
+/// components are small or cycles short: J. Holm, K. de Lichtenberg, M. Thorup, Poly-logarithmic
+/// deterministic fully-dynamic algorithms for connectivity, Journal of the ACM 48(4), 2001.)
 class Dynamic_connectivity {
  public:
-  /// Names a component as long as no edge or point of it changes.
+  /// Identifies a component until one of its edges or points changes.
   using Component = std::uint32_t;
 
   /// Whether the point is in the graph.
@@ -79,7 +77,7 @@ class Dynamic_connectivity {
     std::uint64_t seen = no_search;  // the last search that has found it
   };
 
-  // A search: the points that it has found, and how far it has looked at their neighbors.
+  // A search: the points that it has found, and its position among their neighbors.
   struct Search {
     std::uint64_t number = no_search;
     std::vector<Point_id> found;

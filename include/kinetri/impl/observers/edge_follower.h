@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What observers of distances have in common: they follow the edges of a triangulation and the
-// motions of its points, and have events of their own between those of the triangulation.
+// The base of observers of distances, which follow edges and motions, and have their own events
+// between those of the triangulation.
 //
-// One time t at which something happens to the triangulation, as the observer sees it:
-//   1. `advance(t)`: the observer executes its own events at or before t. The graph is what it was
-//      before t. It is still right at t itself, since edges are those of a Delaunay triangulation
-//      in the limit, and motions are continuous up to t.
-//   2. `before_change(...)`: the graph is still that. What depends on motions that change leaves
-//      the observer's queue, which orders entries by these motions.
-//   3. `change(...)`: the graph is what it is just after t, when all events of that time have
-//      happened. What was removed and came back within t is no change.
-// So the observer never sees a triangulation within an instant.
+// The calls for one time t with events of the triangulation:
+//   1. `advance(t)`: the observer executes its own events at or before t. The graph is that before t; it is still right at t, as the limit of Delaunay triangulations.
+//   2. `before_change(...)`: the graph is still that. Entries that depend on changed motions leave the observer's queue, which orders entries by these motions.
+//   3. `change(...)`: the graph is that just after t, after all events of that time. What was removed and added again at t is not a change.
 #ifndef KINETRI_IMPL_OBSERVERS_EDGE_FOLLOWER_H
 #define KINETRI_IMPL_OBSERVERS_EDGE_FOLLOWER_H
 
@@ -28,14 +23,13 @@
 
 namespace kinetri {
 
-/// The points of a triangulation as they move from now on, and the finite edges between them. A
-/// copy, which is brought up to date once for each instant.
+/// A copy of the moving points and finite edges of a triangulation, updated once for each instant.
 template <class Traits>
 class Neighbor_graph {
  public:
   using Point_2 = typename Traits::Point_2;  ///< of the traits
 
-  /// Whether there is a point with the id. A hidden point is one, without neighbors.
+  /// Whether there is a point with the id. Hidden points have no neighbors.
   bool contains(Point_id id) const { return id < nodes_.size() && nodes_[id].point.has_value(); }
   /// The point, with its motion. Precondition: contains(id).
   const Point_2& point(Point_id id) const { return *nodes_[id].point; }
@@ -58,8 +52,7 @@ class Neighbor_graph {
   template <ContactKineticTraits_2>
   friend class Edge_follower;
 
-  // Most points have six neighbors or so, which are kept beside the point: what an event is about
-  // is far away in memory, each time.
+  // Most points have about six neighbors, which are stored beside the point, to avoid cache misses.
   struct Node {
     std::optional<Point_2> point;
     boost::container::small_vector<Point_id, 8> neighbors;
@@ -72,15 +65,14 @@ class Neighbor_graph {
   std::vector<Node> nodes_;  // by id
 };
 
-/// The base of such observers. A class that derives from it reads the graph in its constructor, and
-/// again when `advance`, `before_change` and `change` are called: these must ask nothing else of
-/// the triangulation than its traits and next_id(), since a run by regions may be ahead of what
-/// they are told (Event_observer::looks_at_triangulation). This base reads there only points that
-/// an event names, and no event of such a run names one. The triangulation must outlive this
-/// object, and must not be reversed meanwhile.
+/// The base of such observers. Derived classes read the graph in their constructors and in
+/// `advance`, `before_change` and `change`. These may use no other functions of the triangulation
+/// than traits() and next_id(), since events on several threads are reported late
+/// (Event_observer::looks_at_triangulation). The base reads points that an event names, which no
+/// flip does. The triangulation must outlive this object, and must not be reversed meanwhile.
 ///
-/// Cost: O(1) amortized for each edge that changes, and one exact comparison of times an event.
-/// Memory: O(n).
+/// Cost: O(1) amortized for each edge that changes, and one exact comparison of times for each
+/// event. Memory: O(n).
 template <ContactKineticTraits_2 Traits>
 class Edge_follower : private Event_observer {
  public:
@@ -92,8 +84,8 @@ class Edge_follower : private Event_observer {
   Edge_follower(const Edge_follower&) = delete;
   Edge_follower& operator=(const Edge_follower&) = delete;
 
-  /// Brings this object to the current time of the triangulation. Functions that give answers do
-  /// so themselves. Precondition: not called by an observer within an event.
+  /// Advances this object to the current time of the triangulation, as functions that return
+  /// answers do. Precondition: not called by an observer within an event.
   void update();
 
  protected:
@@ -111,30 +103,29 @@ class Edge_follower : private Event_observer {
   /// @}
   ~Edge_follower() override;
 
-  /// Executes the observer's own events at or before `time`, which is not before any earlier one.
+  /// Executes the observer's own events at or before `time`. Times ascend.
   virtual void advance(const Time& time) = 0;
 
-  /// change() is about to be called with these edges and points; the graph is as it was. Entries of
-  /// a queue whose times follow from motions that change must go now: afterwards their exact times
-  /// cannot be made any more.
+  /// change() is about to be called with these edges and points; the graph is that before. Entries
+  /// of a queue that depend on changed motions must be removed now, since their exact times cannot
+  /// be computed afterwards.
   virtual void before_change(std::span<const Edge_ids> /*removed*/,
                              std::span<const Changed_point> /*points*/) {}
 
-  /// Something has changed at `time`, up to which advance() has been called. The edges are sorted;
-  /// `removed` were in the graph before and are not now, `added` are now and were not before. The
-  /// points are sorted by id: they have other motions, have come or have gone (so that the graph
-  /// does not contain them). A time may come more than once.
+  /// Edges or points have changed at `time`, up to which advance() has been called. `removed` and
+  /// `added` are sorted. The points are sorted by id: they have other motions, or have been
+  /// inserted or erased (the graph does not contain them). May be called more than once for a time.
   virtual void change(const Time& time, std::span<const Edge_ids> removed,
                       std::span<const Edge_ids> added, std::span<const Changed_point> points) = 0;
 
   /// Triangles at these edges, which are sorted, may have changed although no edge has: points have
-  /// met. Among them are edges that are not there. Called after change(), if that is called; an
-  /// edge that it has told of need not be among them.
+  /// met. Some of the edges may not exist. Called after change(), if that is called; edges that it
+  /// has reported need not be among them.
   virtual void change_triangles(std::span<const Edge_ids> /*edges*/) {}
 
   /// What is observed.
   const Triangulation& triangulation() const { return *triangulation_; }
-  /// The points and edges, as of the last instant that has been told.
+  /// The points and edges at the last reported instant.
   const Neighbor_graph<Traits>& graph() const { return graph_; }
   /// Those of the triangulation.
   const Traits& traits() const { return triangulation_->traits(); }
@@ -155,12 +146,12 @@ class Edge_follower : private Event_observer {
   std::function<void()> stop_observing_;
   Neighbor_graph<Traits> graph_;
   Time instant_;  // advance() has been called up to here
-  // What has happened since, at that time, one after the other: an edge has come (+1) or gone (-1);
-  // a point has got a motion, or has gone.
+  // The changes at that time, in order: an edge has been added (+1) or removed (-1); a point has
+  // got a motion, or has been erased.
   std::vector<std::pair<Edge_ids, int>> edge_events_;
   std::vector<std::pair<Point_id, std::optional<Point_2>>> point_events_;
   std::vector<Edge_ids> rebuilt_edges_;  // of after_rebuild
-  // What it comes to, while change() is told. Members, so that an instant needs no memory.
+  // The arguments of change(). Members, to reuse their memory.
   std::vector<Edge_ids> removed_;
   std::vector<Edge_ids> added_;
   std::vector<Changed_point> points_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gap between two discs: the distance of their centres minus both radii. Of points, which are
-// discs of radius 0, it is the distance.
+// The gap between two discs: the distance of their centers minus both radii. Points are discs of
+// radius 0.
 #ifndef KINETRI_IMPL_OBSERVERS_GAP_OF_PAIR_H
 #define KINETRI_IMPL_OBSERVERS_GAP_OF_PAIR_H
 
@@ -13,7 +13,7 @@
 
 namespace kinetri::detail {
 
-/// The disc of that radius about the point, or the disc itself, which has a radius of its own.
+/// The disc itself if it has a radius of its own, else the disc of that radius about the point.
 template <class Motion>
 auto disc_about(const Motion& motion, double radius) {
   if constexpr (HasWeight<Motion>) {
@@ -27,12 +27,12 @@ auto disc_about(const Motion& motion, double radius) {
 template <class Disc>
 class Gap_of_pair {
  public:
-  /// At that time; whether the gap of the two motions `is_minimal` then, of all times. Precondition
-  /// of the latter: points in linear motion.
+  /// The gap at that time. `is_minimal` says that it is the least of all times; then the discs are
+  /// points in linear motion.
   Gap_of_pair(const Disc& p, const Disc& q, Algebraic_number time, bool is_minimal = false);
 
   const Algebraic_number& time() const { return time_; }
-  /// Contain the gap.
+  /// Bounds of the gap.
   const Double_interval& bounds() const { return bounds_; }
   /// The distance of the centres, rounded to the nearest binary64 number, ties to even; infinite on
   /// overflow.
@@ -40,7 +40,7 @@ class Gap_of_pair {
   /// The gap, rounded in the same way.
   double rounded() const;
 
-  /// Compares the gap with another one, exactly; by the bounds where these decide.
+  /// Compares the gap with another one, exactly; by the bounds if these decide.
   Comparison_result compare(const Gap_of_pair& other) const;
 
  private:
@@ -53,7 +53,7 @@ class Gap_of_pair {
   Algebraic_number time_;
   bool is_minimal_;
   Double_interval bounds_;
-  mutable std::optional<Algebraic_number> exact_;  // made where the bounds do not decide
+  mutable std::optional<Algebraic_number> exact_;  // computed if the bounds do not decide
 };
 
 /// The least gap from `since` to `until`, at the first time at which it is least. Exact.
@@ -62,7 +62,7 @@ template <class Disc>
 Gap_of_pair<Disc> least_gap(const Disc& p, const Disc& q, const Algebraic_number& since,
                             const Algebraic_number& until);
 
-/// Contain that least gap. Cost: some hundred floating-point operations.
+/// Bounds of that least gap. Cost: some hundred floating-point operations.
 template <class Disc>
 Double_interval least_gap_bounds(const Disc& p, const Disc& q, const Algebraic_number& since,
                                  const Algebraic_number& until);

@@ -13,20 +13,20 @@
 
 namespace kinetri::detail {
 
-/// What a Spanning_tree_row tells.
+/// The kinds of rows.
 enum class Spanning_tree_row_kind : std::uint8_t {
   start,     ///< an edge of the tree at the start
   remove,    ///< an edge of the tree just before the time and not just after it
   add,       ///< an edge of the tree just after the time and not just before it
   longest,   ///< the longest edge of the tree, from the time on
-  least,     ///< the least range at which all points are connected, over all of the time
+  least,     ///< the least range at which all points are connected, of all times
   greatest,  ///< the greatest such range
 };
 
 /// The kind's name in files: "start", "remove", ...
 std::string_view name(Spanning_tree_row_kind kind);
 
-/// A row: what is told of an edge.
+/// A row, about one edge.
 struct Spanning_tree_row {
   Algebraic_number time;                                        ///< exact
   Spanning_tree_row_kind kind = Spanning_tree_row_kind::start;  ///< what happens
@@ -41,15 +41,15 @@ template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Spanning_tree_rows {
  public:
   /// @{
-  /// The object must not outlive what it observes.
+  /// What is observed must outlive this object.
   explicit Spanning_tree_rows(Simulation_2<Traits>& simulation);
   explicit Spanning_tree_rows(Kinetic_triangulation_2<Traits>& triangulation);
   /// @}
 
-  /// The edges at the start, sorted; then in the order of time what changes, at one time removed
-  /// edges before added ones, and then the longest edge if it is another one than before; and at
-  /// the end the least and the greatest range, each at the first time at which it is that. These
-  /// two, and longest edges, are those of two or more points. Cost: see Kinetic_spanning_tree_2.
+  /// The edges at the start, sorted; then the changes in the order of time, at one time removed
+  /// edges, added edges, and the longest edge if it has changed; at the end the least and the
+  /// greatest range, each at its first time. These two, and longest edges, exist if there are two
+  /// or more points. Cost: see Kinetic_spanning_tree_2.
   std::vector<Spanning_tree_row> rows();
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which discs of many may touch: boxes around them, in binary64.
+// Bounding boxes of discs, to find those that may touch, in binary64.
 #ifndef KINETRI_IMPL_SIMULATION_DISC_BOXES_H
 #define KINETRI_IMPL_SIMULATION_DISC_BOXES_H
 
@@ -20,7 +20,7 @@ namespace kinetri::detail {
 /// A box that holds a disc, with the id of the disc.
 using Disc_box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Point_id>;
 
-/// A box that certainly holds the disc at each of the times; the whole plane where numbers
+/// A box that certainly contains the disc at each of the times; the whole plane if numbers
 /// overflow. Precondition: t is one of the times.
 template <HasWeight Motion>
 Disc_box box_around(const Motion& disc, Point_id id, double t, const Double_interval& times) {
@@ -45,8 +45,8 @@ Disc_box box_around(const Motion& disc, Point_id id, double t, const Double_inte
   return {lower, upper, id};
 }
 
-/// Calls `function` with the ids of each two boxes that have a common point, once. O(n log^2 n),
-/// and what the pairs take.
+/// Calls `function` once with the ids of each two boxes that intersect. Cost: O(n log^2 n), and the
+/// number of pairs.
 template <class Function>
 void for_each_pair_of_boxes(std::vector<Disc_box>& boxes, Function function) {
   CGAL::box_self_intersection_d(

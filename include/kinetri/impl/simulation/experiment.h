@@ -2,7 +2,7 @@
 //
 // The experiment of the paper that Kinetri starts from (Computation of Topologic Events in Kinetic
 // Delaunay Triangulation using Sturm Sequences of Polynomials, section 6.1): discs in a square box,
-// of which some move. For comparison, the discrete approach of its section 2: at each time step
+// some of which move. It is compared with the discrete approach of section 2: at each time step
 // every point that has moved is removed and inserted again.
 #ifndef KINETRI_IMPL_SIMULATION_EXPERIMENT_H
 #define KINETRI_IMPL_SIMULATION_EXPERIMENT_H
@@ -29,11 +29,11 @@ struct Experiment_setting {
 
   /// Whether there are discs of two sizes.
   bool has_sizes() const { return size_ratio != 1; }
-  /// The share of the box that the discs cover where they do not overlap, rounded.
+  /// The area fraction that the discs cover if they do not overlap, rounded.
   double covered_share() const;
 };
 
-/// The greatest share of the box that discs of two sizes may cover.
+/// The greatest area fraction that discs of two sizes may cover.
 inline constexpr double greatest_covered_share = 0.25;
 
 /// The points of the setting, at random positions; the first `movers` of them move. Discs of one
@@ -41,8 +41,8 @@ inline constexpr double greatest_covered_share = 0.25;
 std::vector<Linear_motion_2> experiment_motions(const Experiment_setting& setting);
 
 /// The same with their radii. No two overlap: a disc that would overlap one of those before it, or
-/// a larger one, gets another random place. Preconditions: movers <= points; size_ratio >= 1; the
-/// covered share is at most `greatest_covered_share`.
+/// a larger one, gets another random position. Preconditions: movers <= points; size_ratio >= 1;
+/// the area fraction is at most `greatest_covered_share`.
 std::vector<Disc_motion_2> experiment_discs(const Experiment_setting& setting);
 
 /// The box and the discs of the setting: for experiment_discs if there are discs of two sizes, and
@@ -69,11 +69,11 @@ struct Discrete_comparison {
   double kinetic_seconds = 0;          ///< of the kinetic run
   std::uint64_t topologic_events = 0;  ///< flips, hull events, and discs hidden and revealed
   std::uint64_t edge_changes = 0;      ///< edges removed or added by these events and by rebuilds
-  /// Edge changes that no comparison of two successive steps shows.
+  /// Edge changes that are not visible between two successive steps.
   std::uint64_t edge_changes_missed = 0;
   std::uint64_t contacts = 0;  ///< pairs of discs that begin to overlap
-  /// Contacts that no step shows: at none the discs overlap and, if their sizes differ, have an
-  /// edge.
+  /// Contacts that are not visible at any step: the discs never overlap there and, if their sizes
+  /// differ, have an edge.
   std::uint64_t contacts_missed = 0;
 };
 

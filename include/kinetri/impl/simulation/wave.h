@@ -2,8 +2,8 @@
 //
 // The 2.5D wave of the paper that Kinetri starts from (Computation of Topologic Events in Kinetic
 // Delaunay Triangulation using Sturm Sequences of Polynomials, section 6.3): one row of a lattice
-// moves, hits the next row, and passes its velocity on, so that a crest runs across the area and
-// back.
+// moves, collides with the next row, and passes its velocity on, so that a crest runs across the
+// box and back.
 #ifndef KINETRI_IMPL_SIMULATION_WAVE_H
 #define KINETRI_IMPL_SIMULATION_WAVE_H
 
@@ -39,11 +39,11 @@ struct Wave_setting {
   double height() const { return static_cast<double>(rows) * spacing; }
 };
 
-/// The points, row by row from y = 0 upward. The first row moves upward, all others rest.
-/// Preconditions: columns and rows > 0, with fewer than 2^32 - 1 points; spacing, speed and
-/// diameter from 1e-100 to 1e100; the size ratio at least 1; the greatest diameter less than the
-/// spacing; the jitter in that range or 0, and less than half of the gap between two such discs
-/// that are neighbors in a column.
+/// The points, row by row upward. The first row moves upward, all others rest. Preconditions:
+/// columns and rows > 0, with fewer than 2^32 - 1 points; spacing, speed and diameter from 1e-100
+/// to 1e100; the size ratio at least 1; the greatest diameter less than the spacing; the jitter in
+/// that range or 0, and less than half of the gap between two such discs that are neighbors in a
+/// column.
 std::vector<Linear_motion_2> wave_motions(const Wave_setting& setting);
 
 /// The same points with their radii. Preconditions as for wave_motions.
