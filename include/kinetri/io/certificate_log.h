@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The certificates of events as a file that can be checked without Kinetri: one line of JSON for
-// each event. docs/PROGRAM.md, section "Certificates", says what its members mean.
+// each event. docs/PROGRAM.md, section "Certificates", describes its members.
 #ifndef KINETRI_IO_CERTIFICATE_LOG_H
 #define KINETRI_IO_CERTIFICATE_LOG_H
 
@@ -12,15 +12,15 @@
 
 namespace kinetri {
 
-/// The line of a certificate, with its end: a JSON object with the members event, kind, points,
-/// polynomial, from, lower, upper, signs, multiplicity, touches, as Failure_certificate has them;
-/// or event, kind, points, polynomial, which is null, and reason. Coefficients, by ascending power,
-/// are texts. A dyadic number is a list of an odd integer, or 0, as a text, and the power of two
-/// that it is to be multiplied by. Signs are -1, 0 and 1.
+/// The line of a certificate, with its line end: a JSON object with the members event, kind,
+/// points, polynomial, from, lower, upper, signs, multiplicity, touches of Failure_certificate; or
+/// event, kind, points, polynomial (null) and reason. Coefficients, by ascending power, are texts.
+/// A dyadic number is a list of an odd integer, or 0, as a text, and the exponent of a power of
+/// two, its factor. Signs are -1, 0 and 1.
 std::string certificate_line(const Event_certificate& certificate);
 
-/// An observer that writes the certificate of each event, once it has happened, as a line. Errors
-/// are those of the stream. Cost: that of Event_certificates.
+/// An observer that writes the certificate of each event as a line, after the event. Errors are
+/// those of the stream. Cost: that of Event_certificates.
 template <class Traits = Linear_kinetic_traits_2>
 class Certificate_log_writer : public Event_certificates<Traits> {
  public:

@@ -11,9 +11,8 @@
 
 namespace kinetri {
 
-/// Writes the edges in the order in which they are given; a file that outside programs read has
-/// them sorted, as Kinetic_delaunay_triangulation_2::finite_edge_ids gives them. Errors are those
-/// of the stream.
+/// Writes the edges in the given order. Other programs expect them sorted, as by
+/// Kinetic_delaunay_triangulation_2::finite_edge_ids. Errors are those of the stream.
 void write_edges(std::ostream& out, std::span<const Edge_ids> edges);
 
 }  // namespace kinetri

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The motion log: the motion of each point at the start, and each change of it. With the event log
-// it tells all that happened in a run. docs/PROGRAM.md, section "Motions", says what its rows mean
-// and exactly how a motion goes on after a contact.
+// The motion log: the motion of each point at the start, and each change of it. Together with the
+// event log it is a complete record of a run. docs/PROGRAM.md, section "Motions", describes its
+// rows, and exactly how a motion continues after a contact.
 #ifndef KINETRI_IO_MOTION_LOG_H
 #define KINETRI_IO_MOTION_LOG_H
 
@@ -17,14 +17,14 @@
 
 namespace kinetri {
 
-/// An observer that writes the motion which a point has from an event on as one line:
+/// An observer that writes each motion that a point gets at an event as one line:
 ///
 ///   event,id,x,y,vx,vy,ax,ay,jx,jy,radius,growth,epoch
 ///
 /// `event` is the number of the event; it is empty in the lines of the points at the start. The
-/// other numbers are those of the motion, with the fewest digits that read back exactly; 0 where
-/// the kind of motion has none. All of them are empty where the event erases the point. A collision
-/// that leaves a point its motion has no line for it.
+/// other numbers are those of the motion, with the fewest digits that read back exactly; 0 if the
+/// kind of motion has none. They are empty if the event erases the point. A collision has no line
+/// for a point that keeps its motion.
 ///
 /// Errors are those of the stream. Cost: O(1) for each line.
 template <class Traits = Linear_kinetic_traits_2>
@@ -33,20 +33,20 @@ class Motion_log_writer : public Event_observer {
   using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what is observed
   using Motion = typename Traits::Motion;                 ///< of the traits
 
-  /// Writes the header line and the motions that there are now. `radius` is that of all points
-  /// whose motions have none (Simulation_options::radius). `out` and `triangulation` must outlive
-  /// this object. Add it as an observer of the triangulation, or of the simulation that owns it.
+  /// Writes the header line and the present motions. `radius` is that of all points if their
+  /// motions have none (Simulation_options::radius). `out` and `triangulation` must outlive this
+  /// object. Add it as an observer of the triangulation, or of the simulation that owns it.
   /// Preconditions: no motion has a weight besides its radius, now or later; the triangulation is
   /// not reversed while it is observed.
   Motion_log_writer(std::ostream& out, const Triangulation& triangulation, double radius = 0);
 
-  /// It does not but for the motions of points that an event names, which no event of a run by
-  /// regions does.
+  /// False: it reads only the motions of points that an event names, as contacts do, at which they
+  /// are current.
   bool looks_at_triangulation() const override { return false; }
-  /// Notes the motions that a collision may change.
+  /// Stores the motions that a collision may change.
   void before_event(const Event& event) override;
 
-  /// Writes the lines of the event, if there are any.
+  /// Writes the lines of the event.
   void after_event(const Event& event) override;
 
  private:

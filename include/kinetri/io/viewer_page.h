@@ -1,26 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The viewer: a recorded run as one HTML page that plays it, with everything in it; it opens from a
-// file, in any browser, and asks the network for nothing.
+// The viewer: one HTML page that plays a recorded run. It is self-contained: it opens from a file,
+// in any browser, without a network.
 //
-// The page is put together from viewer/ (see the README there) and the recording, which is
-// the JSON object in the element `<script type="application/json" id="recording">`:
+// The page consists of viewer/ (see the README there) and the recording, the JSON object in the
+// element `<script type="application/json" id="recording">`:
 //
 //   format        2
 //   program       "kinetri 0.1.0"
 //   title         of the run, for people
-//   view          absent, or what is shown first: `t=2&color=area`, as in an address after `#`
+//   view          absent, or the first view: `t=2&color=area`, as in an address after `#`
 //   from, until   the times between which it can be played
 //   points        the number of point ids: these are 0 ... points - 1
 //   names         the points' names by id; absent: their ids
 //   box           [xmin, ymin, xmax, ymax], or null
-//   radius        of the discs where all are equal and none grows; else 0
-//   thinned       null, or {"events": how many the run had} where events are left out (Recording)
-//   wave          null, or {"height": h, "width": w}: the page begins with the wave. At a place its
-//                 height is h exp(-d^2 / (2 w^2)), d the distance in y to the mean of the moving
-//                 points
-//   encounters    absent, or who is when within range of whom: {range, in_all, count, ids, begin,
-//                 end}: ids: base64 of the ids, two an encounter; begin and end: base64 of
+//   radius        of the discs if all are equal and none grows; else 0
+//   thinned       null, or {"events": number of events of the run} if some are left out (Recording)
+//   wave          null, or {"height": h, "width": w}: the page begins with the wave. Its height is
+//                 h exp(-d^2 / (2 w^2)), d the distance in y to the mean of the moving points
+//   encounters    absent, or the encounters: {range, in_all, count, ids, begin, end}: ids: base64
+//   of the ids, two an encounter; begin and end: base64 of
 //                 binary64, the first and the last number among the times of the encounter (begin >
 //                 end if no number is); in_all: the number of encounters, count: that of those in
 //                 the page, which is 0 where there are too many
@@ -42,9 +41,8 @@
 //                 them, ax, ay, jx, jy: x + vx s + ax s^2/2 + jx s^3/6 with s = t - e; sizes:
 //                 absent where points have no weights, else base64 of binary64, each trajectory r,
 //                 g and w: the disc has the radius r + g s, the point the weight (r + g s)^2 + w
-//   events        {count, first, kinds, colors, kind, fields, time, ids}: first: the number that
-//   the
-//                 first one has in the run, 0 if some are left out; kinds: the names of the kinds;
+//   events        {count, first, kinds, colors, kind, fields, time, ids}: first: the number of
+//                 the first one in the run, 0 if some are left out; kinds: the names of the kinds;
 //                 colors: a color of each kind, as `#rrggbb`; kind: base64 of uint8, indices in
 //                 `kinds`; fields: base64 of uint8, the sum of 1 if an edge is removed, 2 if one is
 //                 added, 4 if there is a point_a, 8 if there is a point_b, and 0, 16 or 32 if the
@@ -69,42 +67,40 @@
 
 namespace kinetri {
 
-/// The height of the wave that moving points are the crest of.
+/// The shape of a wave whose crest are the moving points.
 struct Wave_shape {
   double height = 1;  ///< of the crest
   double width = 1;   ///< standard deviation of the Gaussian, in the unit of the coordinates
 };
 
-/// The times at which two points, or discs, are within range (Encounter), as far as they are
-/// binary64 numbers.
+/// The binary64 times at which two points, or discs, are within range (Encounter).
 struct Viewer_encounter {
   Edge_ids points = {no_point, no_point};  ///< the smaller first
   double begin = 0;                        ///< the first number
-  double end = 0;                          ///< the last one; before `begin` if there is none
+  double end = 0;                          ///< the last number; before `begin` if there is none
 };
 
 /// The encounters of a run.
 struct Viewer_encounters {
   double range = 0;                        ///< see Encounters
-  std::vector<Viewer_encounter> all = {};  ///< none where there are too many for a page
+  std::vector<Viewer_encounter> all = {};  ///< empty if there are too many for a page
   std::size_t in_all = 0;                  ///< how many the run has
 };
 
-/// The words of a view, each of which stands before `=` and a value. docs/PROGRAM.md describes
-/// them.
+/// The keys of a view, each followed by `=` and a value; see docs/PROGRAM.md.
 inline constexpr std::array<std::string_view, 16> viewer_words = {
     "t",  "event", "show", "hide",   "edge", "point", "follow", "color",
     "at", "kinds", "unit", "legend", "play", "theme", "list",   "draw"};
 
-/// What the page says and shows besides the recording.
+/// The content of the page besides the recording.
 struct Viewer_settings {
   std::string title;                        ///< of the run, for people
-  std::vector<std::string> names;           ///< of the points by id, or none
+  std::vector<std::string> names;           ///< of the points by id, or empty
   std::optional<Box_2> box = std::nullopt;  ///< drawn if there is one
   std::string view = {};                    ///< shown first: `t=2&color=area`; see viewer_words
-  /// Of the discs, where all are equal and none grows, and the motions have no radius; else 0.
+  /// Of the discs, if all are equal and none grows, and the motions have no radius; else 0.
   double radius = 0;
-  std::optional<Wave_shape> wave = std::nullopt;  ///< the page begins with it if there is one
+  std::optional<Wave_shape> wave = std::nullopt;               ///< shown first if there is one
   std::optional<Viewer_encounters> encounters = std::nullopt;  ///< drawn as links if known
 };
 
@@ -112,20 +108,19 @@ struct Viewer_settings {
 void write_viewer_page(std::ostream& out, const Recording& recording,
                        const Viewer_settings& settings);
 
-/// What a page was written from.
+/// The arguments of write_viewer_page.
 struct Viewer_page {
   Recording recording;       ///< the run
   Viewer_settings settings;  ///< the rest
 };
 
-/// Reads a page that write_viewer_page wrote, in the same format. What comes back makes the same
+/// Reads a page written by write_viewer_page, in the same format. Writing the result gives the same
 /// page; the numbers of the events of a thinned recording are 0. The triangles of flips are found
-/// from the edges, as the page finds them; nothing is computed from places.
+/// from the edges, as in the page, without predicates.
 ///
-/// Throws Input_error, which calls the page `name`, if it has no recording, or one that is damaged:
-/// an edge or a triangle is removed that is not there, or added where one is; events are not in
-/// order; ids or numbers are missing or out of range. Cost: O(rows log rows) after the text is
-/// read.
+/// Throws Input_error, with `name` for the page, if there is no recording, or it is damaged: an
+/// edge or triangle is removed that does not exist, or added twice; events are not in order; ids or
+/// numbers are missing or out of range. Cost: O(rows log rows) after the text is read.
 Viewer_page read_viewer_page(std::istream& in, const std::string& name);
 
 }  // namespace kinetri

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Frames for ParaView and VTK: one VTU file each (an unstructured grid of triangles, as XML with
-// numbers in base64, so that every binary64 number is read back exactly), and a PVD file that says
-// which frame is at which time.
+// Frames for ParaView and VTK: a VTU file each (an unstructured grid of triangles, as XML with
+// exact binary64 numbers in base64), and a PVD file with the times of the frames.
 #ifndef KINETRI_IO_VTU_FILE_H
 #define KINETRI_IO_VTU_FILE_H
 
@@ -22,14 +21,13 @@ namespace kinetri {
 ///               hidden, which is 1 for points that others hide, else 0
 ///   field data  TimeValue; events, how many there have been so far; and of each kind events_KIND
 ///
-/// Without points or triangles the file is one without points or cells. Errors are those of the
-/// stream.
+/// Errors are those of the stream.
 void write_vtu(std::ostream& out, const Frame_2& frame);
 
 /// A file of a series.
 struct Vtu_frame {
   double time = 0;   ///< of the frame
-  std::string file;  ///< as seen from the PVD file; its name needs no escapes in XML
+  std::string file;  ///< its path relative to the PVD file; without characters that XML escapes
 };
 
 /// Writes the PVD file of the series. Errors are those of the stream.

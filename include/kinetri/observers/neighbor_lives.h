@@ -40,8 +40,8 @@ struct Neighbor_life {
   Edge_ids points = {no_point, no_point};  ///< the ids, the smaller first
   Algebraic_number begin;                  ///< just after it they are neighbors; exact
   Algebraic_number end;                    ///< just before it; later than `begin`; exact
-  Life_limit begins_by = Life_limit::run;  ///< why then
-  Life_limit ends_by = Life_limit::run;    ///< why then
+  Life_limit begins_by = Life_limit::run;  ///< why it begins
+  Life_limit ends_by = Life_limit::run;    ///< why it ends
   /// Whether the ridge between the two cells was shorter than the threshold throughout; false
   /// without a threshold.
   bool is_short = false;

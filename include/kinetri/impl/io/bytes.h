@@ -16,7 +16,7 @@
 
 namespace kinetri {
 
-/// The bytes of a text in base64, as RFC 4648 has it, with padding. None if it is not such a text.
+/// Decodes base64 (RFC 4648, with padding). None if the text is invalid.
 inline std::optional<std::string> bytes_of_base64(std::string_view text) {
   if (text.size() % 4 != 0) return std::nullopt;
   const auto digit = [](char c) -> std::uint32_t {
@@ -42,7 +42,7 @@ inline std::optional<std::string> bytes_of_base64(std::string_view text) {
   return bytes;
 }
 
-/// The unsigned integer whose bytes begin at that place, the least significant one first.
+/// The unsigned integer whose bytes begin at the offset `place`, the least significant one first.
 /// Precondition: it is within the bytes.
 template <std::unsigned_integral Number>
 Number number_at(std::string_view bytes, std::size_t place) {
@@ -66,7 +66,7 @@ class Bytes {
 
   std::size_t size() const { return bytes_.size(); }
 
-  /// As RFC 4648 has it, with padding.
+  /// Encodes the bytes (RFC 4648, with padding).
   std::string base64() const {
     constexpr std::string_view digits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

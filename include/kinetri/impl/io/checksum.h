@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The checksum by which a file is known again.
+// The checksum of a file.
 #ifndef KINETRI_IMPL_IO_CHECKSUM_H
 #define KINETRI_IMPL_IO_CHECKSUM_H
 
@@ -11,10 +11,10 @@
 
 namespace kinetri {
 
-/// The size of a content and its CRC-32, that of zlib, gzip and PNG, while it comes in pieces.
+/// The size and CRC-32 (that of zlib, gzip and PNG) of bytes that are added in pieces.
 class Checksum {
  public:
-  /// Puts the piece behind the content. Cost: some nanoseconds a byte.
+  /// Appends the piece. Cost: some nanoseconds a byte.
   void add(std::string_view piece);
 
   std::uint64_t bytes() const { return bytes_; }

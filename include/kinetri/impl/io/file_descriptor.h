@@ -36,7 +36,7 @@ class File_descriptor {
     if (number_ >= 0) ::close(release());
   }
 
-  /// The descriptor, which has no owner any more.
+  /// Gives up the ownership, and returns the descriptor.
   int release() { return std::exchange(number_, -1); }
 
  private:

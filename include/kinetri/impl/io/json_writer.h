@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// JSON text, written in the order in which its parts are given.
+// A writer of JSON text.
 #ifndef KINETRI_IMPL_IO_JSON_WRITER_H
 #define KINETRI_IMPL_IO_JSON_WRITER_H
 
@@ -16,14 +16,14 @@
 
 namespace kinetri {
 
-/// Puts one JSON value behind a text, in ASCII. Numbers of binary64 have a decimal point or an
-/// exponent and read back exactly; null if they are not finite. Of texts, bytes that are no UTF-8
-/// are replaced by U+FFFD. Precondition: each list and object is ended; a key stands before each
-/// value in an object, and only there.
+/// Appends one JSON value to a text, in ASCII. Binary64 numbers have a decimal point or an exponent
+/// and read back exactly; null if they are not finite. Invalid UTF-8 in texts is replaced by
+/// U+FFFD. Precondition: each list and object is ended; each value in an object follows a key, and
+/// no other value does.
 class Json_writer {
  public:
-  /// With an `indentation`, each element has a line of its own, indented by so many blanks for each
-  /// list or object that it is in. `text` must outlive the writer.
+  /// With an `indentation`, each element has its own line, indented by so many blanks for each
+  /// enclosing list or object. `text` must outlive the writer.
   explicit Json_writer(std::string& text, std::optional<std::size_t> indentation = std::nullopt)
       : text_(text), indentation_(indentation) {}
 

@@ -15,7 +15,7 @@
 
 namespace kinetri {
 
-/// Where the time of a run went, in seconds of wall time.
+/// The wall time of the parts of a run, in seconds.
 struct Run_seconds {
   double read = 0;        ///< reading the points
   double build = 0;       ///< the first triangulation
@@ -28,21 +28,21 @@ struct Run_seconds {
   double total() const { return read + build + initialize + run + audit + write; }
 };
 
-/// What a run did and what it cost.
+/// Counts and costs of a run.
 struct Run_statistics {
   std::size_t points = 0;    ///< of the input
   double from = 0;           ///< the time at the start, rounded
-  double until = 0;          ///< the time that it was to reach
+  double until = 0;          ///< the intended end
   double reached = 0;        ///< the time at the end, rounded; `until` unless interrupted
-  bool interrupted = false;  ///< the user stopped the run before `until`
+  bool interrupted = false;  ///< whether the user stopped the run before `until`
   Triangulation_counters triangulation;  ///< events
   Certificate_counters certificates;     ///< of topology and contacts together
   Queue_counters queue;                  ///< of the triangulation
   Contact_counters contacts;             ///< of walls and discs
   Run_seconds seconds;                   ///< of wall time
   std::uint64_t peak_rss_bytes = 0;      ///< 0 if unknown
-  std::uint64_t audits_run = 0;          ///< how many audits there were
-  std::uint64_t audits_failed = 0;       ///< of these, how many found something wrong
+  std::uint64_t audits_run = 0;          ///< the number of audits
+  std::uint64_t audits_failed = 0;       ///< the number of audits with failures
 };
 
 /// Writes the statistics as a JSON object, its keys always in the same order. `events` has one key

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Text put together from pieces: for messages and for the rows of files. Everything that takes time
-// to compile is in text.cpp.
+// Text composed of pieces, for messages and rows of files. What is slow to compile is in text.cpp.
 #ifndef KINETRI_IMPL_IO_TEXT_H
 #define KINETRI_IMPL_IO_TEXT_H
 
@@ -18,8 +17,8 @@ namespace kinetri {
 
 /// A piece of a text: a text, a character, an integer in decimal digits, or a binary64 number with
 /// the fewest digits that read back exactly, as `1`, `0.25`, `1e-05`, `-0`, `1e+16`, `inf`: without
-/// an exponent from 1e-4 to below 1e16. Does not depend on the locale. What a text refers to must
-/// outlive the piece.
+/// an exponent from 1e-4 to below 1e16. Does not depend on the locale. A text must outlive its
+/// piece.
 class Text_piece {
  public:
   Text_piece(std::string_view text) : text_(text) {}    // NOLINT(google-explicit-constructor)
@@ -52,13 +51,13 @@ class Text_piece {
 
 void append_pieces(std::string& text, std::initializer_list<Text_piece> pieces);
 
-/// Puts the pieces behind `text`.
+/// Appends the pieces to `text`.
 template <class... Pieces>
 void append(std::string& text, const Pieces&... pieces) {
   append_pieces(text, {Text_piece(pieces)...});
 }
 
-/// The pieces, one behind the other.
+/// The concatenated pieces.
 template <class... Pieces>
 std::string joined(const Pieces&... pieces) {
   std::string text;
@@ -66,7 +65,7 @@ std::string joined(const Pieces&... pieces) {
   return text;
 }
 
-/// The number in hexadecimal digits, with zeros before it up to `digits` digits.
+/// The number in hexadecimal digits, padded with zeros to `digits` digits.
 std::string hexadecimal(std::uint64_t number, std::size_t digits);
 
 }  // namespace kinetri

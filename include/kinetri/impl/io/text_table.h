@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the readers of text files with a row a line have in common: lines from a stream, fields of a
-// line, columns of a header, numbers of fields, and the errors that say where something is wrong.
+// The common part of readers of text files with one row a line: lines, fields, headers, numbers,
+// and errors with their positions.
 #ifndef KINETRI_IMPL_IO_TEXT_TABLE_H
 #define KINETRI_IMPL_IO_TEXT_TABLE_H
 
@@ -21,7 +21,7 @@
 
 namespace kinetri {
 
-/// What a file holds, for messages: "expected a file of points", "expected one point a line".
+/// The content of a file, for messages: "expected a file of points", "expected one point a line".
 struct Table_kind {
   std::string_view content;  ///< "points"
   std::string_view row;      ///< "point"
@@ -38,10 +38,10 @@ inline bool is_blank(char c) {
 /// `text` without the blanks around it.
 std::string_view trimmed(std::string_view text);
 
-/// The text with the letters A to Z as a to z.
+/// The text with A to Z replaced by a to z.
 std::string in_lower_case(std::string_view text);
 
-/// The text as it is shown in a message: in quotes, on one line, printable, and not too long.
+/// The text for a message: in quotes, on one line, printable, and not too long.
 std::string in_quotes(std::string_view text);
 
 /// Calls function(field) for each field between commas, trimmed; there is at least one.
@@ -55,7 +55,7 @@ void for_each_field_between_commas(std::string_view line, Function function) {
   }
 }
 
-/// Calls function(field) for each of the longest pieces without blanks.
+/// Calls function(field) for each field between blanks.
 template <class Function>
 void for_each_field_between_blanks(std::string_view line, Function function) {
   for (;;) {
@@ -79,14 +79,13 @@ struct Csv_header {
   }
 };
 
-/// Gives the lines of a stream one after the other, from one buffer: those that are neither blank
-/// nor comments, without line ends and byte order mark. `in`, `name` and the texts of `kind` must
-/// outlive it.
+/// Reads the lines of a stream that are neither blank nor comments, without line ends and byte
+/// order mark. `in`, `name` and the texts of `kind` must outlive it.
 class Table_reader {
  public:
   Table_reader(std::istream& in, const std::string& name, const Table_kind& kind);
 
-  /// The next line, blank or comment or not; else as next().
+  /// As next(), but includes blank lines and comments.
   std::optional<std::string_view> next_line();
 
   /// The number of the last line, counted from 1.
@@ -97,8 +96,8 @@ class Table_reader {
     on_comment_ = std::move(function);
   }
 
-  /// Lets is_row(line) decide from now on which lines that begin with # next() gives as rows, such
-  /// as one whose first field is the id #1.
+  /// From now on is_row(line) decides which lines that begin with # are rows, such as one whose
+  /// first field is the id #1.
   void watch_rows(std::function<bool(std::string_view)> is_row) { is_row_ = std::move(is_row); }
 
   /// The number of comments that next() has skipped.
@@ -115,30 +114,28 @@ class Table_reader {
                                        std::size_t required, std::string_view expected);
 
   /// Reads the header line of a file whose fields may be quoted and whose columns are separated by
-  /// commas or, where the header has none, by semicolons. Names are compared without regard to
-  /// case; columns with other names are ignored. Throws Input_error if there is no header, if one
-  /// of the first `required` columns is missing, if one of `names` is there twice, or if a name is
-  /// a number, so that the line is no header; the messages end in `expected`.
+  /// commas or, where the header has none, by semicolons. Names are case-insensitive; columns with
+  /// other names are ignored. Throws Input_error if there is no header, if one of the first
+  /// `required` columns is missing, if one of `names` occurs twice, or if a name is a number, so
+  /// that the line is not a header; the messages end in `expected`.
   Csv_header read_csv_header(std::span<const std::string_view> names, std::size_t required,
                              std::string_view expected);
 
-  /// Calls function(field) for each field of a line of such a file, trimmed, and without quotation
-  /// marks where it is quoted; there is at least one. Throws Input_error if a quotation mark is not
-  /// closed on the line or something stands behind it.
+  /// Calls function(field) for each field of a line of such a file, trimmed and unquoted; there is
+  /// at least one. Throws Input_error if a quotation mark is not closed on the line, or text
+  /// follows the closing one.
   template <class Function>
   void for_each_csv_field(std::string_view line, Function function) {
     for (std::optional<std::string_view> rest = line; rest;) function(take_csv_field(rest));
   }
 
-  /// Throws the Input_error of the last line.
+  /// Throws an Input_error about the last line.
   [[noreturn]] void fail(const std::string& message) const;
 
-  /// Throws Input_error if a row with `fields` fields has not one for each of the `columns` columns
-  /// of the header.
+  /// Throws Input_error unless a row has as many fields as the header has columns.
   void check_number_of_fields(std::size_t fields, std::size_t columns) const;
 
-  /// The number that the field stands for; Input_error, with the name of the column, if it stands
-  /// for none.
+  /// The number in the field. Throws Input_error, with the name of the column, if it is invalid.
   double number(std::string_view field, std::string_view column) const;
 
  private:

@@ -4,9 +4,12 @@
 // between those of the triangulation.
 //
 // The calls for one time t with events of the triangulation:
-//   1. `advance(t)`: the observer executes its own events at or before t. The graph is that before t; it is still right at t, as the limit of Delaunay triangulations.
-//   2. `before_change(...)`: the graph is still that. Entries that depend on changed motions leave the observer's queue, which orders entries by these motions.
-//   3. `change(...)`: the graph is that just after t, after all events of that time. What was removed and added again at t is not a change.
+//   1. `advance(t)`: the observer executes its own events at or before t. The graph is that before
+//   t; it is still right at t, as the limit of Delaunay triangulations.
+//   2. `before_change(...)`: the graph is still that. Entries that depend on changed motions leave
+//   the observer's queue, which orders entries by these motions.
+//   3. `change(...)`: the graph is that just after t, after all events of that time. What was
+//   removed and added again at t is not a change.
 #ifndef KINETRI_IMPL_OBSERVERS_EDGE_FOLLOWER_H
 #define KINETRI_IMPL_OBSERVERS_EDGE_FOLLOWER_H
 
@@ -68,8 +71,9 @@ class Neighbor_graph {
 /// The base of such observers. Derived classes read the graph in their constructors and in
 /// `advance`, `before_change` and `change`. These may use no other functions of the triangulation
 /// than traits() and next_id(), since events on several threads are reported late
-/// (Event_observer::looks_at_triangulation). The base reads points that an event names, which no
-/// flip does. The triangulation must outlive this object, and must not be reversed meanwhile.
+/// (Event_observer::looks_at_triangulation). The base reads only the motions of points that an
+/// event names, which are current then. The triangulation must outlive this object, and must not be
+/// reversed meanwhile.
 ///
 /// Cost: O(1) amortized for each edge that changes, and one exact comparison of times for each
 /// event. Memory: O(n).
