@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Contacts in windows of time (docs/PARALLEL.md): which of them a node executes, and how they are
+// Contacts in time windows (docs/PARALLEL.md): which of them a process executes, and how they are
 // rolled back.
 #ifndef KINETRI_SRC_SIMULATION_CONTACT_EVENTS_H
 #define KINETRI_SRC_SIMULATION_CONTACT_EVENTS_H
@@ -24,12 +24,12 @@
 
 namespace kinetri::detail {
 
-/// The entries of contacts and scheduled changes of a simulation, for windows of time. Functions
-/// that are given a process may be called by several threads, for different nodes of one level.
+/// The entries of contacts and scheduled changes of a simulation, in time windows. Functions with a
+/// parameter `process` may be called by several threads, for different nodes of one level.
 ///
-/// Owns, of each process, the counts of its contacts, and which points have contacts that wait for
-/// a node above. Invariant, in a window: each watched contact that may come has one entry, in
-/// whatever part, whose handle the records of its points have; between two windows nothing waits.
+/// Owns the counts of each process, and which points have deferred contacts. Invariant, in a
+/// window: each watched contact that may happen has one entry, in any part, whose handle is in the
+/// records of its points; between two windows nothing is deferred.
 template <class Traits>
 class Contact_events {
  public:
@@ -72,8 +72,6 @@ class Contact_events {
         log_(log) {}
   static Kinetic_core<Traits>& kinetic(Core& core) { return core.kinetic(); }
 
-  // ---- what they are ----
-
   /// Whether contacts can be executed in windows.
   bool can_run() const { return Watch::can_run(core_); }
   /// Whether discs have contacts.
@@ -81,7 +79,7 @@ class Contact_events {
 
   // ---- the sequential loop ----
 
-  /// Whether something of the queue is due up to a time.
+  /// Whether the first entry of the queue is due at or before a time.
   bool settle(const Time& until) {
     schedule_.settle();
     return !queue().empty() &&
@@ -101,65 +99,63 @@ class Contact_events {
   Queue_handle handle(const Entry& entry) const {
     return schedule_.policy().handle(entry.subject());
   }
-  /// Whether it is a contact whose certificate is to be checked again.
+  /// Whether the certificate of a contact is to be checked again.
   static bool is_recheck(const Entry& entry) { return is_contact(entry.kind) && !entry.is_event; }
-  /// Whether what an entry says is for the sequential loop.
+  /// Whether only the sequential loop may execute the entry.
   static bool is_for_loop(const Entry& entry) { return !is_contact(entry.kind); }
   /// Distributes the entries, as Divided_scheduler::distribute says.
   template <class In_parallel>
   void divide(std::size_t count, const In_parallel& in_parallel) {
     watch_.divide(count, in_parallel);
   }
-  /// Takes up the nodes of the division.
+  /// Adopts the processes of the division.
   void take_up(std::span<const Process> processes);
-  /// Certifies a contact anew whose entry, which says when, has left its part.
+  /// Checks certificates again whose entries have left their parts.
   void recheck(Process& process, std::span<const Entry> entries);
-  /// Notes that an entry waits for a node above. This saves rollbacks, and decides nothing.
+  /// Records that an entry is deferred. This saves rollbacks, and does not change results.
   void note_blocked(Process& process, const Entry& entry);
 
   // ---- a contact ----
 
   /// Precondition: !is_for_loop(entry); the entry is the first one of the process.
   Candidate candidate(Process& process, const Entry& entry);
-  /// Whether the process, whose first entry it is, may execute the contact, if it is for a window.
+  /// Whether the process may execute the contact, its first entry.
   bool may_execute(Process& process, Candidate& candidate);
-  /// Calls `function` with the faces at the points, and those beside them.
+  /// Calls `function` with the faces at the points and the adjacent ones.
   template <class Function>
   void for_each_surrounding_face(const Candidate& candidate, const Function& function) const;
-  /// Executes a contact. Returns false, with the triangulation as it was, if it is for a node above
-  /// or the sequential loop.
+  /// Executes a contact. Returns false, and changes nothing, if a node above or the sequential loop
+  /// has to execute it.
   bool execute(Process& process, Candidate& candidate);
-  /// Rolls a contact back, at the time `now`, that is the last event of its faces, and makes its
-  /// entries anew.
+  /// Rolls a contact back, at the time `now`, and computes its entries again. Precondition: it is
+  /// the last event of its faces.
   void roll_back(Process& process, Record& record, const Time& now);
 
   // ---- flips ----
 
-  /// Whether a contact that waits is before a flip and near it: of the edge's pair, or else of one
-  /// of the four points.
+  /// Whether a deferred contact of the edge's pair or of one of the four points is before a flip.
   bool blocks(const Process& process, const typename Edges::Candidate& flip);
-  /// Whether two discs that have touched in this window still do, and have to keep their edge.
+  /// Whether the ends of the edge are discs that have touched in this window and still meet, so
+  /// that the edge must not be flipped.
   bool keeps(const Two_sided_edge& edge, Moment& moment);
-  /// Schedules the contact of the edge that a flip has added, in place of the one removed.
+  /// Schedules the contact of the edge that a flip has added, instead of that of the removed one.
   void follow_flip(Process& process, const Record& flip, Moment& moment);
-  /// The other way round, for a flip that is rolled back, at the time `now`. A contact at that time
-  /// is seen from that time on.
+  /// The reverse, for a flip that is rolled back at the time `now`.
   void unfollow_flip(Process& process, const Record& flip, const Time& now);
 
   // ---- windows ----
 
-  /// Whether a window may begin, up to whose beginning nothing happens; makes it ready.
+  /// Prepares a window, before whose beginning no event happens. Returns whether it may begin.
   bool begin_window(double begin) { return watch_.begin_window(begin); }
-  /// Makes room for what a window notes of points.
+  /// Resizes the data by point.
   void make_room();
-  /// What observers are told of a contact, but for its number and time.
+  /// The event of a contact, without number and time.
   Event event(const typename Log::Key& key);
   /// Counts contacts, each without another event at its time.
   void count(std::uint64_t contacts);
-  /// To be called after each window: notes what the sequential loop is to know of its contacts.
+  /// Called after each window: records overlaps for the sequential loop.
   void end_window();
-  /// Finds overlaps and schedules contacts anew, at any time between two events. Keeps the changes
-  /// that are scheduled.
+  /// Finds overlaps and schedules contacts again, between two events. Keeps scheduled changes.
   void start_anew();
 
  private:
@@ -170,13 +166,13 @@ class Contact_events {
   using Velocity_change = typename Log::Velocity_change;
   using Change = typename Types::Change;
 
-  // Of one process. Vectors are memory that is used again for each contact.
+  // Of one process. Vectors are members to reuse their memory.
   struct alignas(64) State {
     Part* part = nullptr;  // whose entries it executes
     Certificate_counters certificates = {};
     std::uint64_t discarded_walls = 0;
     std::uint64_t discarded_collisions = 0;
-    std::vector<Point_id> blocked = {};  // points of contacts that it has deferred
+    std::vector<Point_id> blocked = {};  // points of deferred contacts
     std::vector<Two_sided_edge> edges = {};
     std::vector<std::tuple<Two_sided_edge, Entry_kind, Certificate>> edge_certificates = {};
     std::vector<std::pair<Entry, Certificate>> contact_certificates = {};
@@ -221,11 +217,11 @@ class Contact_events {
   Edges& edges_;
   Log& log_;
   std::vector<State> states_;  // of the processes, by their numbers
-  // Of each point: a time up to which no contact of it waits for a node above.
+  // By point: a time before which no contact of it is deferred.
   std::vector<double> blocked_from_;
 };
 
-/// A run of a simulation by regions.
+/// The optimistic parallel execution of a simulation.
 template <class Traits>
 auto region_run_of(Simulation_2<Traits>& simulation, const Region_options& options = {}) {
   return Region_run<Traits, Contact_events<Traits>>(*Core_access::core(simulation), options);

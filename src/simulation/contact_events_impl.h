@@ -45,7 +45,7 @@ void Contact_events<Traits>::note_blocked(Process& process, const Entry& entry) 
   }
 }
 
-// Schedules a contact, or when its certificate is checked again.
+// Schedules a contact, or the next check of its certificate.
 template <class Traits>
 void Contact_events<Traits>::put(const Process& process, Entry entry, Certificate&& known) {
   if (known.kind == Certificate::Kind::never_fails) return;
@@ -115,7 +115,7 @@ void Contact_events<Traits>::for_each_surrounding_face(const Candidate& candidat
   }
 }
 
-// Whether an entry in the surroundings of a contact waits and is not later than it.
+// Whether a deferred entry in the surroundings of a contact is not later than it.
 template <class Traits>
 bool Contact_events<Traits>::is_blocked(Process& process, const Candidate& candidate) {
   const Points points = candidate.points();
@@ -139,7 +139,7 @@ bool Contact_events<Traits>::is_blocked(Process& process, const Candidate& candi
   return result;
 }
 
-// Whether the entry of a handle, if it is one, is in a part of a window and waits.
+// Whether the entry of a handle, if any, is deferred and not later than the bounds.
 template <class Traits>
 template <class Exact>
 inline bool Contact_events<Traits>::waits_before(Queue_handle handle, const Process& process,
@@ -199,8 +199,8 @@ bool Contact_events<Traits>::execute(Process& process, Candidate& candidate) {
   return false;
 }
 
-// Gives points their new motions. Returns false if their triangles do not stay embedded, or weights
-// that were the same at all times no longer are.
+// Gives points their new motions. Returns false if their triangles do not stay embedded, or if
+// weights are no longer equal at all times.
 template <class Traits>
 bool Contact_events<Traits>::set_points(Velocity_change& change, std::span<const Change> changes,
                                         Moment& moment) {
@@ -231,8 +231,8 @@ bool Contact_events<Traits>::set_points(Velocity_change& change, std::span<const
   return true;
 }
 
-// Makes the certificates of points that have changed, in the vectors of the process. Returns false
-// if one fails at once, or if discs overlap that have not just touched.
+// Computes the certificates of changed points, in the vectors of the process. Returns false if one
+// fails at once, or if discs overlap that have not just touched.
 template <class Traits>
 bool Contact_events<Traits>::certify(Process& process, const Velocity_change& change,
                                      const Moment& moment) {
@@ -258,7 +258,7 @@ bool Contact_events<Traits>::certify(Process& process, const Velocity_change& ch
   return !fails_now;
 }
 
-// Executes a contact whose certificates have been made.
+// Executes a contact whose certificates have been computed.
 template <class Traits>
 void Contact_events<Traits>::record(Process& process, Candidate&& candidate) {
   State& state = of(process);
@@ -275,8 +275,7 @@ void Contact_events<Traits>::record(Process& process, Candidate&& candidate) {
     change.faces.push_back({face, face->stamp()});
     face->set_stamp(number);
   });
-  // The entries leave the queue while the motions that they speak of are there: those that stay are
-  // compared.
+  // Entries leave the queue before the motions change: the others are compared by the old motions.
   log_.set_motions(change, false);
   take_all(process, changed, [&](const Entry& taken) {
     const bool is_executed = taken.kind == entry.kind && taken.point_a == entry.point_a &&
@@ -327,7 +326,6 @@ auto Contact_events<Traits>::edges_around(State& state, Points points) const
   };
   add(first, [](const Two_sided_edge&) { return false; });
   if (points.size() == 2) {
-    // Those of a face at the first point have been added.
     add(topology_.vertex(points.back()), [&](const Two_sided_edge& edge) {
       return edge.here.first->has_vertex(first) || edge.there.first->has_vertex(first);
     });
@@ -367,7 +365,7 @@ void Contact_events<Traits>::follow_flip(Process& process, const Record& flip, M
   }
   if (corner == no_point || opposite == no_point) return;
   const Entry about = Watch::pair(edge_ids(corner, opposite));
-  // A little before the flip, the two do not touch: else they would have been watched.
+  // Just before the flip the two do not touch: else they would have been watched.
   auto [entry, known] = watch_.certificate(about, Time(moment.bounds.lower), state.certificates);
   if (known.may_vanish ||
       (known.kind != Certificate::Kind::never_fails && known.bounds.lower <= moment.bounds.upper)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The events of a simulation, in the order of time: those of its triangulation, contacts, and
-// changes that were scheduled.
+// The sequential loop of a simulation: events of its triangulation, contacts, and scheduled
+// changes, in the order of time.
 #ifndef KINETRI_SRC_SIMULATION_CONTACT_LOOP_H
 #define KINETRI_SRC_SIMULATION_CONTACT_LOOP_H
 
@@ -21,11 +21,11 @@ namespace kinetri::detail {
 
 /// Executes events.
 ///
-/// One contact's way: `step` has the schedule settled and lets the triangulation go to the time of
-/// the first entry; `execute_due_entries` takes the contact out of the queue; `Contact_outcomes`
-/// says what it does to its points; `change` takes their entries out, has the triangulation change
-/// the points, follows the edges that have changed (Event_reporter::take_trail), and schedules the
-/// points anew.
+/// One contact: `step` refreshes the front of the queue and advances the triangulation to the time
+/// of the first entry; `execute_due_entries` removes the contact from the queue; `Contact_outcomes`
+/// computes the new motions; `change` removes the entries of the points, changes the points in the
+/// triangulation, follows the changed edges (Event_reporter::take_trail), and schedules the points
+/// again.
 template <class Traits>
 class Simulation_types<Traits>::Contact_loop {
  public:
@@ -43,19 +43,21 @@ class Simulation_types<Traits>::Contact_loop {
         counters_(counters) {}
 
   /// Executes all events of the next time, if it is at or before `until` or that is null. Returns
-  /// their number. Throws Negative_radius_error instead of passing the end of a radius.
+  /// their number. Throws Negative_radius_error instead of passing the time at which a radius
+  /// reaches zero.
   std::size_t step(const Time* until);
-  /// Executes all events up to a time, as long as may_go_on() is true, if it is given.
+  /// Executes all events up to a time, or until the stop token returns false.
   void run_to(const Time& until, const std::function<bool()>& may_go_on);
-  /// Whether an entry of the queue may be at or before a time. The end of a radius is one that step
-  /// looks at.
+  /// Whether an entry of the queue may be at or before a time. True if a radius reaches zero first,
+  /// as `step` handles that.
   bool may_be_due(const Time& time);
-  /// Lets the triangulation run to a time before the first entry of the queue, or to `until`, and
-  /// adds its events. Returns whether it may go on. Precondition: there is no response.
+  /// Advances the triangulation to a time before the first entry of the queue, or to `until`, and
+  /// adds the number of its events. Returns whether to continue. Precondition: there is no
+  /// response.
   bool run_triangulation(const Time& until, const std::function<bool()>& may_go_on,
                          std::size_t& events);
 
-  // ---- changes of points, now ----
+  // ---- immediate changes of points ----
 
   void insert(const Motion& motion, std::optional<Point_id> id);
   void set_motions(std::span<const Point_id> ids, std::span<const Motion> motions);
@@ -67,10 +69,10 @@ class Simulation_types<Traits>::Contact_loop {
 
   Observer_list<Overlap_observer>& overlap_observers() { return overlap_observers_; }
   const Observer_list<Overlap_observer>& overlap_observers() const { return overlap_observers_; }
-  /// Contacts at which both discs have kept their motions.
+  /// The number of contacts at which both discs have kept their motions.
   std::uint64_t number_of_passes() const { return passes_; }
 
-  /// Throws if discs overlap that are there, all overlaps being known.
+  /// Throws if discs overlap. Precondition: all overlaps are recorded.
   void refuse_overlaps() const;
 
  private:
@@ -101,7 +103,7 @@ class Simulation_types<Traits>::Contact_loop {
   Contact_counters& counters_;
   Observer_list<Overlap_observer> overlap_observers_;
   std::uint64_t passes_ = 0;
-  bool is_within_instant_ = false;  // and stays so if something throws
+  bool is_within_instant_ = false;  // stays true after an exception
   bool is_within_contact_ = false;  // the same
 };
 

@@ -27,12 +27,12 @@ std::size_t Simulation_types<Traits>::Contact_loop::step(const Time* until) {
   const auto step_triangulation = [this](const Time* end) {
     return core_.loop.step(end, [this] { tracker_.follow(core_.reporter.take_trail(), {}); });
   };
-  if (queue.empty()) {  // it need not be after a flip
+  if (queue.empty()) {  // a flip may schedule a contact
     const std::size_t events = step_triangulation(until);
     return events > 0 ? events + execute_due_entries() : 0;
   }
   const Time first = queue.time(queue.top());
-  // A radius may become 0, but not less.
+  // A radius may reach zero at `until`.
   const bool is_end = queue.top().kind == Contact_kind::vanish;
   const bool is_due = until == nullptr || (is_end ? first < *until : first <= *until);
   const std::size_t events = step_triangulation(is_due ? &first : until);
@@ -65,8 +65,8 @@ bool Simulation_types<Traits>::Contact_loop::may_be_due(const Time& time) {
          queue.is_due(queue.top(), time.interval(), [&]() -> const Time& { return time; });
 }
 
-// Not up to the time of the first entry, since it is to be known whether the triangulation has
-// events then; not to the end of a radius, since that is refused at the time of the last event.
+// Not up to the time of the first entry, since `step` counts the triangulation's events then; not
+// if a radius reaches zero first, since that error is thrown at the time of the last event.
 template <class Traits>
 bool Simulation_types<Traits>::Contact_loop::run_triangulation(
     const Time& until, const std::function<bool()>& may_go_on, std::size_t& events) {
@@ -104,7 +104,7 @@ void Simulation_types<Traits>::Contact_loop::refuse_vanishing(Point_id id, const
 
 template <class Traits>
 std::size_t Simulation_types<Traits>::Contact_loop::execute_due_entries() {
-  is_within_instant_ = true;  // and stays so if something throws
+  is_within_instant_ = true;  // stays true after an exception
   const std::uint64_t events_before = core_.counters.number_of_events();
   std::vector<Due_change> postponed;
   const auto put_back = [&] {
@@ -124,7 +124,7 @@ std::size_t Simulation_types<Traits>::Contact_loop::execute_due_entries() {
   return static_cast<std::size_t>(core_.counters.number_of_events() - events_before);
 }
 
-// What is in `postponed` when this throws has not been made, and is to be kept.
+// If this throws, `postponed` has changes that have not been made.
 template <class Traits>
 void Simulation_types<Traits>::Contact_loop::execute_due_entries(
     std::vector<Due_change>& postponed) {
@@ -143,7 +143,7 @@ void Simulation_types<Traits>::Contact_loop::execute_due_entries(
       if (entry.kind == Contact_kind::trajectory && may_turn_together) {
         std::vector<Due_change> turns = pop_turns(entry);
         if (try_turns(turns)) continue;
-        // One after the other, as one of them cannot be made, or not yet.
+        // One of them cannot be made, or not yet: make them one by one.
         may_turn_together = false;
         for (const Due_change& turn : turns) schedule_.put_back(turn);
         continue;
@@ -161,8 +161,7 @@ void Simulation_types<Traits>::Contact_loop::execute_due_entries(
     }
   };
   execute_due();
-  // A change may have to wait for another one of the same time, which takes away the point whose
-  // trajectory it leads to.
+  // A change to the trajectory of another point may have to wait for the change of that point.
   while (!postponed.empty()) {
     const auto waiting = std::ranges::find_if(
         postponed, [&](const Due_change& change) { return try_change(change); });
@@ -180,7 +179,7 @@ void Simulation_types<Traits>::Contact_loop::execute_due_entries(
 
 // ---- contacts ----
 
-// Executes a contact that has left the queue, after so many at its time that have changed points.
+// Executes a contact that has left the queue. Counts contacts at one time that change points.
 template <class Traits>
 void Simulation_types<Traits>::Contact_loop::execute_contact(const Entry& contact,
                                                              std::uint64_t& turning) {
@@ -200,8 +199,8 @@ void Simulation_types<Traits>::Contact_loop::execute_contact(const Entry& contac
   schedule_.schedule_pair({a, b}, contact.is_edge, current_time());
 }
 
-// What a contact does to its points. A contact without end goes back to the queue, so that all is
-// as it was before it.
+// The changes of points by a contact. Before an Endless_contacts_error the contact returns to the
+// queue.
 template <class Traits>
 auto Simulation_types<Traits>::Contact_loop::changes_of(const Entry& contact,
                                                         std::uint64_t& turning)
@@ -232,7 +231,7 @@ void Simulation_types<Traits>::Contact_loop::check_limit(const Entry& entry,
           "response");
 }
 
-// Has the triangulation make the changes of a contact, and report the contact.
+// Makes the changes of a contact in the triangulation, which reports it.
 template <class Traits>
 void Simulation_types<Traits>::Contact_loop::apply(const Entry& contact,
                                                    std::span<const Change> changes) {
@@ -244,8 +243,7 @@ void Simulation_types<Traits>::Contact_loop::apply(const Entry& contact,
   core_.changes.perform({&event, 1}, changes);
 }
 
-// Has changes made of the points, which are sorted, with their entries taken out before and
-// scheduled after.
+// Changes the points, which are sorted: removes their entries before, and schedules them after.
 template <class Traits>
 template <class Make_changes>
 void Simulation_types<Traits>::Contact_loop::change(std::span<const Point_id> points,
@@ -343,7 +341,7 @@ void Simulation_types<Traits>::Contact_loop::execute_change(const Due_change& ch
   }
 }
 
-// Makes a change. Returns false if another point has the trajectory that the change leads to.
+// Makes a change. Returns false if another point has the new trajectory.
 template <class Traits>
 bool Simulation_types<Traits>::Contact_loop::try_change(const Due_change& change) {
   try {
@@ -354,8 +352,8 @@ bool Simulation_types<Traits>::Contact_loop::try_change(const Due_change& change
   }
 }
 
-// Takes the changes of motions out of the queue that can be made together with the first one, which
-// has been taken out.
+// Removes the new motions from the queue that can be set together with the first one, which has
+// been removed.
 template <class Traits>
 auto Simulation_types<Traits>::Contact_loop::pop_turns(const Entry& first)
     -> std::vector<Due_change> {
@@ -371,7 +369,7 @@ auto Simulation_types<Traits>::Contact_loop::pop_turns(const Entry& first)
   return result;
 }
 
-// Makes the changes of motions together. Returns false, and does nothing, if that is not possible.
+// Sets the new motions together. Returns false, and does nothing, if that is not possible.
 template <class Traits>
 bool Simulation_types<Traits>::Contact_loop::try_turns(std::span<const Due_change> turns) {
   std::vector<Point_id> ids;

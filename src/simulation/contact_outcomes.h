@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a contact does to its points. Nothing here changes anything.
+// The effect of a contact on its points. All functions are const.
 #ifndef KINETRI_SRC_SIMULATION_CONTACT_OUTCOMES_H
 #define KINETRI_SRC_SIMULATION_CONTACT_OUTCOMES_H
 
@@ -15,7 +15,7 @@
 
 namespace kinetri::detail {
 
-/// Motions after contacts. Several threads may ask at once if the response allows it.
+/// Motions after contacts. Thread-safe if the response is.
 template <class Traits>
 class Simulation_types<Traits>::Contact_outcomes {
  public:
@@ -23,7 +23,7 @@ class Simulation_types<Traits>::Contact_outcomes {
   explicit Contact_outcomes(const Disc_geometry& geometry)
       : geometry_(geometry), setup_(geometry.setup()) {}
 
-  /// What a contact at the time `now` does to its points; nothing if discs pass through each other.
+  /// The changes of points by a contact at the time `now`; none if discs pass through each other.
   /// Throws Contact_error, and what the response throws.
   std::vector<Change> changes(const Contact_entry& contact, const Time& now) const {
     if (contact.kind == Contact_kind::wall) {
@@ -64,13 +64,13 @@ auto Simulation_types<Traits>::Contact_outcomes::reflection(Point_id id, std::si
   Vector_2 velocity = rounded_velocity(motion, time);
   double& component = side.is_vertical() ? velocity.x : velocity.y;
   component = -component;
-  if (side.rim) {  // the rim parts from the wall as fast as it came
+  if (side.rim) {  // the boundary circle leaves the wall as fast as it approached
     component += (side.is_upper() ? -2 : 2) * growth_of(motion);
   }
   return {id, with_velocity(id, velocity, now)};
 }
 
-// What the response does to two discs.
+// The changes of two discs by the response.
 template <class Traits>
 auto Simulation_types<Traits>::Contact_outcomes::collision(Point_id a, Point_id b,
                                                            const Time& now) const
@@ -81,7 +81,7 @@ auto Simulation_types<Traits>::Contact_outcomes::collision(Point_id a, Point_id 
   const Motion& motion_b = geometry_.motion(b);
   const Vector_2 place_a = rounded_place(motion_a, time);
   const Vector_2 place_b = rounded_place(motion_b, time);
-  // The motion with a velocity that is asked for mostly twice: by the response, and as its result.
+  // A motion is mostly computed twice: for the response, and for its result.
   std::array<std::pair<Vector_2, std::optional<Motion>>, 2> known;
   const auto motion_with = [&](Point_id id, const Vector_2& velocity) -> const Motion& {
     auto& [known_velocity, motion] = known[id == a ? 0 : 1];
@@ -155,15 +155,14 @@ auto Simulation_types<Traits>::Contact_outcomes::usable(Point_id id, Motion moti
   }
   if (!setup_.has_box()) return motion;
   for (const Wall_2& wall : setup_.walls()) {
-    // Mostly it is far inside. If it has to be moved, how far depends on the interval.
+    // Mostly the point is far inside. The distance to move depends on the interval of the time.
     if (clamped_inside(motion, wall, now.interval()) == motion) continue;
     motion = clamped_inside(motion, wall, now.tight_interval());
   }
   return motion;
 }
 
-// `who` touches something, without a speed toward it, but with an acceleration toward it; `remedy`
-// says what helps.
+// `who` is in resting contact: without a speed, but with an acceleration toward what it touches.
 template <class Traits>
 void Simulation_types<Traits>::Contact_outcomes::refuse_press(Point_id id, const std::string& who,
                                                               const std::string& remedy,

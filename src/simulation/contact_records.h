@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a simulation knows of each point: its entries in the queue, and its overlaps.
+// The records of points: their entries in the queue, and their overlaps.
 #ifndef KINETRI_SRC_SIMULATION_CONTACT_RECORDS_H
 #define KINETRI_SRC_SIMULATION_CONTACT_RECORDS_H
 
@@ -16,32 +16,32 @@
 
 namespace kinetri::detail {
 
-/// A disc that may come into contact with the one whose record this is.
+/// A disc that may come into contact with that of the record.
 struct Contact_partner {
   Point_id id;
   Queue_handle event;
 };
 
-/// A disc that overlaps, or almost does, or has overlapped until a short time ago.
+/// A disc that overlaps, almost overlaps, or has overlapped until recently.
 struct Disc_overlap {
   Point_id id;
-  bool passes;   ///< a response has let the two pass: no contact until they have separated
+  bool passes;   ///< whether a response has let the two pass: no contact until they separate
   bool is_edge;  ///< whether there is an edge between the two, if they do overlap now
 };
 
-/// The record of a point. Of each pair both points have a record.
+/// The record of a point. Pairs are in the records of both points.
 struct Contact_record {
   Queue_handle wall_event = no_event;
   Queue_handle vanish_event = no_event;
   std::vector<Contact_partner> partners;
-  std::vector<Disc_overlap> overlaps;  ///< all those of the present time, and perhaps others
+  std::vector<Disc_overlap> overlaps;  ///< all present ones, and perhaps others
   std::vector<Point_id> corners;       ///< that the point is linked with (Disc_geometry)
 };
 
 /// The records by point id; none if a point has nothing, or has been erased.
 ///
-/// Invariant: what the record of a says of b, that of b says of a. Several threads may call
-/// functions for different points, once there is room for them.
+/// Invariant: pairs are in both records, with the same values. Several threads may call functions
+/// for different points after make_room.
 class Contact_records {
  public:
   std::size_t size() const { return records_.size(); }
@@ -54,9 +54,9 @@ class Contact_records {
   Contact_record* find(Point_id id) const {
     return id < records_.size() ? records_[id].get() : nullptr;
   }
-  /// The record of a point, which is made if there is none.
+  /// The record of a point, created if there is none.
   Contact_record& of(Point_id id);
-  /// Forgets the record of a point that has been erased.
+  /// Deletes the record of an erased point.
   void forget_point(Point_id id) {
     if (id < records_.size()) records_[id].reset();
   }
@@ -72,17 +72,17 @@ class Contact_records {
 
   /// The handle of the entry of a pair; no_event if there is none.
   Queue_handle pair_event(const Edge_ids& pair) const;
-  /// The handle of what a contact or the end of a radius is about.
+  /// The handle of the entry of a subject; no_event if there is none.
   Queue_handle event(const Contact_subject& subject) const;
-  /// It has another handle from now on.
+  /// Changes the handle of an entry.
   void set_event(const Contact_subject& subject, Queue_handle handle);
-  /// A contact has come, with this handle.
+  /// Adds the handle of a new entry.
   void add_event(const Contact_subject& subject, Queue_handle handle);
-  /// The entry has left the queue.
+  /// Removes the handle of an entry.
   void forget_event(const Contact_subject& subject);
   /// The same of a pair. Returns the handle; no_event if it has none.
   Queue_handle forget_pair(const Edge_ids& pair);
-  /// The same in the record of the first point alone.
+  /// The same in the record of the first point only.
   Queue_handle forget_partner(Point_id id, Point_id other);
 
   // ---- overlaps ----
@@ -90,16 +90,16 @@ class Contact_records {
   const std::vector<Disc_overlap>& overlaps(Point_id id) const;
   /// The record of a pair that overlaps; null if there is none.
   const Disc_overlap* find_overlap(const Edge_ids& pair) const;
-  /// Makes a record of a pair that overlaps, if there is none. `is_edge` is false too if that is
-  /// not known because the two do not overlap.
+  /// Records that a pair overlaps, if it is not recorded. `is_edge` may be false if the two only
+  /// almost overlap.
   void start_overlap(Point_id a, Point_id b, bool is_edge);
-  /// Forgets a pair that has a record.
+  /// Removes a recorded pair.
   void forget_overlap(Point_id a, Point_id b);
-  /// Whether a response has let two pass that have a record.
+  /// Sets whether a response has let a recorded pair pass.
   void mark_passing(Point_id a, Point_id b, bool passes) {
     amend_overlap({a, b}, [&](Disc_overlap& overlap) { overlap.passes = passes; });
   }
-  /// Whether there is an edge between two that have a record.
+  /// Sets whether a recorded pair has an edge.
   void mark_edge(const Edge_ids& pair, bool is_edge) {
     amend_overlap(pair, [&](Disc_overlap& overlap) { overlap.is_edge = is_edge; });
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs by regions of a simulation, contacts and all, as the simulation sees them. They are defined
-// in src/simulation/contact_events.cpp, for the library's own traits.
+// The optimistic parallel execution of a simulation and its contacts. Defined in
+// contact_events.cpp, for the library's own traits.
 #ifndef KINETRI_SRC_SIMULATION_CONTACT_RUNS_H
 #define KINETRI_SRC_SIMULATION_CONTACT_RUNS_H
 
@@ -13,17 +13,17 @@
 
 namespace kinetri::detail {
 
-/// What a simulation asks of runs by regions, with the threads that it may use.
+/// Uses the threads that the simulation may use.
 template <class Traits>
 struct Contact_runs {
   using Core = Simulation_core<Traits>;  ///< of the simulation
 
-  /// Whether contacts can be executed in windows of time; see Watched_contacts::can_run.
+  /// Whether contacts can be executed in time windows; see Watched_contacts::can_run.
   static bool can_run(const Core& core);
   /// As advance_to of the simulation, with the same result; see Region_run::advance_to.
   static std::size_t advance_to(Core& core, const Algebraic_number& until,
                                 const std::function<bool()>& may_go_on);
-  /// Puts the queues into one part again.
+  /// Merges the shards of the queues.
   static void join(Core& core);
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The schedule of a simulation: the queue of contacts and of changes to come.
+// The schedule of a simulation: the queue of contacts and scheduled changes.
 #ifndef KINETRI_SRC_SIMULATION_CONTACT_SCHEDULE_H
 #define KINETRI_SRC_SIMULATION_CONTACT_SCHEDULE_H
 
@@ -18,15 +18,14 @@
 
 namespace kinetri::detail {
 
-/// The entries of contacts, ends of radii and scheduled changes.
+/// The entries of contacts, scheduled changes, and times at which radii reach zero.
 ///
-/// Invariant: the record of a point has the handle of each entry of a contact, or of the end of a
-/// radius, that is about the point. A wall has one entry for a point, of the first wall that it
-/// reaches.
+/// Invariant: the record of a point has the handles of all its entries except changes. A point has
+/// one entry for walls, of the first one that it reaches.
 template <class Traits>
 class Simulation_types<Traits>::Contact_schedule {
  public:
-  /// What the scheduler asks; see Event_scheduler and Divided_scheduler.
+  /// The policy of the scheduler; see Event_scheduler and Divided_scheduler.
   class Policy {
    public:
     explicit Policy(Contact_schedule& schedule) : schedule_(schedule) {}
@@ -65,26 +64,25 @@ class Simulation_types<Traits>::Contact_schedule {
   Certificate_counters& certificate_counters() { return certificate_counters_; }
   const Certificate_counters& certificate_counters() const { return certificate_counters_; }
 
-  /// Takes what is no event from the front of the queue.
+  /// Refreshes the front of the queue: rechecks certificates until the first entry is an event.
   void settle();
-  /// Takes the first entry from the queue.
+  /// Removes the first entry from the queue.
   Entry pop();
-  /// Whether the first entry is a contact, and is now.
+  /// Whether the first entry is a contact at the present time.
   bool is_contact_due();
-  /// Puts a contact of the present time into the queue, or back.
+  /// Pushes a contact of the present time.
   void put_contact(const Entry& contact) {
     records_.add_event(contact.subject(), queue_.push(contact, geometry_.current_time()));
   }
 
-  // ---- what a point does by itself ----
+  // ---- single points ----
 
-  /// Schedules the first wall that a point reaches, and the end of its radius: it has come or got
-  /// another motion.
+  /// Schedules the first wall that a point reaches, and the time at which its radius reaches zero.
   void schedule_single(Point_id id, const Time& after);
   void unschedule_single(Point_id id);
   /// The same for all points, by several threads. Precondition: they have no such entries.
   void schedule_all_singles();
-  /// The entry of the first wall that a point reaches, and the certificate that tells its time.
+  /// The entry of the first wall that a point reaches, and its certificate.
   std::pair<Entry, Certificate> first_wall(Point_id id, const Time& after,
                                            Certificate_counters& counters) const;
 
@@ -92,7 +90,7 @@ class Simulation_types<Traits>::Contact_schedule {
 
   /// The certificate of the next contact of a pair.
   Certificate pair_certificate(const Edge_ids& pair, const Time& after, const Traits& traits) const;
-  /// Schedules the next contact of a pair anew. Does nothing without a response.
+  /// Schedules the next contact of a pair again. Does nothing without a response.
   void schedule_pair(const Edge_ids& pair, bool is_edge, const Time& after);
   /// The same for a pair that has no entry. Returns whether the discs may overlap just after
   /// `after`. Precondition: there is a response.
@@ -100,7 +98,7 @@ class Simulation_types<Traits>::Contact_schedule {
   /// The same with a certificate that is known.
   void push_pair(const Edge_ids& pair, bool is_edge, Certificate certificate);
   void unschedule_pair(const Edge_ids& pair);
-  /// Takes the entries of all pairs of a point out of the queue.
+  /// Removes the entries of all pairs of a point.
   void unschedule_pairs(Point_id id);
 
   // ---- changes ----
@@ -108,23 +106,23 @@ class Simulation_types<Traits>::Contact_schedule {
   /// Schedules a change of a point. Precondition: the time is not in the past.
   void schedule_change(const Time& time, Contact_kind kind, Point_id id,
                        const std::optional<Motion>& motion);
-  /// Puts a change of the present time back that has been taken from the queue.
+  /// Returns a change of the present time to the queue.
   void put_back(const Due_change& change) {
     push_change(geometry_.current_time(), change.entry, change.motion);
   }
   /// The change of an entry that has left the queue.
   Due_change take_change(const Entry& entry) { return {entry, take_motion(entry)}; }
-  /// The motion that a change in the queue gives.
+  /// The new motion of a change in the queue.
   const std::optional<Motion>& motion_of(const Entry& change) const {
     return changes_.at(change.point_b).motion;
   }
-  /// How many changes have been scheduled so far.
+  /// The number of changes scheduled so far.
   std::uint32_t number_of_changes() const { return scheduled_; }
-  /// How many of them are in the queue.
+  /// The number of changes in the queue.
   std::size_t changes_in_queue() const { return changes_in_queue_; }
 
  private:
-  /// A change that was scheduled; the motion is the one that it gives.
+  /// A scheduled change, with its new motion.
   struct Scheduled_change {
     std::optional<Motion> motion;
     Queue_handle event = no_event;

@@ -11,7 +11,7 @@
 
 namespace kinetri::detail {
 
-// ---- what the queue asks ----
+// ---- the policy ----
 
 template <class Traits>
 auto Simulation_types<Traits>::Contact_schedule::Policy::entry_time(const Entry& entry) const
@@ -35,8 +35,8 @@ bool Simulation_types<Traits>::Contact_schedule::Policy::precedes(const Entry& a
   return std::pair(a.point_a, a.point_b) < std::pair(b.point_a, b.point_b);
 }
 
-// A change of a point that is not there is no event either: the point will not be there at the time
-// of the change, since an insertion before that would be before it in the queue.
+// A change of a point that does not exist is dropped: it will not exist at that time, since its
+// insertion would come first in the queue.
 template <class Traits>
 bool Simulation_types<Traits>::Contact_schedule::Policy::is_recheck(const Entry& entry) const {
   if (!entry.is_event) return true;
@@ -44,7 +44,7 @@ bool Simulation_types<Traits>::Contact_schedule::Policy::is_recheck(const Entry&
          !schedule_.geometry_.contains(entry.point_a);
 }
 
-// The same node of the regions that the triangulation's queue has for an edge of the two points.
+// The node of the regions for an edge of the two points.
 template <class Traits>
 inline std::size_t Simulation_types<Traits>::Contact_schedule::Policy::part_of(
     const Subject& subject) const {
@@ -73,8 +73,8 @@ inline void Simulation_types<Traits>::Contact_schedule::Policy::set_handle(
 
 // ---- the queue ----
 
-// Puts the entry into the queue with the contact of the certificate, or the time to check it again.
-// Returns no_event if there never is a contact.
+// Pushes the entry with the time of the contact, or of the next check. Returns no_event if the
+// certificate never fails.
 template <class Traits>
 Queue_handle Simulation_types<Traits>::Contact_schedule::push(Entry entry,
                                                               Certificate certificate) {
@@ -101,7 +101,7 @@ auto Simulation_types<Traits>::Contact_schedule::pop() -> Entry {
   return entry;
 }
 
-// Forgets the handle of an entry that has left the queue.
+// Removes the handle of an entry that has left the queue.
 template <class Traits>
 void Simulation_types<Traits>::Contact_schedule::forget(const Entry& entry) {
   if (is_change(entry.kind)) {
@@ -119,8 +119,7 @@ void Simulation_types<Traits>::Contact_schedule::settle() {
                 });
 }
 
-// Checks a certificate again, or drops a change of a point that is not there. The entry has left
-// the queue.
+// Checks a certificate again, or drops a change of a point that does not exist.
 template <class Traits>
 void Simulation_types<Traits>::Contact_schedule::recheck(const Entry& entry) {
   forget(entry);
@@ -144,7 +143,7 @@ bool Simulation_types<Traits>::Contact_schedule::is_contact_due() {
   return may_be_due() && is_contact(queue_.top().kind) && queue_.time(queue_.top()) <= now;
 }
 
-// ---- what a point does by itself ----
+// ---- single points ----
 
 template <class Traits>
 void Simulation_types<Traits>::Contact_schedule::schedule_single(Point_id id, const Time& after) {
@@ -152,7 +151,7 @@ void Simulation_types<Traits>::Contact_schedule::schedule_single(Point_id id, co
   schedule_vanishing(id);
 }
 
-// Schedules when the radius of a disc is 0, if it shrinks. Precondition: nothing is scheduled yet.
+// Schedules the time at which a shrinking radius reaches zero. Precondition: it is not scheduled.
 template <class Traits>
 void Simulation_types<Traits>::Contact_schedule::schedule_vanishing(Point_id id) {
   if constexpr (has_radii) {
@@ -183,7 +182,7 @@ auto Simulation_types<Traits>::Contact_schedule::first_wall(Point_id id, const T
   Entry first;
   first.point_a = id;
   Certificate first_certificate;
-  // The exact time of a certificate that does not hold for all time.
+  // The exact time of a certificate that may fail.
   const auto time = [&](const Certificate& certificate, Point_id wall) {
     if (certificate.kind == Certificate::Kind::holds) return Time(certificate.bounds.lower);
     return certificate.failure

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the discs of a simulation are, and which are beside which. Nothing here changes anything.
+// Positions, neighbors and overlaps of the discs of a simulation. All functions are const.
 #ifndef KINETRI_SRC_SIMULATION_DISC_GEOMETRY_H
 #define KINETRI_SRC_SIMULATION_DISC_GEOMETRY_H
 
@@ -12,13 +12,12 @@
 
 namespace kinetri::detail {
 
-/// Discs at the present time of a triangulation, which follows their centres.
+/// The discs at the present time of the triangulation.
 ///
-/// A *neighbor* of a point is one that it has an edge to, or is linked with. A point of radius 0
-/// that enters a disc has no area in common with it, so that the places which the two share belong
-/// to no third disc that could tell of their contact. Its neighbors do or, if it is hidden, the
-/// corners of the triangle that hides it: one of them contains the point as well (docs/MATH.md,
-/// section 8). So these corners are linked with the point.
+/// A *neighbor* of a point is one with which it has an edge or a link. A hidden point of radius 0
+/// is *linked* with the corners of the triangle that hides it: when it enters a disc, no third disc
+/// need overlap both, but one of these corners contains the point as well (docs/MATH.md, section
+/// 8).
 template <class Traits>
 class Simulation_types<Traits>::Disc_geometry {
  public:
@@ -37,27 +36,27 @@ class Simulation_types<Traits>::Disc_geometry {
   bool contains(Point_id id) const { return triangulation_.contains(id); }
   bool is_hidden(Point_id id) const { return triangulation_.is_hidden(id); }
   Point_id number_of_ids() const { return triangulation_.next_id(); }
-  /// The ids of the points that are there, sorted. O(n).
+  /// The ids of the points, sorted. O(n).
   std::vector<Point_id> present_points() const;
   /// Whether the radius of a disc is 0 from now on.
   bool is_without_area(Point_id id) const;
-  /// Whether a disc grows from 0, and its radius is 0 now.
+  /// Whether a disc grows and its radius is 0 now.
   bool is_seed(Point_id id) const;
 
   // ---- two discs ----
 
-  /// Whether the discs overlap just after the time; or touch, if they have radii of their own. Or
-  /// true if unsure.
+  /// Whether the discs overlap just after the time, or touch if they have radii of their own. True
+  /// if unsure.
   bool may_touch(Point_id a, Point_id b, const Traits& traits, const Time& time) const {
     return traits.may_overlap(point(a), point(b), setup_.diameter(), time) ||
            (has_radii && traits.do_touch(point(a), point(b), setup_.diameter(), time));
   }
   bool may_touch(Point_id a, Point_id b) const { return may_touch(a, b, traits(), current_time()); }
-  /// Whether the rims of two discs meet, or the discs overlap, at a time. Exact.
+  /// Whether two discs touch or overlap at a time. Exact.
   bool do_touch(Point_id a, Point_id b, const Time& time) const {
     return traits().do_touch(point(a), point(b), setup_.diameter(), time);
   }
-  /// Whether the discs overlap at the present time, exactly; touching is not enough.
+  /// Whether the interiors of the discs overlap at the present time. Exact.
   bool do_overlap(const Point_2& p, const Point_2& q) const;
 
   // ---- neighbors ----
@@ -65,34 +64,33 @@ class Simulation_types<Traits>::Disc_geometry {
   /// Calls `function` with the neighbors of a point.
   template <class Function>
   void for_each_neighbor(Point_id id, Function function) const;
-  /// Whether both points are there, and neighbors. O(degree).
+  /// Whether both points exist, and are neighbors. O(degree).
   bool is_edge(const Edge_ids& pair) const;
-  /// Calls `function` with the corners that a point is linked with: none unless it is hidden, and
+  /// Calls `function` with the corners that a point is linked with, which exist if it is hidden and
   /// its radius is 0. In dimensions below 2 an edge or a vertex hides it.
   template <class Function>
   void for_each_corner(Point_id id, Function function) const;
   std::vector<Point_id> corners_of(Point_id id) const;
-  /// Calls make(edge, now, made) for each two neighbors, with their ids and the present time.
-  /// Several threads do so, each for the edges of some faces, for which it has an object `made`.
-  /// Returns these, in the order of the faces.
+  /// Calls make(edge, now, made) for each two neighbors, with their ids and the present time, on
+  /// several threads: for each block of faces with an object `made`. Returns these objects, in the
+  /// order of the faces.
   template <class Made, class Make>
   std::vector<Made> make_for_edges(const Make& make) const;
 
   // ---- discs nearby ----
 
   /// The points whose discs overlap that of a point just after the present time, and perhaps some
-  /// whose discs almost do. Edges connect them to the point, and are walked along. For discs of one
-  /// radius.
+  /// whose discs almost do, found along edges. For discs of one radius.
   std::vector<Point_id> overlapping_points(Point_id id, const Traits& traits) const;
-  /// Discs of which each one that overlaps one of the points is one, or overlaps one; see
-  /// Overlap_tracker. For discs of any radii.
+  /// Discs such that each disc that overlaps one of `points` is one of them or overlaps one of
+  /// them; see Overlap_tracker. For discs of any radii.
   std::vector<Point_id> discs_about(std::span<const Point_id> points) const;
   /// Calls `function` with the smaller and the greater id of each two of the discs that may touch
   /// now, and others. For discs of any radii.
   template <class Function>
   void for_each_close_pair(std::span<const Point_id> ids, Function function) const;
   /// Calls `function` with all pairs, the smaller id first, whose discs overlap just after the
-  /// present time: exactly.
+  /// present time. Exact.
   template <class Function>
   void for_each_exact_overlap(const Traits& exact, Function function) const;
 

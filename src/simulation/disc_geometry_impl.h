@@ -59,8 +59,7 @@ void Simulation_types<Traits>::Disc_geometry::for_each_neighbor(Point_id id,
   for_each_hidden_link(id, function);
 }
 
-// Entries and overlaps know that too, if it matters: they need no triangulation, and tell it
-// faster. An edge of which nothing is known has no entry because its discs never touch.
+// Entries and overlaps store this too, and are faster to read.
 template <class Traits>
 bool Simulation_types<Traits>::Disc_geometry::is_edge(const Edge_ids& pair) const {
   if (!contains(pair[0]) || !contains(pair[1])) return false;
@@ -149,7 +148,7 @@ std::vector<Made> Simulation_types<Traits>::Disc_geometry::make_for_edges(const 
       for (int i = 0; i < 3; ++i) {
         const auto a = face->vertex(triangulation.ccw(i));
         const auto b = face->vertex(triangulation.cw(i));
-        // An edge has two faces, which see its ends in opposite order.
+        // The two faces of an edge have its ends in opposite order.
         if (triangulation.is_infinite(a) || triangulation.is_infinite(b)) continue;
         const Edge_ids edge = {a->point().id(), b->point().id()};
         if (edge[0] < edge[1]) make(edge, block.now, block.made);
@@ -205,9 +204,9 @@ std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::discs_about(
   return result;
 }
 
-// The discs that have a place in the disc of the point in their power cells, and perhaps others
-// that touch it. Those cells are connected, since the disc is; and all of them touch it, since the
-// power of such a place is not positive. Precondition: the dimension is 2.
+// The discs whose power cells meet the disc of the point, and perhaps others that touch it. These
+// cells are connected, since the disc is; all of these discs touch it, since the power of a common
+// position is not positive. Precondition: the dimension is 2.
 template <class Traits>
 std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::owners_in(Point_id id) const {
   std::vector<Point_id> result = {owner_of_centre(id)};
@@ -221,8 +220,8 @@ std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::owners_in(Point_i
   return result;
 }
 
-// The disc in whose power cell the centre of a disc is just after the present time: mostly the disc
-// itself. From a disc that has not the least power there an edge leads to one that has less.
+// The disc whose power cell contains the center of a disc just after the present time: mostly the
+// disc itself. From a disc without the least power there an edge leads to one with less.
 template <class Traits>
 Point_id Simulation_types<Traits>::Disc_geometry::owner_of_centre(Point_id id) const {
   const auto& triangulation = triangulation_.triangulation();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The growth and the mass of a disc, whether its motion has a radius or not.
+// The growth and the mass of a disc.
 #ifndef KINETRI_SRC_SIMULATION_DISC_NUMBERS_H
 #define KINETRI_SRC_SIMULATION_DISC_NUMBERS_H
 
@@ -31,7 +31,7 @@ Algebraic_number zero_of_radius(const Motion& disc) {
       Rational(to_rational(disc.epoch) - to_rational(disc.radius) / to_rational(disc.growth)));
 }
 
-/// What is wrong with a mass; empty if nothing is.
+/// The error of a mass; empty if it is valid.
 inline std::string mass_problem(Point_id id, double mass) {
   if (mass > 0 && std::isfinite(mass)) return {};
   return "the mass of point " + std::to_string(id) + " is not positive and finite";

@@ -3,28 +3,25 @@
 // Which discs overlap, and which pairs are watched for contacts.
 //
 // A pair (p, q), p < q, is watched if pq is an edge, or if there is an edge wq to a point w whose
-// disc overlaps those of p and q. Let p and q come into contact. The points in the closed disc with
-// diameter pq are connected by edges inside of it, so there is a path from p to q; if that is not
-// the edge pq, then the last point before q is such a point w.
+// disc overlaps those of p and q. That suffices: let p and q come into contact. The points in the
+// closed disc with diameter pq are connected by edges inside it, so there is a path from p to q; if
+// it is not the edge pq, the last point before q is such a point w.
 //
-// Discs of any radii: pq is an edge of the regular triangulation, or there is a disc that overlaps
-// both, whether it has edges or not (docs/MATH.md, section 8). Two that overlap each other are
-// watched too, as no other one need overlap them, and they need have no edge; and a hidden point of
-// radius 0 and the corners of the triangle that hides it (Disc_geometry), which count as edges.
+// Discs of any radii: (p, q) is watched if pq is an edge of the regular triangulation, or if a disc
+// overlaps both (docs/MATH.md, section 8). Pairs that overlap are watched too, since they need
+// neither a third disc nor an edge; so are links (Disc_geometry), which count as edges.
 //
 // Overlaps begin with a contact, or with a new motion of a disc. Let some discs have new motions,
-// let all overlaps of the others be known, and let p, which has a new motion, and q, which has
-// none, overlap at the place x. Without the discs of new motions x would be in the power cell of a
-// disc v: its power there is that of q at most, and so not positive. So v is q or overlaps it, and
-// it overlaps p. Now there are three cases (docs/MATH.md, section 8):
+// let all overlaps of the others be recorded, and let p, with a new motion, and q, without one,
+// overlap at the position x. Without the discs with new motions x would be in the power cell of a
+// disc v: its power there is at most that of q, so not positive. So v is q or overlaps it, and it
+// overlaps p. There are three cases (docs/MATH.md, section 8):
+// - x is still in the cell of v, which meets p;\n// - v has a smaller cell: its neighbors include a
+// disc with a new motion;\n// - v has none: the triangle that hides it is new, and so has a corner
+// with a new motion.
 //
-// - x is in the cell of v still: v is an owner of a place in p;
-// - v has a cell, but one that has become smaller: its neighbors include a disc with a new motion;
-// - v has none: the triangle that hides it has not been there before, and so has a corner that is a
-//   disc with a new motion.
-//
-// All such v are found (Disc_geometry::discs_about); q is one of them, or overlaps one of them.
-// Radii that are 0 need more: see find_overlaps_of_seeds and let_pass.
+// All such v are found (Disc_geometry::discs_about); q is one of them, or overlaps one of them. For
+// radii 0 see find_overlaps_of_seeds and let_pass.
 #ifndef KINETRI_SRC_SIMULATION_OVERLAP_TRACKER_H
 #define KINETRI_SRC_SIMULATION_OVERLAP_TRACKER_H
 
@@ -38,8 +35,8 @@ namespace kinetri::detail {
 
 /// Follows the edges and the motions of points.
 ///
-/// Invariant, between two events: the records have all overlaps of the present time; each pair that
-/// is watched and will come into contact has an entry. Without a response nothing is watched.
+/// Invariant, between two events: all present overlaps are recorded; each watched pair that will
+/// come into contact has an entry. Without a response nothing is watched.
 template <class Traits>
 class Simulation_types<Traits>::Overlap_tracker {
  public:
@@ -54,48 +51,48 @@ class Simulation_types<Traits>::Overlap_tracker {
 
   /// Finds all overlaps of the present time.
   void find_all();
-  /// Schedules the contacts of all pairs that are watched. Several threads make the certificates.
-  /// Precondition: none is scheduled, and all overlaps are known.
+  /// Schedules the contacts of all watched pairs, with certificates computed on several threads.
+  /// Precondition: none is scheduled, and all overlaps are recorded.
   void schedule_all_pairs();
 
   // ---- points that change ----
 
-  /// Ends the passes of a point that are over, because the discs have separated: to be called
-  /// before the point gets another motion, with which it may come into contact again.
+  /// Ends the passes of a point whose discs have separated: called before the point gets another
+  /// motion, with which it may come into contact again.
   void end_passes(Point_id id);
-  /// Brings overlaps up to date, and schedules the pairs of points that have got other motions,
-  /// come or gone, and have no entries of pairs. They are sorted.
+  /// Updates the overlaps and schedules the pairs of points that have got other motions or have
+  /// been inserted or erased. The points are sorted and have no entries of pairs.
   void schedule_pairs(Points points);
-  /// Follows edges that have come and gone, and links, at the present time; but for those of points
-  /// that are `changing`, whose pairs are scheduled later.
+  /// Follows added and removed edges, and links, at the present time; except those of `changing`
+  /// points, whose pairs are scheduled later.
   void follow(const Edge_trail& trail, Points changing);
-  /// Brings the links of a point up to date.
+  /// Updates the links of a point.
   void follow_links(Point_id id, Points changing);
 
   // ---- contacts ----
 
   /// Two discs in contact overlap from now on, and have no contact until they have separated.
   void let_pass(Point_id a, Point_id b, bool is_edge);
-  /// All contacts of one time are found before the first of them is executed: if discs overlap
-  /// because of a contact, there may be others that are watched because of that overlap
-  /// (docs/MATH.md, section 8). So the overlap that begins with a contact of now, which has left
-  /// the queue, is noted, and the contact goes back behind those that are not noted. Returns false
-  /// if there is nothing to note: no other contact is now, and the two overlap no others.
+  /// All contacts of one time must be found before the first of them is executed, since pairs are
+  /// watched because of overlaps that begin with contacts (docs/MATH.md, section 8). Records the
+  /// overlap of a contact of the present time that has left the queue, and returns the contact to
+  /// the queue behind those that are not noted. Returns false, and does nothing, if no other
+  /// contact happens now and the two overlap no others.
   bool note_contact(const Contact_entry& contact);
-  /// Makes a record of a pair that overlaps, and watches the pairs beside it.
+  /// Records that a pair overlaps, and watches the pairs of the two with others.
   void start_overlap(Point_id a, Point_id b, bool is_edge);
-  /// The same of two that a response has let pass.
+  /// The same for a pair that a response has let pass.
   void start_pass(Point_id a, Point_id b, bool is_edge);
-  /// Forgets a pair that has a record. The points need not be there any more.
+  /// Removes a recorded pair. The points need not exist any more.
   void end_overlap(Point_id a, Point_id b);
 
   // ---- for audits ----
 
-  /// Whether there still is a reason to watch a pair that has an entry.
+  /// Whether a pair that has an entry is still to be watched.
   bool is_watched(const Edge_ids& pair) const;
-  /// Calls `function` with the greater point of each pair that is watched because of a disc that
-  /// overlaps both, and of which `first` is the smaller one; perhaps more than once. counts(a, b)
-  /// says whether a record of an overlap counts.
+  /// Calls `function` with the greater point of each pair (first, greater) that is watched because
+  /// of a disc that overlaps both; perhaps more than once. counts(a, b) says whether a recorded
+  /// overlap counts.
   template <class Counts, class Function>
   void for_each_pair_of(Point_id first, const Counts& counts, Function function) const;
 
@@ -126,7 +123,7 @@ class Simulation_types<Traits>::Overlap_tracker {
   const Simulation_setup& setup_;
   Contact_records& records_;
   Contact_schedule& schedule_;
-  std::vector<Point_id> seeds_;  // discs that may grow from 0 at the present time
+  std::vector<Point_id> seeds_;  // discs that may have the radius 0 and grow
 };
 
 }  // namespace kinetri::detail

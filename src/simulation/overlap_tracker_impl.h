@@ -67,7 +67,7 @@ void Simulation_types<Traits>::Overlap_tracker::schedule_all_pairs() {
     block = {};
   }
   keep_links();
-  // Of each pair only once, however many discs overlap both.
+  // Each pair once, even if several discs overlap both.
   const Point_id ids = geometry_.number_of_ids();
   std::vector<Point_id> last_first(ids, no_point);
   const auto count_all = [](Point_id /*a*/, Point_id /*b*/) { return true; };
@@ -78,7 +78,7 @@ void Simulation_types<Traits>::Overlap_tracker::schedule_all_pairs() {
   }
 }
 
-// Keeps the links of all points.
+// Stores the links of all points.
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::keep_links() {
   if constexpr (has_radii) {
@@ -92,7 +92,7 @@ void Simulation_types<Traits>::Overlap_tracker::keep_links() {
 
 // ---- pairs that are watched ----
 
-// Schedules the contact of a pair that has none, as an edge has come or as a disc overlaps both.
+// Watches a pair, because it has an edge or a disc overlaps both.
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::watch(const Edge_ids& pair, bool is_edge) {
   const Queue_handle event = records_.pair_event(pair);
@@ -103,7 +103,7 @@ void Simulation_types<Traits>::Overlap_tracker::watch(const Edge_ids& pair, bool
   }
 }
 
-// Watches the pairs that are to be watched because the discs of a and b overlap.
+// Watches the pairs that follow from the overlap of a and b.
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::watch_beside(Point_id a, Point_id b, bool is_edge,
                                                              Points changing) {
@@ -112,7 +112,7 @@ void Simulation_types<Traits>::Overlap_tracker::watch_beside(Point_id a, Point_i
   });
 }
 
-// To be called when a reason to watch the pair has gone.
+// Called when a reason to watch the pair has ended.
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::unwatch(const Edge_ids& pair) {
   if (records_.pair_event(pair) != no_event && !is_watched(pair)) schedule_.unschedule_pair(pair);
@@ -123,8 +123,8 @@ bool Simulation_types<Traits>::Overlap_tracker::is_watched(const Edge_ids& pair)
   return schedule_.queue()[records_.pair_event(pair)].is_edge || is_overlapped(pair);
 }
 
-// Whether the pair is watched because of a disc that overlaps both; or, of discs that have radii of
-// their own, because they overlap each other.
+// Whether the pair is watched because of a disc that overlaps both or, with radii of their own,
+// because they overlap.
 template <class Traits>
 bool Simulation_types<Traits>::Overlap_tracker::is_overlapped(const Edge_ids& pair) const {
   if constexpr (has_radii) {
@@ -143,15 +143,13 @@ bool Simulation_types<Traits>::Overlap_tracker::is_overlapped(const Edge_ids& pa
   });
 }
 
-// Calls `function` with the pairs that are watched because the discs of a and b overlap. `is_edge`
-// says whether there is an edge between them.
+// Calls `function` with the pairs that are watched because the discs of a and b overlap.
 template <class Traits>
 template <class Function>
 void Simulation_types<Traits>::Overlap_tracker::for_each_pair_beside(Point_id a, Point_id b,
                                                                      bool is_edge,
                                                                      Function function) const {
   if constexpr (has_radii) function(edge_ids(a, b));
-  // Mostly the two overlap no others.
   const auto has_others = [&](Point_id p, Point_id w) {
     return std::ranges::any_of(records_.overlaps(p),
                                [w](const Disc_overlap& other) { return other.id != w; });
@@ -185,8 +183,8 @@ void Simulation_types<Traits>::Overlap_tracker::for_each_pair_of(Point_id first,
   }
 }
 
-// Calls `function` with the pairs that are watched because of an edge, but for its own ends.
-// Precondition: the discs at the ends overlap.
+// Calls `function` with the other pairs that are watched because of an edge. Precondition: the
+// discs at its ends overlap.
 template <class Traits>
 template <class Function>
 void Simulation_types<Traits>::Overlap_tracker::for_each_pair_over(const Edge_ids& edge,
@@ -200,7 +198,7 @@ void Simulation_types<Traits>::Overlap_tracker::for_each_pair_over(const Edge_id
   }
 }
 
-// ---- edges that come and go ----
+// ---- added and removed edges ----
 
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::follow(const Edge_trail& trail, Points changing) {
@@ -261,7 +259,7 @@ void Simulation_types<Traits>::Overlap_tracker::follow_links(Point_id id, Points
   for (const Point_id corner : corners) {
     const Edge_ids pair = edge_ids(id, corner);
     follow_edge(pair, changing);
-    // The point may stay on the rim.
+    // The point may stay on the boundary circle.
     if (is_changing(pair, changing) || records_.find_overlap(pair) != nullptr ||
         !geometry_.do_touch(id, corner, geometry_.current_time())) {
       continue;
@@ -289,8 +287,8 @@ void Simulation_types<Traits>::Overlap_tracker::schedule_pairs(Points points) {
   }
 }
 
-// Schedules what a point may touch, and notes which discs of neighbors overlap its own. It is one
-// of `points`, of which those of smaller ids have been done.
+// Schedules the contacts of a point at its edges, and records overlaps of neighbors. Points with
+// smaller ids among `points` have been handled.
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::schedule_edges(Point_id id, Points points) {
   if (!setup_.has_response()) return;
@@ -304,7 +302,7 @@ void Simulation_types<Traits>::Overlap_tracker::schedule_edges(Point_id id, Poin
   });
 }
 
-// Schedules the pairs that are watched because the disc of the point overlaps others.
+// Watches the pairs that follow from the overlaps of the point.
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::schedule_pairs_beside(Point_id id) {
   for (const Disc_overlap& overlap : records_.overlaps(id)) {
@@ -377,8 +375,8 @@ void Simulation_types<Traits>::Overlap_tracker::end_passes(Point_id id) {
   }
 }
 
-// Whether two discs that a response has let pass have not separated since. They have if their next
-// contact, which is after that, is now.
+// Whether two discs that a response has let pass have not separated since. If their next contact is
+// now, they have.
 template <class Traits>
 bool Simulation_types<Traits>::Overlap_tracker::is_passing(Point_id a, Point_id b) {
   if (!geometry_.contains(a) || !geometry_.contains(b) ||
@@ -391,8 +389,7 @@ bool Simulation_types<Traits>::Overlap_tracker::is_passing(Point_id a, Point_id 
          queue.time(queue[event]) > geometry_.current_time();
 }
 
-// Brings the overlaps of points that have got other motions, come or gone up to date; those at
-// edges are known.
+// Updates the overlaps of changed points; those at edges are recorded.
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::update_overlaps(Points points) {
   if (!setup_.has_response()) return;
@@ -404,7 +401,7 @@ void Simulation_types<Traits>::Overlap_tracker::update_overlaps(Points points) {
   }
 }
 
-// Forgets the overlaps that are over: all of them if the point is not there any more.
+// Removes the overlaps that have ended: all of them if the point does not exist.
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::drop_overlaps(Point_id id) {
   for (std::size_t i = 0; i < records_.overlaps(id).size();) {
@@ -420,8 +417,8 @@ void Simulation_types<Traits>::Overlap_tracker::drop_overlaps(Point_id id) {
 
 // The overlaps of a point that are not at its edges are among those of the discs that it overlaps:
 // all points of a path of edges from p to q, within the closed disc with diameter pq, overlap one
-// another. If the discs of p and q do overlap from now on, and there is an edge between them, the
-// pair has an entry that says so: its contact is now.
+// another. If the discs of p and q overlap from now on and have an edge, the pair has an entry with
+// is_edge: its contact is now.
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::find_new_overlaps_of(Point_id id) {
   for (std::size_t i = 0; i < records_.overlaps(id).size(); ++i) {
@@ -437,7 +434,7 @@ void Simulation_types<Traits>::Overlap_tracker::find_new_overlaps_of(Point_id id
   }
 }
 
-// Notes whether two discs overlap.
+// Records whether two discs overlap.
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::examine(Point_id a, Point_id b) {
   if (a != b && records_.find_overlap({a, b}) == nullptr && geometry_.may_touch(a, b)) {
@@ -445,7 +442,7 @@ void Simulation_types<Traits>::Overlap_tracker::examine(Point_id a, Point_id b) 
   }
 }
 
-// The discs of new motions, and all that may overlap one of them.
+// Finds the overlaps of discs with new motions.
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::find_new_overlaps(Points points) {
   std::vector<Point_id> candidates = geometry_.discs_about(points);
@@ -474,9 +471,9 @@ void Simulation_types<Traits>::Overlap_tracker::find_new_overlaps(Points points)
   find_overlaps_of_seeds(points);
 }
 
-// A seed is a disc that grows from 0, and its radius is 0 now. Of discs about the place of a seed
-// whose rims meet there, those that overlap the seed from now on need have no other sign of it than
-// that they touch it: so these are found by looking at all.
+// A seed is a disc that grows, and its radius is 0 now. Discs whose boundary circles meet at its
+// position may overlap it from now on without overlapping each other or being neighbors: so all
+// discs are examined.
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::find_overlaps_of_seeds(Points points) {
   std::erase_if(seeds_, [&](Point_id id) { return !geometry_.is_seed(id); });

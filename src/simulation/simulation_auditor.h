@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The audit of a simulation: what Simulation_2::audit checks.
+// The audit of a simulation (Simulation_2::audit).
 #ifndef KINETRI_SRC_SIMULATION_SIMULATION_AUDITOR_H
 #define KINETRI_SRC_SIMULATION_SIMULATION_AUDITOR_H
 
@@ -14,7 +14,7 @@
 
 namespace kinetri::detail {
 
-/// One audit of a simulation, by exact certificates that are made anew.
+/// One audit of a simulation, by newly computed exact certificates.
 template <class Traits>
 class Simulation_types<Traits>::Simulation_auditor {
  public:
@@ -70,7 +70,7 @@ Audit_report Simulation_types<Traits>::Simulation_auditor::run(Audit_level level
   if (entries != queue.size()) fail("the queue of contacts holds others than those of the points");
   if (!report.passed() || level < Audit_level::delaunay) return report;
 
-  // The time of the contact that the queue holds, and of the one that is to be found.
+  // Compares the time of a contact in the queue with the expected one.
   const auto compare = [&](const std::string& what, Queue_handle event,
                            const std::optional<Algebraic_number>& expected) {
     if (event == no_event) {
@@ -82,14 +82,13 @@ Audit_report Simulation_types<Traits>::Simulation_auditor::run(Audit_level level
       fail(what + " have a contact at another time than scheduled, or none");
     }
   };
-  // At the start, and after contacts without end, contacts of the present time may be still to
-  // come.
+  // At the start, and after Endless_contacts_error, contacts of the present time may be due.
   const auto is_contact_due = [&](const Edge_ids& pair) {
     const Queue_handle event = records.pair_event(pair);
     return event != no_event && queue[event].is_event &&
            queue.time_of(queue[event]) == geometry.current_time();
   };
-  // Of an exact certificate; `from_bounds` makes the time where that has not been done yet.
+  // The failure of an exact certificate; `from_bounds` computes a time that is not yet known.
   const auto failure_of = [](const Certificate& certificate,
                              const auto& from_bounds) -> std::optional<Algebraic_number> {
     if (certificate.kind == Certificate::Kind::never_fails) return std::nullopt;
@@ -115,10 +114,10 @@ Audit_report Simulation_types<Traits>::Simulation_auditor::run(Audit_level level
     compare("point " + std::to_string(id), contacts(id).wall_event, first);
   }
   if (!core_.setup.has_response()) return report;
-  // Every overlap is known; and discs that overlap separate, or a response has let them pass.
+  // Every overlap is recorded; and overlapping discs separate, or a response has let them pass.
   geometry.for_each_exact_overlap(exact, [&](Point_id a, Point_id b) {
     const Disc_overlap* const overlap = records.find_overlap({a, b});
-    if (overlap == nullptr) {  // it is noted with its contact
+    if (overlap == nullptr) {  // its contact will record it
       if (is_contact_due({a, b})) return;
       fail(pair_name(a, b) + " overlap, of which the simulation does not know");
     } else if (overlap->is_edge != geometry.is_edge({a, b})) {
@@ -136,7 +135,7 @@ Audit_report Simulation_types<Traits>::Simulation_auditor::run(Audit_level level
       fail("the simulation does not know which triangle hides point " + std::to_string(id));
     }
   }
-  // Records may be of discs that have parted, or that only touch.
+  // Recorded discs may have separated, or only touch.
   const auto overlap_now = [&](Point_id a, Point_id b) {
     return geometry.may_touch(a, b, exact, geometry.current_time());
   };

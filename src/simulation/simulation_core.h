@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parts of a simulation, each of which owns its state, in the order in which they know each
-// other.
+// The parts of a simulation. Each owns its state, and uses only parts above it.
 #ifndef KINETRI_SRC_SIMULATION_SIMULATION_CORE_H
 #define KINETRI_SRC_SIMULATION_SIMULATION_CORE_H
 
@@ -37,7 +36,7 @@ struct Simulation_core {
   using Kinetic_core = typename Types::Kinetic_core;
   using Time = Algebraic_number;
 
-  /// With the arguments of the constructor of the triangulation, or one that is restored.
+  /// `make` returns the triangulation.
   template <class Make_triangulation>
   Simulation_core(const Traits& traits, const Simulation_options& options,
                   const Make_triangulation& make)
@@ -51,8 +50,8 @@ struct Simulation_core {
 
   /// Finds all overlaps.
   void start();
-  /// Schedules the contacts of all points. Precondition: all overlaps are known; nothing is
-  /// scheduled but changes.
+  /// Schedules the contacts of all points. Precondition: all overlaps are recorded; only changes
+  /// are scheduled.
   void schedule_all() {
     schedule.schedule_all_singles();
     tracker.schedule_all_pairs();
@@ -65,10 +64,10 @@ struct Simulation_core {
     join_parts();
     return loop.step(until);
   }
-  /// Puts the queues, which several threads may have left in parts, into one part each.
+  /// Merges the shards of the queues, into which several threads may have split them.
   void join_parts();
 
-  Contact_counters counters;  ///< but for those of the queue
+  Contact_counters counters;  ///< except those of the queue
   typename Types::Simulation_setup setup;
   Triangulation triangulation;
   Disc_geometry<Traits> geometry{setup, triangulation};
@@ -86,7 +85,7 @@ struct Simulation_core {
   void join_contacts();
 };
 
-/// What the library has compiled of the parts for its own traits.
+/// The parts compiled into the library for its own traits.
 #define KINETRI_SIMULATION_PARTS(declaration, Traits)           \
   declaration class Simulation_types<Traits>::Simulation_setup; \
   declaration class Simulation_types<Traits>::Contact_schedule; \

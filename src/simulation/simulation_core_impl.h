@@ -28,7 +28,7 @@ std::size_t Simulation_core<Traits>::advance_to(const Time& time,
   while (may_go_on == nullptr || may_go_on()) {
     if (can_run_triangulation()) {
       if (!loop.run_triangulation(time, may_go_on, events)) break;
-      if (!loop.may_be_due(time)) {  // a step would put parts together
+      if (!loop.may_be_due(time)) {  // a step would merge the shards of the queues
         events += kinetic().advance_to(time, nullptr);
         break;
       }
@@ -43,8 +43,8 @@ std::size_t Simulation_core<Traits>::advance_to(const Time& time,
   return events;
 }
 
-// Whether what happens to the triangulation changes nothing in the queue. With a response, contacts
-// of edges come and go; an observer that looks on may schedule changes.
+// Whether events of the triangulation do not change the queue. With a response, edges have
+// contacts; an observer that looks at the triangulation may schedule changes.
 template <class Traits>
 bool Simulation_core<Traits>::can_run_triangulation() const {
   return !setup.has_response() && !kinetic().reporter.observers().any_of([](const auto& observer) {
@@ -52,7 +52,7 @@ bool Simulation_core<Traits>::can_run_triangulation() const {
   });
 }
 
-// Whether a run by regions may execute contacts and be faster.
+// Whether optimistic parallel execution is possible and may be faster.
 template <class Traits>
 bool Simulation_core<Traits>::may_run_by_regions() const {
   if constexpr (has_region_runs<Traits>) {
@@ -69,7 +69,7 @@ void Simulation_core<Traits>::join_parts() {
   kinetic().join_parts();
 }
 
-// The same, if runs by regions have executed contacts.
+// The same for the queue of contacts.
 template <class Traits>
 void Simulation_core<Traits>::join_contacts() {
   if constexpr (has_region_runs<Traits>) {

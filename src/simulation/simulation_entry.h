@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the queue of a simulation holds.
+// The entries of the queue of a simulation.
 #ifndef KINETRI_SRC_SIMULATION_SIMULATION_ENTRY_H
 #define KINETRI_SRC_SIMULATION_SIMULATION_ENTRY_H
 
@@ -11,8 +11,7 @@
 
 namespace kinetri::detail {
 
-/// In the order in which they are executed at one time. A contact of discs that is not noted comes
-/// before those that are.
+/// In the order of execution at one time. Contacts of discs that are noted come after the others.
 enum class Contact_kind : std::uint8_t { wall, collision, erase, trajectory, insert, vanish };
 
 inline bool is_contact(Contact_kind kind) {
@@ -22,28 +21,28 @@ inline bool is_change(Contact_kind kind) {
   return !is_contact(kind) && kind != Contact_kind::vanish;
 }
 
-/// What an entry is about.
+/// The subject of an entry.
 struct Contact_subject {
   Contact_kind kind = Contact_kind::wall;
   Point_id point_a = no_point;
   Point_id point_b = no_point;
 };
 
-/// A contact, or a time up to which there certainly is none; or a change that was scheduled; or the
-/// time at which the radius of a disc is 0.
+/// A contact, or a time until which there certainly is none; a scheduled change; or the time at
+/// which the radius of a disc reaches zero.
 struct Contact_entry : Scheduled {
   Contact_kind kind = Contact_kind::wall;
   bool is_event = false;
   bool is_edge = false;   ///< whether there is an edge between two discs, if they ever touch
-  bool is_noted = false;  ///< whether the overlap that begins with the contact is known already
+  bool is_noted = false;  ///< whether the overlap that begins with the contact is recorded
   Point_id point_a = no_point;
-  Point_id point_b = no_point;  ///< of a wall, which of the four; of a change, its number
+  Point_id point_b = no_point;  ///< of a wall, its index; of a change, its number
 
-  /// What an entry says besides its subject and its times. A subject does not name the wall.
+  /// The content of an entry besides its subject and times.
   struct Kept {
     bool is_event = false;  ///< a contact, not a time to check again
     bool is_edge = false;   ///< as the entry has it
-    std::uint8_t wall = 0;  ///< which of the four; 0 for a contact
+    std::uint8_t wall = 0;  ///< the index of a wall; 0 for a contact of discs
   };
 
   Contact_entry() = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a simulation is given: traits, box, discs, masses; and which motions that allows.
+// The input of a simulation: traits, box, discs and masses; and which motions it allows.
 #ifndef KINETRI_SRC_SIMULATION_SIMULATION_SETUP_H
 #define KINETRI_SRC_SIMULATION_SIMULATION_SETUP_H
 
@@ -19,11 +19,11 @@
 
 namespace kinetri::detail {
 
-/// The options of a simulation, and what follows from them. Only masses change.
+/// The options of a simulation, and values derived from them. Only masses change.
 template <class Traits>
 class Simulation_types<Traits>::Simulation_setup {
  public:
-  /// What is wrong with the options, problem() says.
+  /// problem() says whether the options are valid.
   Simulation_setup(const Traits& traits, const Simulation_options& options)
       : traits_(traits), options_(options), diameter_(2 * options.radius) {
     if (!options_.box) return;
@@ -33,7 +33,7 @@ class Simulation_types<Traits>::Simulation_setup {
 
   const Traits& traits() const { return traits_; }
   const Simulation_options& options() const { return options_; }
-  /// Of all discs, if they have no radii of their own.
+  /// The diameter of all discs, if they have no radii of their own.
   double diameter() const { return diameter_; }
   bool has_box() const { return options_.box.has_value(); }
   const std::array<Wall_2, 4>& walls() const { return walls_; }
@@ -48,7 +48,7 @@ class Simulation_types<Traits>::Simulation_setup {
     options_.masses[id] = mass;
   }
 
-  /// What is wrong with the options; empty if nothing is.
+  /// The error of the options; empty if they are valid.
   std::string problem() const;
   /// Throws if a point is outside of the box at `now`, or its radius is negative just after that.
   void check_place(const Point_2& p, const Time& now) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The types that the parts of a simulation have in common.
+// The common types of the parts of a simulation.
 #ifndef KINETRI_SRC_SIMULATION_SIMULATION_TYPES_H
 #define KINETRI_SRC_SIMULATION_SIMULATION_TYPES_H
 
@@ -15,8 +15,7 @@ namespace kinetri::detail {
 template <class Traits>
 struct Simulation_core;
 
-/// The types of the traits and of the triangulation, and the parts that a simulation is made of, as
-/// in Kinetic_types.
+/// The types of the traits and of the triangulation, and the parts of a simulation.
 template <class Traits>
 struct Simulation_types {
   using Triangulation = Kinetic_triangulation_2<Traits>;
@@ -31,13 +30,13 @@ struct Simulation_types {
   /// Whether discs have radii of their own.
   static constexpr bool has_radii = HasWeight<Motion>;
 
-  /// A scheduled change that is not in the queue any more; the motion is the one that it gives.
+  /// A scheduled change that has left the queue, with its new motion.
   struct Due_change {
     Entry entry;
     std::optional<Motion> motion;
   };
 
-  // The parts, each in the header of its name, in the order in which they know each other.
+  // The parts, each in the header of its name. Each uses only those above it.
   class Simulation_setup;
   class Disc_geometry;
   class Contact_schedule;

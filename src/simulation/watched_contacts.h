@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which contacts are watched in a window of time (docs/PARALLEL.md). These are those of the pairs
-// of discs with an edge between them, and no others. That is enough as long as no two discs meet
-// but those that have just touched: else a disc that meets two could be between them (docs/MATH.md,
-// section 17). Two discs *meet* if they overlap or, where they have radii of their own, touch. So a
-// window begins where no discs meet; a contact after which a disc meets another one than that which
-// it touched is left to the sequential loop; and where a window ends, the pairs that still meet are
-// noted, as the sequential loop does at each contact. Pairs that a response has let pass, and that
-// have parted, are put aside for a window, since the sequential loop knows of them up to the next
-// contact of one of the two, which is left to it.
+// Which contacts are watched in a time window (docs/PARALLEL.md): those of pairs of discs with an
+// edge. That suffices while no two discs meet except those that have just touched: else a disc that
+// meets two could be between them (docs/MATH.md, section 17). Two discs *meet* if they overlap or,
+// with radii of their own, touch. So a window begins only if no discs meet; after a contact a disc
+// may only meet the one that it touched, else the sequential loop executes the contact; and at the
+// end of a window the pairs that still meet are recorded as overlaps. Pairs that a response has let
+// pass, and that have separated, are removed temporarily during a window; the next contact of one
+// of the two is left to the sequential loop.
 //
-// Discs that pass through each other (log_contact) overlap for long, so that no window could begin:
-// the sequential loop runs. It also executes contacts that erase discs.
+// With log_contact discs overlap for long, so that no window could begin: the sequential loop runs.
+// It also executes contacts that erase discs.
 //
-// Discs with radii of their own may be inside of others, and hidden. Here all radii are positive;
-// no disc is hidden; and the centre of a disc that gets another velocity is in its own power cell,
-// since it is in no other disc. Two that meet keep their edge: its flip is left to the sequential
-// loop.
+// Discs with radii of their own could be hidden. In a window all radii are positive; no disc is
+// hidden; and the center of a disc that gets another velocity is in its own power cell, since it is
+// in no other disc. Flips of edges between two discs that meet are left to the sequential loop.
 #ifndef KINETRI_SRC_SIMULATION_WATCHED_CONTACTS_H
 #define KINETRI_SRC_SIMULATION_WATCHED_CONTACTS_H
 
@@ -38,8 +36,8 @@ namespace kinetri::detail {
 /// The contacts of a simulation that windows watch, and their certificates. Const functions may be
 /// called by several threads.
 ///
-/// Owns the pairs that are put aside. Invariant: between two windows none is; in a window no two
-/// discs meet but those that have just touched.
+/// Owns the temporarily removed pairs. Invariant: between two windows there are none; in a window
+/// no two discs meet except those that have just touched.
 template <class Traits>
 class Watched_contacts {
  public:
@@ -80,43 +78,42 @@ class Watched_contacts {
   }
   /// The contact of a pair of discs.
   static Entry pair(const Edge_ids& pair);
-  /// Calls `function` with the handles of all contacts of a point that change it.
+  /// Calls `function` with the handles of all contacts of a point.
   template <class Function>
   void for_each_handle(Point_id id, const Function& function) const;
 
   // ---- contacts ----
 
-  /// Whether two discs meet just after `now`, or true if unsure.
+  /// Whether two discs meet just after `now`; true if unsure.
   bool do_meet(Point_id a, Point_id b, const Time& now) const;
-  /// The new motions that a contact at `now` gives its points. None if what it does is for the
-  /// sequential loop, which may throw then. Changes nothing.
+  /// The new motions of points by a contact at `now`. None if it is left to the sequential loop,
+  /// where it may throw.
   std::vector<Change> changes(const Entry& entry, const Time& now) const;
-  /// The entry of what the given one is about, and its certificate after a time.
+  /// The entry of the same contact, and its certificate after a time.
   std::pair<Entry, Certificate> certificate(const Entry& entry, const Time& after,
                                             Certificate_counters& counters) const;
-  /// Calls put(entry, certificate) with all contacts of points that may have some in a window, one
-  /// or two points, from `now` on: those with walls, and those of their edges.
+  /// Calls put(entry, certificate) with all watched contacts of one or two points from `now` on:
+  /// those with walls, and those of their edges.
   template <class Put>
   void for_each_contact(Points points, const Time& now, Certificate_counters& counters,
                         const Put& put) const;
-  /// Makes the certificates of points that have changed at `now`, in a contact of `points`. Returns
-  /// false if discs meet that have not just touched, or may do so unnoticed.
+  /// Computes the certificates of points that have changed at `now`, in a contact of `points`.
+  /// Returns false if discs meet that have not just touched, or may do so undetected.
   bool certify(const Pair& points, Points changed, const Time& now, Certificate_counters& counters,
                std::vector<std::pair<Entry, Certificate>>& result) const;
 
   // ---- windows ----
 
-  /// Whether a window may begin, up to whose beginning nothing happens; makes it ready.
+  /// Prepares a window, before whose beginning no event happens. Returns whether it may begin.
   bool begin_window(double begin);
-  /// Notes what the sequential loop is to know of a contact of the window that has ended.
+  /// Records the overlap of a contact of the finished window, if the discs still meet.
   void end_contact(const Pair& points);
-  /// To be called after each window.
+  /// Called after each window.
   void end_window();
-  /// Finds overlaps and schedules contacts anew, at any time between two events. Keeps the changes
-  /// that are scheduled.
+  /// Finds overlaps and schedules contacts again, between two events. Keeps scheduled changes.
   void start_anew();
 
-  /// Whether a point is one of some.
+  /// Whether `some` contains a point.
   static bool is_one(Points some, Point_id id) { return std::ranges::find(some, id) != some.end(); }
 
  private:
@@ -133,11 +130,12 @@ class Watched_contacts {
   Contact_schedule<Traits>& schedule_;
   Overlap_tracker<Traits>& tracker_;
   std::uint32_t scheduled_ = 0;                      // changes before the window
-  std::vector<std::pair<Entry, Time>> moving_ = {};  // changes, while queues are divided
-  std::vector<Edge_ids> passes_ = {};                // put aside
+  std::vector<std::pair<Entry, Time>> moving_ = {};  // changes, while the queue is split
+  std::vector<Edge_ids> passes_ = {};                // temporarily removed
   std::unordered_set<Point_id> passing_ = {};        // their points
   bool have_areas_ = false;                          // whether all radii are positive
-  std::optional<std::uint64_t> changes_ = {};        // how many there had been when that was so
+  std::optional<std::uint64_t> changes_ =
+      {};  // the number of changes when have_areas_ was computed
 };
 
 }  // namespace kinetri::detail

@@ -89,7 +89,7 @@ template <class Traits>
 auto Watched_contacts<Traits>::changes(const Entry& entry, const Time& now) const
     -> std::vector<Change> {
   std::vector<Change> result;
-  // A radius that shrinks ends at another time then.
+  // After the contact a shrinking radius reaches zero at another time.
   const auto is_for_loop = [this](Point_id id) {
     const auto* const contacts = records_.find(id);
     return passing_.contains(id) || (contacts != nullptr && contacts->vanish_event != no_event);
@@ -98,7 +98,7 @@ auto Watched_contacts<Traits>::changes(const Entry& entry, const Time& now) cons
   try {
     result = core_.outcomes.changes(entry, now);
   } catch (...) {
-    return {};  // the sequential loop throws it again, in its turn
+    return {};  // the sequential loop throws it again
   }
   if (std::ranges::any_of(result, [](const Change& change) { return !change.motion; })) return {};
   return result;
@@ -158,7 +158,7 @@ bool Watched_contacts<Traits>::certify(const Pair& points, Points changed, const
   });
   if (!has_pairs()) return true;
   if constexpr (has_radii) {
-    // Discs that have a place of this one in their power cells; see Disc_geometry::owners_in.
+    // Discs whose power cells meet this one; see Disc_geometry::owners_in.
     for (const Point_id id : changed) {
       for (const Point_id partner : points) {
         if (partner == id || partner == no_point) continue;
@@ -183,7 +183,7 @@ bool Watched_contacts<Traits>::do_meet(Point_id a, Point_id b, const Time& now) 
   return geometry_.may_touch(a, b, geometry_.traits(), now);
 }
 
-// Whether the centre of a disc is in another one.
+// Whether the center of a disc is in another one.
 template <class Traits>
 bool Watched_contacts<Traits>::is_centre_in(Point_id id, Point_id other, const Time& now) const {
   auto centre = geometry_.point(id).motion();
@@ -202,15 +202,14 @@ bool Watched_contacts<Traits>::begin_window(double begin) {
   if (has_radii && (core_.triangulation.number_of_hidden_points() > 0 || !have_areas())) {
     return false;
   }
-  // Two that have just touched are apart at the next event, if they are not now.
+  // Discs that have just touched are apart at the next event.
   const Time first(begin);
   if (drop_overlaps(std::max(first, geometry_.current_time()))) return true;
   put_passes_back();
   return false;
 }
 
-// Whether all radii are positive, unless for a moment. Only changes that are no contacts make one
-// 0.
+// Whether all radii are positive, except at single times. Contacts do not change that.
 template <class Traits>
 bool Watched_contacts<Traits>::have_areas() {
   const auto& triangulation = core_.triangulation;
@@ -230,8 +229,8 @@ bool Watched_contacts<Traits>::have_areas() {
   return have_areas_;
 }
 
-// Forgets the overlaps that are over at a time up to which nothing happens. Returns whether all of
-// them are.
+// Removes the overlaps that have ended at a time before which no event happens. Returns whether all
+// have.
 template <class Traits>
 bool Watched_contacts<Traits>::drop_overlaps(const Time& time) {
   for (Point_id id = 0; id < records_.size(); ++id) {
@@ -275,7 +274,7 @@ void Watched_contacts<Traits>::end_window() {
 
 template <class Traits>
 void Watched_contacts<Traits>::start_anew() {
-  // By number: one that was being moved to another part may be in both, or in none.
+  // By number: a change that was being moved to another part may be in both, or in none.
   std::map<Point_id, std::pair<Entry, Time>> changes;
   for (const auto& [entry, time] : moving_) {
     changes.try_emplace(entry.point_b, entry, time);
