@@ -60,7 +60,7 @@ class Areas_now {
     return at_time_.are_alike(v->point(), places_[id(v)], u->point(), places_[id(u)]);
   }
 
-  // Calls `function` with each neighbor of `v`, and with each hidden point near to it.
+  // Calls `function` with each neighbor of `v`, and with each hidden point of its faces.
   template <class Function>
   void for_each_near(Vertex_handle v, Function function) const {
     const auto& topology = kinetic_.triangulation();
@@ -112,7 +112,7 @@ class Areas_now {
   detail::Sides_at_time<Traits> at_time_;
   detail::Limited_cell cell_;
   std::vector<detail::Ball_2> places_;  // by id
-  std::vector<Cell_area> areas_;        // by id; without one where it is yet to be measured
+  std::vector<Cell_area> areas_;        // by id; without an id if not measured yet
   detail::Sides_of_cell sides_;
   std::vector<const typename Traits::Point_2*> neighbors_;
 };

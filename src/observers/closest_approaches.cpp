@@ -105,7 +105,7 @@ Disc_motion_2 Closest_approaches<Traits>::disc(Point_id id) const {
   return detail::disc_about(simulation_.triangulation().motion(id), simulation_.options().radius);
 }
 
-// Whether the motions of a piece are over, as one of the points has another motion or has gone.
+// Whether the motions of a piece have ended: a point has got another motion or has been erased.
 template <HasLinearMotion Traits>
 bool Closest_approaches<Traits>::has_turned(const Edge_ids& pair, const Piece& piece) const {
   const auto& triangulation = simulation_.triangulation();
@@ -122,7 +122,7 @@ void Closest_approaches<Traits>::begin(const Edge_ids& pair, const Algebraic_num
   overlaps_.emplace(pair[1], pair[0]);
 }
 
-// Follows a pair without an edge, if it overlaps just after `time`, which is the current one.
+// Begins a piece of a pair without an edge, if it overlaps just after `time`, the current one.
 template <HasLinearMotion Traits>
 void Closest_approaches<Traits>::begin_overlap(const Edge_ids& pair, const Algebraic_number& time) {
   if constexpr (has_radii) {
@@ -152,15 +152,15 @@ void Closest_approaches<Traits>::end(const Edge_ids& pair, const Algebraic_numbe
   pieces_.erase(piece);
 }
 
-// New motions, perhaps: the pieces so far end, with the motions that they had. Those of edges are
-// begun here, those of overlaps when these are known.
+// The motion may have changed: ends the pieces with their motions. Pieces of edges begin here,
+// those of overlaps after these have been updated.
 template <HasLinearMotion Traits>
 void Closest_approaches<Traits>::turn(Point_id id, const Algebraic_number& time) {
   std::vector<Edge_ids> ended;
   const auto add_if_turned = [&](Point_id other, bool is_edge) {
     const Edge_ids pair = edge_ids(id, other);
     const auto piece = pieces_.find(pair);
-    // An edge without a piece is yet to be reported.
+    // An edge without a piece has not been reported yet.
     if (piece != pieces_.end() && piece->second.is_edge == is_edge &&
         has_turned(pair, piece->second)) {
       ended.push_back(pair);
@@ -180,9 +180,9 @@ void Closest_approaches<Traits>::turn(Point_id id, const Algebraic_number& time)
   for (std::size_t i = 0; i < edges; ++i) begin(ended[i], time, true);
 }
 
-// ---- points that go at the time at which others come ----
+// ---- points that are erased at the time at which others are inserted ----
 
-// Keeps the points of the event that have come or gone by it.
+// Stores the points that the event has inserted or erased.
 template <HasLinearMotion Traits>
 void Closest_approaches<Traits>::note_passing(const Event& event) {
   const auto& triangulation = simulation_.triangulation();
@@ -199,7 +199,7 @@ void Closest_approaches<Traits>::note_passing(const Event& event) {
   }
 }
 
-// Of the points that have gone at one time and those that have come then, the nearest pairs.
+// Examines the nearest pairs of points that have been erased and inserted at one time.
 template <HasLinearMotion Traits>
 void Closest_approaches<Traits>::examine_moment() {
   if (gone_.empty() || come_.empty()) return;
@@ -210,8 +210,8 @@ void Closest_approaches<Traits>::examine_moment() {
   };
   const std::vector<Disc_motion_2> gone = discs(gone_);
   const std::vector<Disc_motion_2> come = discs(come_);
-  // Some pairs that are probably near, at least `number_` if there are so many: then the others
-  // need not be looked at that are farther apart than these.
+  // First some pairs that are probably near, at least `number_` if there are so many: pairs that
+  // are farther apart need not be examined.
   examine_nearest_by_order(gone, come);
   drop_all_but_nearest();
   if (limit_ == std::numeric_limits<double>::infinity()) return;  // these were all pairs
@@ -219,8 +219,7 @@ void Closest_approaches<Traits>::examine_moment() {
                                  [this](std::size_t i, std::size_t k) { examine_at_moment(i, k); });
 }
 
-// Examines, for each point that has gone, some of those that have come that are next to it in the
-// order of rounded places.
+// Examines, for each erased point, some inserted ones next to it in the order of rounded positions.
 template <HasLinearMotion Traits>
 void Closest_approaches<Traits>::examine_nearest_by_order(const std::vector<Disc_motion_2>& gone,
                                                           const std::vector<Disc_motion_2>& come) {
@@ -245,7 +244,7 @@ template <HasLinearMotion Traits>
 void Closest_approaches<Traits>::examine_at_moment(std::size_t gone, std::size_t come) {
   const auto& [p, p_disc] = gone_[gone];
   const auto& [q, q_disc] = come_[come];
-  if (p == q) return;  // it has come and gone at this time
+  if (p == q) return;  // it has been inserted and erased at this time
   examine(edge_ids(p, q), {p_disc, q_disc, moment_}, moment_);
 }
 

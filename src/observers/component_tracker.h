@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The connected components of points that are linked while they are in range, and what changes in
-// them.
+// The implementation of Connected_components.
 #ifndef KINETRI_SRC_OBSERVERS_COMPONENT_TRACKER_H
 #define KINETRI_SRC_OBSERVERS_COMPONENT_TRACKER_H
 
@@ -21,9 +20,9 @@
 
 namespace kinetri::detail {
 
-/// Invariant, of the graph at the last time that has been told: the connectivity has the edges of
-/// the graph whose ends are in range, but those that are to be cut at that time; the queue has an
-/// entry of each edge that begins or ends to be such a link.
+/// Invariant, at the last reported time: the connectivity has the edges of the graph whose ends are
+/// in range, except those still to be cut at that time; the queue has an entry for each edge whose
+/// ends will come in or out of range.
 template <ContactKineticTraits_2 Traits>
 class Component_tracker {
  public:
@@ -34,8 +33,8 @@ class Component_tracker {
   /// Which entries of the last time are due.
   enum class Due : std::uint8_t { begins, all };
 
-  /// The components at `time`. The graph, which has these edges, and the traits must outlive this
-  /// object.
+  /// The components at `time`. `edges` are those of the graph. The graph and the traits must
+  /// outlive this object.
   Component_tracker(const Graph& graph, const Traits& traits, double range, const Time& time,
                     const std::vector<Edge_ids>& edges)
       : graph_(graph), traits_(traits), range_(range) {
@@ -51,7 +50,7 @@ class Component_tracker {
   Component_tracker(const Component_tracker&) = delete;
   Component_tracker& operator=(const Component_tracker&) = delete;
 
-  // ---- what Edge_follower tells ----
+  // ---- called by Edge_follower ----
 
   void execute_until(const Time& time, Due due) {
     const auto waits = [due](const Entry& entry) {
@@ -72,7 +71,7 @@ class Component_tracker {
     for (const Edge_ids& edge : edges_of(points)) queue_.erase(forget(edge));
   }
 
-  // First all that joins, then all that splits, since at the time itself there is both.
+  // First merges, then splits: at the time itself all links exist.
   void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
               const auto& points) {
     for (const auto& point : points) {
@@ -92,7 +91,7 @@ class Component_tracker {
         ended.push_back(edge);
       }
     }
-    // For a moment.
+    // Links that exist at this time only.
     departures_.change(time, points, graph_, range_, 0, [&](const auto& gone, const auto& come) {
       if (!connectivity_.contains(gone.id())) return;
       if (!traits_.do_touch(gone, come, range_, time)) return;
@@ -115,7 +114,7 @@ class Component_tracker {
   const std::vector<Component_event>& events() const { return events_; }
   const Dynamic_connectivity& connectivity() const { return connectivity_; }
 
-  /// As Connected_components::watch, of a pair whose smaller id is first, from `now` on.
+  /// As Connected_components::watch, from `now` on. The smaller id is first.
   void watch(const Edge_ids& pair, const Time& now) {
     if (std::ranges::find(watched_, pair, &Watched_pair::points) != watched_.end()) return;
     watched_.push_back({pair});
@@ -214,7 +213,7 @@ class Component_tracker {
       return;
     }
     link(entry.edge, time);
-    // At `time` itself no filter could decide when it ends.
+    // A filter cannot decide the end from `time` on, when the certificate is 0.
     schedule(entry.edge, entry.changes_sign
                              ? Time(later_time_in_range(traits_, p, q, range_, entry.bounds.upper))
                              : time);
@@ -262,7 +261,7 @@ class Component_tracker {
       if (!is_connected) {
         intervals.push_back({*std::exchange(since, std::nullopt), time});
       } else if (!intervals.empty() && intervals.back().end == time) {
-        since = intervals.back().begin;  // changes of one time, one after the other
+        since = intervals.back().begin;  // several changes at one time
         intervals.pop_back();
       } else {
         since = time;

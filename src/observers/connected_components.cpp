@@ -39,7 +39,7 @@ auto Connected_components<Traits>::now() const -> const Time& {
   return this->triangulation().current_time();
 }
 
-// Brings everything to just after the current time.
+// Advances to just after the current time.
 template <ContactKineticTraits_2 Traits>
 auto Connected_components<Traits>::present() -> const Tracker& {
   this->update();
@@ -47,10 +47,10 @@ auto Connected_components<Traits>::present() -> const Tracker& {
   return *tracker_;
 }
 
-// ---- what the base tells ----
+// ---- called by the base ----
 
-// The links that end at `time` wait: the edges just after it are not known yet, without which a
-// component would seem to split that does not.
+// Links that end at `time` are not cut yet: without the edges just after it, a component might seem
+// to split.
 template <ContactKineticTraits_2 Traits>
 void Connected_components<Traits>::advance(const Time& time) {
   tracker_->execute_until(time, Tracker::Due::begins);
@@ -84,7 +84,7 @@ const Dynamic_connectivity& Connected_components<Traits>::components() {
 template <ContactKineticTraits_2 Traits>
 void Connected_components<Traits>::watch(const Edge_ids& points) {
   KINETRI_PRECONDITION(points[0] != points[1], "a point is always connected with itself");
-  this->update();  // Links that end now are still there.
+  this->update();  // links that end now still exist
   tracker_->watch(edge_ids(points[0], points[1]), now());
 }
 

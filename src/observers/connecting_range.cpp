@@ -34,7 +34,7 @@ class Candidate {
   Candidate(const Length_piece& piece, Algebraic_number time)
       : piece_(&piece), time_(std::move(time)), bounds_(bounds_at(piece.squared_length, time_)) {}
 
-  // Where bounds are not numbers, nothing is certain.
+  // False if bounds are not numbers.
   friend bool is_shorter(const Candidate& a, const Candidate& b) {
     if (a.bounds_.upper < b.bounds_.lower) return true;
     if (b.bounds_.upper < a.bounds_.lower) return false;
@@ -55,7 +55,7 @@ class Candidate {
   mutable std::optional<Algebraic_number> length_;
 };
 
-// The ends, and where the derivative vanishes.
+// The ends, and the roots of the derivative.
 std::vector<Algebraic_number> extreme_times(const Length_piece& piece) {
   std::vector<Algebraic_number> result = {piece.from};
   const Polynomial slope = derivative(primitive_polynomial(piece.squared_length));

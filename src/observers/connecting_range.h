@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the length of an edge, one after the other of a sequence of edges, is least or greatest.
+// The extreme length of the longest edge of a spanning tree over time.
 #ifndef KINETRI_SRC_OBSERVERS_CONNECTING_RANGE_H
 #define KINETRI_SRC_OBSERVERS_CONNECTING_RANGE_H
 
@@ -12,8 +12,8 @@
 
 namespace kinetri::detail {
 
-/// The length of an edge from one time to another one, both included: the square root of the
-/// polynomial with these coefficients, by ascending power.
+/// The squared length of an edge from one time to another, both included: a polynomial, by
+/// ascending power.
 struct Length_piece {
   Algebraic_number from;
   Algebraic_number to;
@@ -29,9 +29,8 @@ std::vector<Rational> squared_distance(const Point& p, const Point& q);
 Algebraic_number length_at(const std::vector<Rational>& squared_length,
                            const Algebraic_number& time);
 
-/// The least length of the pieces, or the greatest one, at the first time at which it is that; none
-/// of no pieces. Precondition: the pieces are in the order of time. Exact; what interval arithmetic
-/// excludes costs no more.
+/// The least or the greatest length of the pieces, at its first time; none without pieces. Exact;
+/// interval arithmetic excludes most candidates. Precondition: the pieces are in the order of time.
 std::optional<Connecting_range> extreme_length(std::span<const Length_piece> pieces, bool greatest);
 
 }  // namespace kinetri::detail

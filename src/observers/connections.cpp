@@ -7,7 +7,6 @@
 namespace kinetri::detail {
 namespace {
 
-// Watches all of them.
 template <class Traits>
 void watch_pairs(Connected_components<Traits>& components,
                  const std::vector<std::vector<Edge_ids>>& pairs) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points that go at the time at which others come: both are there at that time, but never in one
-// triangulation.
+// Points that are erased at the time at which others are inserted: both exist at that time, but
+// never in one triangulation.
 #ifndef KINETRI_SRC_OBSERVERS_DEPARTURES_H
 #define KINETRI_SRC_OBSERVERS_DEPARTURES_H
 
@@ -18,9 +18,9 @@
 
 namespace kinetri::detail {
 
-/// Calls `function` with the index of each disc of `gone` and each of `come` whose gap may be at
-/// most `range` at the time: all such pairs, and perhaps others. Cost: O(k log k) for k discs, and
-/// as many pairs. Precondition: range >= 0.
+/// Calls `function` with the indices of each disc of `gone` and each of `come` with a gap of at
+/// most `range` at the time, and perhaps of others. Cost: O(k log k) for k discs, and the number of
+/// pairs. Precondition: range >= 0.
 template <class Disc, class Function>
 void for_each_pair_in_range(const std::vector<Disc>& gone, const std::vector<Disc>& come,
                             double range, const Algebraic_number& time, Function function) {
@@ -41,14 +41,14 @@ void for_each_pair_in_range(const std::vector<Disc>& gone, const std::vector<Dis
                            [&](const auto& p, const auto& q) { function(p.info(), q.info()); });
 }
 
-/// The points that have gone at one time.
+/// The points that have been erased at one time.
 template <class Point_2>
 class Departures {
  public:
-  /// Some points have changed at `time`, as Edge_follower::change tells. Calls `meet` with each
-  /// point that has gone at that time, so far, and each that comes, if their boxes meet: all pairs
-  /// that are in range of each other then, and perhaps others. Points without radii of their own
-  /// have `radius`. Cost: O(k log k) for k such points and as many pairs.
+  /// Called with the changes of Edge_follower::change. Calls `meet` with each erased and inserted
+  /// point of that time that are in range of each other, and perhaps with others. `radius` is that
+  /// of points without radii of their own. Cost: O(k log k) for k such points, and the number of
+  /// pairs.
   template <class Changed_points, class Graph, class Meet>
   void change(const Algebraic_number& time, const Changed_points& changed, const Graph& graph,
               double range, double radius, const Meet& meet) {

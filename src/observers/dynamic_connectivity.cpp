@@ -83,7 +83,7 @@ void Dynamic_connectivity::begin(Search& search, Point_id id) {
   nodes_[id].seen = search.number;
 }
 
-// Looks at one neighbor of the points found so far, and meets if the search `other` has found it.
+// Examines one neighbor of the points found so far. The searches meet if `other` has found it.
 auto Dynamic_connectivity::look_at_neighbor(Search& search, std::uint64_t other) -> Progress {
   while (search.next_point < search.found.size()) {
     const std::vector<Point_id>& neighbors = nodes_[search.found[search.next_point]].neighbors;
@@ -104,8 +104,7 @@ auto Dynamic_connectivity::look_at_neighbor(Search& search, std::uint64_t other)
 
 // ---- components ----
 
-// Moves the points that a search has found, which has found all of a component or of a side of one,
-// to another component.
+// Moves the points of a complete search to another component.
 void Dynamic_connectivity::give_to(const Search& search, Component to) {
   const Component from = component(search.found.front());
   const std::size_t number = search.found.size();
@@ -114,7 +113,7 @@ void Dynamic_connectivity::give_to(const Search& search, Component to) {
   set_size(to, sizes_[to] + number);
 }
 
-// Precondition: a component of size 0 gets its size at once.
+// A component of size 0 must get its size at once.
 auto Dynamic_connectivity::new_component(std::size_t size) -> Component {
   if (free_components_.empty()) {
     sizes_.push_back(0);

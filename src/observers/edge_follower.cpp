@@ -123,7 +123,7 @@ void Edge_follower<Traits>::sum_up_edges() {
   }
 }
 
-// Leaves the last event of each point.
+// Keeps the last event of each point.
 template <ContactKineticTraits_2 Traits>
 void Edge_follower<Traits>::sum_up_points() {
   points_.clear();
@@ -134,7 +134,7 @@ void Edge_follower<Traits>::sum_up_points() {
                       point_events_.end());
   for (const auto& [id, point] : point_events_) {
     const auto before = graph_.contains(id) ? std::optional(graph_.point(id)) : std::nullopt;
-    if (!before && !point) continue;  // it has come and gone
+    if (!before && !point) continue;  // it has been inserted and erased
     if (before && point && before->motion() == point->motion()) continue;
     points_.push_back({id, before});
   }

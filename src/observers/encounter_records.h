@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The encounters of a run, with what is needed to find the least gap of each.
+// The encounters of a run, with the data to compute the least gap of each.
 #ifndef KINETRI_SRC_OBSERVERS_ENCOUNTER_RECORDS_H
 #define KINETRI_SRC_OBSERVERS_ENCOUNTER_RECORDS_H
 
@@ -16,9 +16,8 @@
 
 namespace kinetri::detail {
 
-/// All encounters so far. Invariant: each has the motions that may have its least gap, up to the
-/// time since which the two have their present ones, or up to its end; once it has ended, the least
-/// gap may have been found instead.
+/// All encounters so far. Invariant: each stores the former motions that may have its least gap or,
+/// after its end, perhaps the least gap itself.
 template <class Motion>
 class Encounter_records {
  public:
@@ -36,7 +35,7 @@ class Encounter_records {
 
   struct Record {
     Edge_ids points;
-    Queue_handle end_event = no_event;  ///< of the owner of this object
+    Queue_handle end_event = no_event;  ///< set by the owner of this object
     bool has_ended = false;
     Time begin;
     Time end = {};                   ///< if it has ended
@@ -47,7 +46,7 @@ class Encounter_records {
     double gap = 0;
   };
 
-  /// None. `radius` is that of points that have none of their own.
+  /// `radius` is that of points without radii of their own.
   explicit Encounter_records(double radius) : radius_(radius) {}
 
   /// Adds an encounter that begins. Returns its index.
@@ -68,7 +67,7 @@ class Encounter_records {
     record.pieces.push_back({p, q, record.since, time});
   }
 
-  /// The two get other motions at `time`. Drops motions that certainly have not the least gap.
+  /// The two get other motions at `time`. Drops motions without the least gap.
   void begin_piece(Record& record, const Time& time, const Motion& p, const Motion& q) const {
     std::vector<Piece>& pieces = record.pieces;
     pieces.push_back(
@@ -83,7 +82,7 @@ class Encounter_records {
     pieces.assign(1, least_gap_of(pieces).piece);
   }
 
-  /// What Encounters::encounters gives, at the time `now` of the graph.
+  /// The result of Encounters::encounters at the time `now` of the graph.
   template <class Graph>
   std::vector<Encounter> encounters(const Graph& graph, const Time& now) {
     std::vector<Encounter> result;
@@ -108,12 +107,12 @@ class Encounter_records {
   }
 
  private:
-  // The first one of some pieces in which their least gap is, and that gap.
+  // The first piece with the least gap, and that gap.
   struct Least_gap {
     Piece piece;
     Gap_of_pair<Disc> gap;
   };
-  // More pieces than this are compared exactly, of which one remains.
+  // With more pieces an exact comparison leaves one of them.
   static constexpr std::size_t most_pieces = 32;
 
   Least_gap least_gap_of(const std::vector<Piece>& pieces) const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which points are in range of each other, and which are candidates to be: those are certified
-// apart once for each motion, and wait in a queue if they will come in range.
+// The implementation of Encounters (encounters.h describes candidates).
 #ifndef KINETRI_SRC_OBSERVERS_ENCOUNTER_TRACKER_H
 #define KINETRI_SRC_OBSERVERS_ENCOUNTER_TRACKER_H
 
@@ -23,8 +22,8 @@
 
 namespace kinetri::detail {
 
-/// Invariant, of the graph at the last time that has been told: each pair in range has a record,
-/// and an entry in the queue if that ends; each other candidate has one if it will come in range.
+/// Invariant, at the last reported time: each pair in range has a record, and an entry in the queue
+/// if that ends; each other candidate has an entry if it will come in range.
 template <ContactKineticTraits_2 Traits>
 class Encounter_tracker {
  public:
@@ -35,8 +34,8 @@ class Encounter_tracker {
   using Records = Encounter_records<Motion>;
   using Record = typename Records::Record;
 
-  /// The graph and the traits must outlive this object. `radius` is that of points that have none
-  /// of their own.
+  /// The graph and the traits must outlive this object. `radius` is that of points without radii of
+  /// their own.
   Encounter_tracker(const Graph& graph, const Traits& traits, double range, double radius,
                     const Time& now)
       : graph_(graph),
@@ -63,11 +62,11 @@ class Encounter_tracker {
   Encounter_tracker(const Encounter_tracker&) = delete;
   Encounter_tracker& operator=(const Encounter_tracker&) = delete;
 
-  // ---- what Edge_follower tells ----
+  // ---- called by Edge_follower ----
 
   void advance(const Time& time) {
     if constexpr (has_radii) {
-      // Those that come in range by `time` have overlapped here before.
+      // Pairs that come in range by `time` have overlapped as enlarged discs before.
       for (const auto& [points, since] : enlarged_discs_->advance_to(time)) {
         examine(points[0], points[1], since);
       }
@@ -113,7 +112,7 @@ class Encounter_tracker {
   static constexpr bool has_radii = HasWeight<Motion>;
   using Disc_traits = Basic_kinetic_traits_2<typename Records::Disc>;
 
-  // The beginning of the encounter of a pair, or its end.
+  // The begin or end of an encounter.
   struct Entry : Failure {
     bool is_end = false;
     Edge_ids points = {no_point, no_point};
@@ -131,14 +130,13 @@ class Encounter_tracker {
     Point_id id;
     Queue_handle begin_event;
   };
-  // Of each pair both points have one of these. Sorted by id; the first few beside each other in
-  // memory.
+  // Pairs are stored at both points. Sorted by id.
   struct Partners {
     boost::container::small_vector<Near, 8> near;
     boost::container::small_vector<Waiting, 8> waiting;
   };
 
-  // The place of `id` in a sequence that is sorted by id.
+  // The position of `id` in a sequence that is sorted by id.
   static auto place(auto& sorted, Point_id id) {
     return std::lower_bound(sorted.begin(), sorted.end(), id,
                             [](const auto& item, Point_id other) { return item.id < other; });
@@ -152,7 +150,7 @@ class Encounter_tracker {
   // ---- certificates ----
 
   // Calls `function` with traits and the two points; with discs if the points have a common radius,
-  // since the sum of that and the range may be no binary64 number.
+  // since its sum with the range may not be a binary64 number.
   template <class Function>
   auto with_discs(const Point_2& p, const Point_2& q, Function function) const {
     if constexpr (!has_radii) {
@@ -173,9 +171,8 @@ class Encounter_tracker {
 
   bool is_near(Point_id a, Point_id b) const { return is_among(partners_[a].near, b); }
 
-  // Lets a pair wait that is a candidate, if it is not known that it is or will be in range and if
-  // it will be. Looks for what is known at `a`. Precondition: `after` is not before the last change
-  // of a motion of the two.
+  // Schedules the begin of the encounter of a candidate, unless it is in range or scheduled.
+  // Precondition: `after` is not before the last change of a motion of the two.
   void examine(Point_id a, Point_id b, const Time& after) {
     if (is_near(a, b) || is_among(partners_[a].waiting, b)) return;
     const Edge_ids pair = edge_ids(a, b);
@@ -187,16 +184,15 @@ class Encounter_tracker {
     wait(pair, std::move(certificate));
   }
 
-  // Of paths p w q, in which w is in range of both ends and wq is an edge: a pair has such a path
-  // from either end, and that from the smaller id is enough. Here w is in range of p, and q any
-  // neighbor of w.
+  // Candidates (p, q), p < q, for which a point w is in range of both and wq is an edge. Here w is
+  // in range of p, and q any neighbor of w.
   void examine_from(Point_id p, Point_id w, const Time& after) {
     for (const Point_id q : graph_.neighbors(w)) {
       if (p < q && is_near(w, q)) examine(p, q, after);
     }
   }
 
-  // The same, where w is in range of q, its neighbor, and p any point in range of w.
+  // The same; w is in range of q, its neighbor, and p any point in range of w.
   void examine_to(Point_id w, Point_id q, const Time& after) {
     for (const Near& near : partners_[w].near) {
       if (near.id < q) examine(q, near.id, after);
@@ -239,7 +235,7 @@ class Encounter_tracker {
       return traits.contact_failure(p, q, range_, entry.bounds);
     });
   }
-  // What begins is before what ends: both are in range at that time.
+  // Begins come before ends: encounters are closed in time.
   bool precedes(const Entry& a, const Entry& b) const {
     return std::tuple(a.is_end, !a.is_recheck, a.points) <
            std::tuple(b.is_end, !b.is_recheck, b.points);
@@ -251,7 +247,7 @@ class Encounter_tracker {
     }
   }
 
-  // Has a pair wait for the failure of the certificate that it is apart, if there is one.
+  // Schedules the failure of the certificate that a pair is apart.
   void wait(const Edge_ids& pair, Certificate certificate) {
     Entry entry;
     entry.points = pair;
@@ -268,7 +264,7 @@ class Encounter_tracker {
     remove_from(partners_[pair[1]].waiting, pair[0]);
   }
 
-  // The point will have another motion, or will have gone.
+  // The point is about to get another motion, or to be erased.
   void discard_entries(Point_id id) {
     for (const auto& [other, event] : partners_[id].waiting) {
       remove_from(partners_[other].waiting, id);
@@ -292,9 +288,9 @@ class Encounter_tracker {
     record.end_event = queue_.push(entry, std::move(certificate));
   }
 
-  // Executes what is due. Where several pairs come in range at one time, one makes another one a
-  // candidate, which then waits up to the same time. What ends at `time` itself is not due: the two
-  // are in range still, and may get motions at that time with which they remain so.
+  // Executes due entries. A pair that comes in range may make another one a candidate that comes in
+  // range at the same time. Ends at `time` itself are not due: the two are still in range, and may
+  // get motions at that time with which they remain so.
   void execute(const Time& time) {
     const auto waits = [](const Entry& entry) { return entry.is_end; };
     while (const auto due = queue_.take_due(time, waits)) {
@@ -335,7 +331,7 @@ class Encounter_tracker {
     const std::uint32_t index = records_.begin(pair, time);
     auto& near_a = partners_[a].near;
     auto& near_b = partners_[b].near;
-    // With which the two will be examined.
+    // The pairs that will be examined.
     if constexpr (!has_radii) {
       for (const auto* const near_one : {&near_a, &near_b}) {
         for (const Near& near : *near_one) {
@@ -346,7 +342,7 @@ class Encounter_tracker {
     }
     near_a.insert(place(near_a, b), {b, index});
     near_b.insert(place(near_b, a), {a, index});
-    // Near the beginning itself no filter could decide when it ends.
+    // A filter cannot decide the end from the begin on, when the certificate is 0.
     schedule_end(records_[index],
                  entry.changes_sign
                      ? Time(with_discs(pair,
@@ -369,7 +365,7 @@ class Encounter_tracker {
     observers_.call([&](Encounter_observer& observer) { observer.ends(record.points, time); });
   }
 
-  // The point has got another motion, or has gone, as have the other ones that have changed.
+  // The point has got another motion or has been erased, as the others in `changed`.
   void turn(Point_id id, const Time& time, const auto& changed) {
     const auto before = [&](Point_id other) -> const Point_2* {
       const auto point = place(changed, other);
@@ -400,7 +396,7 @@ class Encounter_tracker {
     }
   }
 
-  // Of a point that has gone at the time, and one that comes then.
+  // An encounter of a point that is erased at the time, and one that is inserted then.
   void meet_for_a_moment(const Point_2& p, const Point_2& q, const Time& time) {
     if (p.id() > q.id()) return meet_for_a_moment(q, p, time);
     const bool is_in_range =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Discs of which those overlap, and perhaps others, that have at most a given gap.
+// Enlarged discs: those with a gap of at most a given range overlap, and perhaps others.
 #ifndef KINETRI_SRC_OBSERVERS_ENLARGED_DISCS_H
 #define KINETRI_SRC_OBSERVERS_ENLARGED_DISCS_H
 
@@ -17,15 +17,15 @@
 
 namespace kinetri::detail {
 
-/// The discs of a simulation with greater radii, by somewhat more than half of `range`: so two with
-/// a gap of at most `range` overlap here, and not only touch. A simulation of its own, which goes
-/// beside the observed one, and knows all overlaps (docs/MATH.md, section 8).
+/// A second simulation, beside the observed one, of discs whose radii are greater by somewhat more
+/// than half of `range`: two with a gap of at most `range` overlap here, and do not only touch. It
+/// tracks all overlaps (docs/MATH.md, section 8).
 template <class Traits>
 class Enlarged_discs : private Event_observer {
  public:
   using Motion = typename Traits::Motion;
 
-  /// Two that begin to overlap, at the earliest at the time. May be told more than once.
+  /// Two discs that begin to overlap at the time. A pair may have several.
   struct Contact {
     Edge_ids points;
     Algebraic_number time;
@@ -53,13 +53,13 @@ class Enlarged_discs : private Event_observer {
   Enlarged_discs(const Enlarged_discs&) = delete;
   Enlarged_discs& operator=(const Enlarged_discs&) = delete;
 
-  /// Goes on to `time`. Returns the contacts up to it.
+  /// Advances to `time`. Returns the contacts up to it.
   std::vector<Contact> advance_to(const Algebraic_number& time) {
     simulation_->advance_to(time);
     return std::exchange(contacts_, {});
   }
 
-  /// The same changes as in the graph, in which they have been made.
+  /// Makes the changes that have been made in the graph.
   template <class Changed_points>
   void change(const Changed_points& points, const Neighbor_graph<Traits>& graph) {
     std::vector<Point_id> ids;
@@ -107,12 +107,12 @@ class Enlarged_discs : private Event_observer {
   }
 
  private:
-  // Discs that differ by no more than their radii must do so when these have been rounded, too.
+  // Discs with equal motions but different radii must have different ones after rounding, too.
   static void enlarge(Motion& motion) {
     motion.radius = std::nextafter(motion.radius, std::numeric_limits<double>::infinity());
   }
 
-  // The weight of a point that is no disc is not about its gaps.
+  // The additional weight does not concern gaps.
   Motion enlarged(Motion motion) const {
     motion.radius += range_ / 2;
     motion.weight = 0;
@@ -130,7 +130,6 @@ class Enlarged_discs : private Event_observer {
     ids_[own_id] = id;
   }
 
-  // It only reads the ids of the event.
   bool looks_at_triangulation() const override { return false; }
   void after_event(const Event& event) override {
     if (event.kind != Event_kind::collision) return;

@@ -13,19 +13,20 @@
 
 namespace kinetri::detail {
 
-/// What the queue knows of an entry: when a certificate fails, or up to when it certainly holds. An
-/// entry derives from it and adds what the certificate is about.
+/// The base of entries: when a certificate fails, or until when it certainly holds. A derived class
+/// adds the subject of the certificate.
 struct Failure : Scheduled {
-  bool is_recheck = false;    ///< the certificate holds up to bounds.lower; it is to be made again
-  bool changes_sign = false;  ///< at the failure its polynomial does, certainly
+  bool is_recheck =
+      false;  ///< the certificate holds until bounds.lower, when it is to be checked again
+  bool changes_sign = false;  ///< whether its polynomial certainly changes sign at the failure
 };
 
-/// The failures that an observer waits for. `Observer` has these functions, which may be private if
+/// The scheduled failures of an observer. `Observer` has these functions, which may be private if
 /// the queue is a friend:
 ///
 /// | Function | Result |
 /// |---|---|
-/// | `failure_time(entry)` | the exact time of an entry whose certificate has told bounds alone |
+/// | `failure_time(entry)` | the exact time of an entry of which only bounds are known |
 /// | `precedes(a, b)` | the order of two entries of one time, strict and total |
 /// | `prefetch(entry)` | optional: starts to load memory for the first entry |
 ///
@@ -35,10 +36,10 @@ class Failure_queue {
  public:
   using Time = Algebraic_number;  ///< of failures
 
-  /// An entry that has been taken out, with its exact time.
+  /// A removed entry, with its exact time.
   struct Due {
     Entry entry;  ///< what was pushed
-    Time time;    ///< of the failure, or that up to which the certificate holds
+    Time time;    ///< of the failure, or of the recheck
   };
 
   /// An empty queue of the observer, which must outlive it.
@@ -54,14 +55,14 @@ class Failure_queue {
                                : scheduler_.emplace(entry);
   }
 
-  /// Takes an entry out, if there is one; no_event is the handle of none.
+  /// Removes an entry, unless the handle is no_event.
   void erase(Queue_handle handle) {
     if (handle != no_event) scheduler_.erase(handle);
   }
 
-  /// Takes the first entry out if its time is at or before `time`, which is not before that of any
-  /// entry that has been taken out. An entry of just that time is left if it `waits(entry)`; such
-  /// entries come after those that do not.
+  /// Removes the first entry if its time is at or before `time`. An entry at exactly that time
+  /// stays if waits(entry); such entries come after the others. Precondition: `time` is not before
+  /// that of any removed entry.
   template <class Waits>
   std::optional<Due> take_due(const Time& time, const Waits& waits) {
     if (scheduler_.empty()) return std::nullopt;
@@ -75,20 +76,20 @@ class Failure_queue {
     Time its_time = scheduler_.time_of(first);
     return Due{scheduler_.pop(), std::move(its_time)};
   }
-  /// The same where no entry waits.
+  /// The same if no entry waits.
   std::optional<Due> take_due(const Time& time) {
     return take_due(time, [](const Entry& /*entry*/) { return false; });
   }
 
   /// The entry of a handle. Precondition: it is in the queue.
   const Entry& operator[](Queue_handle handle) const { return scheduler_[handle]; }
-  /// The exact time of an entry of the queue. Made once, and kept until the entry leaves.
+  /// The exact time of an entry of the queue, computed once.
   const Time& time(const Entry& entry) { return scheduler_.time(entry); }
   /// Counts of the entries.
   const Queue_counters& counters() const { return scheduler_.counters(); }
 
  private:
-  // What the scheduler asks; see Event_scheduler.
+  // See Event_scheduler.
   struct Policy {
     const Observer& observer;
 

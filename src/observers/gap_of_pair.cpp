@@ -33,7 +33,7 @@ constexpr Double_interval everything = {-infinite, infinite};
 template <class Disc>
 constexpr bool is_linear = std::same_as<typename Disc::Centre_motion, Linear_motion_2>;
 
-// The vector from the centre of q to that of p, and the sum of the radii.
+// The vector from the center of q to that of p, and the sum of the radii.
 struct Relative_place {
   Interval x;
   Interval y;
@@ -83,14 +83,14 @@ Double_interval gap_bounds(const Disc& p, const Disc& q, const Double_interval& 
   return {result.inf(), result.sup()};
 }
 
-// A time at which a gap that a lower bound holds for is about least, and that bound.
+// A lower bound of the gap, and a time at which the gap is about least.
 struct Lower_bound {
   double time;
   double gap;
 };
 
-// The squared distance is a convex function, and so nowhere below its tangent at the time s; s is
-// about where it is least, but any time is right.
+// The squared distance is convex, so it is nowhere below its tangent at any time s. Here s is about
+// the time of its minimum.
 Lower_bound lower_bound_of_gap(const Disc_motion_2& p, const Disc_motion_2& q,
                                const Double_interval& times) {
   const Upward_rounding protection;
@@ -183,14 +183,13 @@ Coefficients reach(const Disc& p, const Disc& q) {
   return {constant_term(p) + constant_term(q), to_rational(p.growth) + to_rational(q.growth)};
 }
 
-// The binary64 number nearest to the square root, ties to even; none where the square is too small
-// or too large for the estimate. Exact: the root is compared with the numbers half way.
+// The binary64 number nearest to the square root, ties to even; none if the square is too small or
+// too large for the estimate. Exact: the root is compared with the midpoints of binary64 numbers.
 std::optional<double> rounded_root(const Rational& square) {
   if (square == 0) return 0.0;
   const double estimate = std::sqrt(square.convert_to<double>());
   if (!(estimate > 1e-140 && estimate < 1e140)) return std::nullopt;
-  // Positive where the root is beyond the middle between x and its neighbor toward `limit`, away
-  // from x.
+  // Positive if the root is beyond the midpoint of x and the next number toward `limit`.
   const auto beyond_middle = [&](double x, double limit) {
     const Rational middle = (to_rational(x) + to_rational(std::nextafter(x, limit))) / 2;
     const int order = square.compare(Rational(middle * middle));
@@ -207,7 +206,7 @@ std::optional<double> rounded_root(const Rational& square) {
   return result;
 }
 
-// The time at which the distance of two points is least: where its derivative vanishes.
+// The time at which the distance of two points is least: the root of its derivative.
 struct Least_distance_root : Root_source {
   Least_distance_root(const Linear_motion_2& a, const Linear_motion_2& b, const Rounding& r)
       : p(a), q(b), rounding(r) {}
@@ -241,8 +240,7 @@ Algebraic_number time_of_least_gap(const Disc_motion_2& p, const Disc_motion_2& 
     const std::vector<Real_root> roots = real_roots(primitive_polynomial(coefficients));
     return clamped(g > 0 ? roots.back().value : roots.front().value);
   }
-  // The gap increases or decreases for ever; only where the rims keep a distance, from the time on
-  // at which the centres meet, it may be constant.
+  // The gap is monotone; it may be constant from the time on at which the centers meet.
   if (g <= 0) return since;
   const bool becomes_constant = excess == 0 && b * b == 4 * a * c;
   return becomes_constant ? clamped(Algebraic_number(Rational(-b / (2 * a)))) : until;
@@ -285,7 +283,7 @@ const Algebraic_number& Gap_of_pair<Disc>::exact() const {
   return *exact_;
 }
 
-// Without exact arithmetic, if the rounding is certain.
+// Without exact arithmetic; none if the rounding is uncertain.
 template <class Disc>
 std::optional<double> Gap_of_pair<Disc>::certainly_rounded() const {
   if constexpr (is_linear<Disc>) {
@@ -297,7 +295,7 @@ std::optional<double> Gap_of_pair<Disc>::certainly_rounded() const {
   return std::nullopt;
 }
 
-// The square of the gap of points, where the time is known to be rational.
+// The square of the gap of points, if the time is known to be rational.
 template <class Disc>
 std::optional<Rational> Gap_of_pair<Disc>::rational_square() const {
   if (!are_points(p_, q_)) return std::nullopt;
@@ -339,8 +337,8 @@ Gap_of_pair<Disc_motion_2> least_gap(const Disc_motion_2& p, const Disc_motion_2
   return {p, q, time_of_least_gap(p, q, since, until)};
 }
 
-// The gap sqrt(f) - r - g t is least at an end or at a root of f'^2 = 4 g^2 f, which is where its
-// derivative vanishes or does not exist.
+// The gap sqrt(f) - r - g t is least at an end or at a root of f'^2 = 4 g^2 f, where its derivative
+// is zero or does not exist.
 template <>
 Gap_of_pair<Polynomial_disc_motion_2> least_gap(const Polynomial_disc_motion_2& p,
                                                 const Polynomial_disc_motion_2& q,
@@ -356,7 +354,7 @@ Gap_of_pair<Polynomial_disc_motion_2> least_gap(const Polynomial_disc_motion_2& 
   } else {
     add_product(critical, derivative, derivative);
     add_product(critical, f, {1}, -4 * g * g);
-    // Zero at all times where f is the square of g t + c: then the gap has a bend at its root.
+    // Zero at all times if f is the square of g t + c: then the gap has a kink at the root.
     const auto is_zero = [](const Rational& c) { return c == 0; };
     if (std::ranges::all_of(critical, is_zero)) critical = derivative;
   }
@@ -382,7 +380,7 @@ Double_interval least_gap_bounds(const Disc& p, const Disc& q, const Algebraic_n
   const Double_interval times = {first.lower, last.upper};
   if (!is_finite(times)) return everything;
   const Lower_bound lower = lower_bound_of_gap(p, q, times);
-  // A time that certainly is one of those.
+  // A time that is certainly in the interval.
   const Double_interval one = first.upper <= last.lower
                                   ? Double_interval{std::clamp(lower.time, first.upper, last.lower),
                                                     std::clamp(lower.time, first.upper, last.lower)}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From when on to certify that two points remain in range.
+// The start of the certificate that two points remain in range.
 #ifndef KINETRI_SRC_OBSERVERS_LATER_TIME_IN_RANGE_H
 #define KINETRI_SRC_OBSERVERS_LATER_TIME_IN_RANGE_H
 
@@ -12,10 +12,10 @@
 
 namespace kinetri::detail {
 
-/// A time from `from` on, up to which two remain in range that are in range at `from`: near the
-/// time at which they came, no filter could decide when they part. On straight lines their gap is
-/// convex, and so they have not parted at any later time at which they are in range; that of their
-/// least distance, or nearly that, is likely one, and it is if an exact predicate says so.
+/// A time until which two points that are in range at `from` remain so: `from` or later. Near the
+/// time at which they come in range a filter cannot decide when they separate. In linear motion
+/// their gap is convex, so they are in range until any later time at which they are; such a time is
+/// likely that of about their least distance, which an exact predicate checks.
 template <class Traits>
 double later_time_in_range(const Traits& traits, const typename Traits::Point_2& p,
                            const typename Traits::Point_2& q, double range, double from) {

@@ -70,7 +70,7 @@ Cell_area Limited_cell::measure(const Sides_of_cell& sides, const Ball_2& place,
   cell_.assign(box_.corners());
   for (const Half_plane& half_plane : sides.half_planes) cell_.clip(half_plane);
   if (cell_.is_empty()) return result_;
-  // A power cell without its point may be anywhere.
+  // A power cell need not contain its point.
   const bool has_point = std::ranges::all_of(
       sides.half_planes, [](const Half_plane& half_plane) { return half_plane.bound >= 0; });
   if (area_ == nullptr || (has_point && !is_wall_near(sides))) {
@@ -81,12 +81,12 @@ Cell_area Limited_cell::measure(const Sides_of_cell& sides, const Ball_2& place,
   return result_;
 }
 
-// From the point on.
+// Relative to the point.
 Vector_2 Limited_cell::relative(const Vector_2& v) const {
   return {(v.x - place_.x.high) - place_.x.low, (v.y - place_.y.high) - place_.y.low};
 }
 
-// Or on the line.
+// True on the line.
 bool Limited_cell::is_left(const Vector_2& from, const Vector_2& to,
                            const Exact_cell& exact) const {
   const Vector_2 d = to - from;
@@ -100,7 +100,7 @@ bool Limited_cell::is_left(const Vector_2& from, const Vector_2& to,
   return exact.is_left(from, to);
 }
 
-// Those that contain the point.
+// Finds the triangles that contain the point.
 void Limited_cell::find_triangles_of_point(const Exact_cell& exact) {
   open_.clear();
   const auto reach = [](const Ball& x) {
@@ -117,7 +117,7 @@ void Limited_cell::find_triangles_of_point(const Exact_cell& exact) {
       });
 }
 
-// Whether there is something in it.
+// Returns whether the box is not empty.
 bool Limited_cell::find_box() {
   const double r = limits_.cutoff;
   box_ = {-r, -r, r, r};
@@ -132,7 +132,7 @@ bool Limited_cell::find_box() {
   return box_.xmin < box_.xmax && box_.ymin < box_.ymax;
 }
 
-// In the coordinates of the walls, and a little more.
+// In the coordinates of the walls, slightly enlarged.
 Box_2 Limited_cell::extent_of_cell() const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Box_2 box = {infinity, infinity, -infinity, -infinity};
@@ -152,7 +152,7 @@ bool Limited_cell::is_wall_near(const Sides_of_cell& sides) const {
       extent_of_cell(), [&](const Triangulated_area::Wall& wall) { return may_meet(wall, sides); });
 }
 
-// False only where the wall is certainly beside the cell.
+// False only if the wall is certainly outside of the cell.
 bool Limited_cell::may_meet(const Triangulated_area::Wall& wall, const Sides_of_cell& sides) const {
   const Vector_2 from = relative(wall[0]);
   const Vector_2 to = relative(wall[1]);

@@ -17,16 +17,16 @@
 
 namespace kinetri::detail {
 
-/// The sides of the cell of a point, as half planes from the point on.
+/// The sides of the cell of a point, as half planes relative to the point.
 struct Sides_of_cell {
   std::vector<Half_plane> half_planes;
-  /// The half planes are off by at most this, besides some units in the last place of the vectors
-  /// to what they cut.
+  /// Bound of the errors of the half planes, besides some units in the last place of the vectors to
+  /// what they clip.
   double displacement = 0;
-  bool is_empty = false;  ///< whether there is no cell, whatever the half planes are
+  bool is_empty = false;  ///< whether the cell is empty in any case
 };
 
-/// Decides where binary64 numbers do not.
+/// Exact decisions, if binary64 numbers do not decide.
 class Exact_cell {
  public:
   virtual ~Exact_cell() = default;
@@ -36,8 +36,8 @@ class Exact_cell {
   /// Whether the point is on the line through two positions, or to the left of it.
   virtual bool is_left(const Vector_2& from, const Vector_2& to) const = 0;
 
-  /// Whether a segment has a positive length inside of the cell and of the circle. None if the time
-  /// is irrational.
+  /// Whether the part of a segment inside the cell and the circle has a positive length. None if
+  /// the time is irrational.
   virtual std::optional<bool> is_open(const Vector_2& from, const Vector_2& to,
                                       double cutoff) const = 0;
 
@@ -45,18 +45,17 @@ class Exact_cell {
   Exact_cell() = default;
 };
 
-/// Measures cells within the limits. Keeps memory for the next one: one thread at a time.
+/// Measures cells within the limits. Reuses memory: for one thread at a time.
 ///
-/// The walkable area is a union of triangles (Triangulated_area). What a cell, a disc and a
-/// triangle have in common is convex, and so connected; two such parts are connected where the side
-/// between their triangles has, in the cell and the disc, a positive length. So the part of a cell
-/// that has the point is found from triangle to triangle, beginning with the point's own.
+/// The walkable area is a union of triangles (Triangulated_area). The intersection of a cell, a
+/// disc and a triangle is convex; two such parts are connected if the common side of their
+/// triangles has a positive length in the cell and the disc. So the part of a cell that contains
+/// the point is found by a search over triangles from that of the point.
 class Limited_cell {
  public:
   explicit Limited_cell(const Cell_limits& limits);
 
-  /// The area and its error, without the id. `place` is that of the point, each coordinate known
-  /// well.
+  /// The area and its error, without the id. `place` is the accurate position of the point.
   Cell_area measure(const Sides_of_cell& sides, const Ball_2& place, const Exact_cell& exact);
 
  private:
@@ -82,13 +81,13 @@ class Limited_cell {
   const Triangulated_area* area_ = nullptr;
   // Of the present cell.
   Ball_2 place_;
-  Box_2 box_;         // from the point on, contains all that the limits leave
+  Box_2 box_;         // relative to the point, contains the limited cell
   double scale_ = 0;  // the largest coordinate of that
   Cell_area result_;
   Clipped_polygon cell_;
   Clipped_polygon part_;
-  std::vector<std::size_t> open_;  // triangles that are yet to be looked at
-  // Of each triangle the number of the cell for which it has been visited last.
+  std::vector<std::size_t> open_;  // triangles that are still to be examined
+  // By triangle: the number of the last cell for which it has been visited.
   std::vector<std::uint64_t> visited_;
   std::uint64_t number_ = 0;
 };

@@ -24,8 +24,8 @@ class Cell_integrator {
   Cell_integrator(const Traits& traits, Cell_limits limits, double tolerance)
       : traits_(traits), limits_(std::move(limits)), tolerance_(tolerance), cell_(limits_) {}
 
-  /// The integral from one time to a later one, and its error; of the cell of the first of the
-  /// points among all of them.
+  /// The integral from one time to a later one, and its error, for the cell of the first point
+  /// among `points`.
   std::pair<double, double> integral(const std::vector<Point_2>& points, double from,
                                      double until) {
     greatest_error_ = 0;
@@ -33,7 +33,7 @@ class Cell_integrator {
     const double allowed = tolerance_ * whole.integral / (until - from);
     constexpr int most_halvings = 10;
     const Estimate result = refined(points, from, until, whole, allowed, most_halvings);
-    // Times are rounded, and so is the sum.
+    // Times and the sum are rounded.
     const double rounding = 0x1p-50 * (std::abs(from) + std::abs(until)) / (until - from);
     return {result.integral, result.error + greatest_error_ * (until - from) +
                                  (rounding + 0x1p-48) * result.integral};
@@ -45,8 +45,8 @@ class Cell_integrator {
     double error = 0;  // the difference of the two rules
   };
 
-  // By one application of the rules. (The integrator of Boost 1.74 compares errors that belong to
-  // the interval from -1 to 1 with integrals that do not.)
+  // One application of the rules. (The integrator of Boost 1.74 compares errors for the interval
+  // from -1 to 1 with integrals for another one.)
   Estimate estimate(const std::vector<Point_2>& points, double from, double until) {
     using Kronrod = boost::math::quadrature::gauss_kronrod<double, 7>;
     using Gauss = boost::math::quadrature::gauss<double, 3>;
@@ -64,7 +64,7 @@ class Cell_integrator {
     return {scale * kronrod, scale * std::abs(kronrod - gauss)};
   }
 
-  // Halves the time until the error is at most `allowed` in a unit of time.
+  // Halves the interval until the error is at most `allowed` per unit of time.
   Estimate refined(const std::vector<Point_2>& points, double from, double until,
                    const Estimate& whole, double allowed, int most_halvings) {
     if (most_halvings == 0 || whole.error <= allowed * (until - from)) return whole;
@@ -157,7 +157,7 @@ std::vector<Mean_cell_area> Mean_cell_areas<Traits>::means() {
   return result;
 }
 
-// The time from the last change up to `until` has passed.
+// Integrates from the last change to `until`.
 template <ContactKineticTraits_2 Traits>
 void Mean_cell_areas<Traits>::integrate(Record& record, double until) {
   if (until == record.until) return;
@@ -178,8 +178,7 @@ void Mean_cell_areas<Traits>::begin(Point_id id, double time) {
   record.is_there = true;
   record.points.assign(1, this->graph().point(id));
   const auto neighbors = this->graph().neighbors(id);
-  // Where there are edges, a point without one is hidden; else one point is not, and it has the
-  // greatest weight.
+  // If there are edges, a point without one is hidden; else exactly one point is not hidden.
   record.is_hidden = neighbors.empty() && edges_ > 0;
   for (const Point_id neighbor : neighbors) record.points.push_back(this->graph().point(neighbor));
   if (edges_ > 0) return;
@@ -210,7 +209,7 @@ void Mean_cell_areas<Traits>::change(const Algebraic_number& time,
     const auto neighbors = this->graph().neighbors(point.id);
     changed.insert(neighbors.begin(), neighbors.end());
   }
-  if (!had_edges || edges_ == 0) {  // few points are visible
+  if (!had_edges || edges_ == 0) {  // at most one point is visible
     for (Point_id id = 0; id < records_.size(); ++id) changed.insert(id);
   }
   for (const Point_id id : changed) {

@@ -56,7 +56,7 @@ const std::vector<Nearest_neighbor_change>& Nearest_neighbors<Traits>::changes()
   return tracker_->changes();
 }
 
-// ---- what the base tells ----
+// ---- called by the base ----
 
 template <ContactKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits>

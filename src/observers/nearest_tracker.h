@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The nearest neighbor of each point of a graph, and when another one becomes nearer.
+// The implementation of Nearest_neighbors.
 #ifndef KINETRI_SRC_OBSERVERS_NEAREST_TRACKER_H
 #define KINETRI_SRC_OBSERVERS_NEAREST_TRACKER_H
 
@@ -17,8 +17,8 @@
 
 namespace kinetri::detail {
 
-/// Invariant, of the graph at the last time that has been told: each point has its nearest
-/// neighbor, and an entry in the queue if another neighbor will become nearer: the first such time.
+/// Invariant, at the last reported time: each point has its nearest neighbor, and an entry in the
+/// queue with the first time at which another neighbor becomes nearer, if one does.
 template <ContactKineticTraits_2 Traits>
 class Nearest_tracker {
  public:
@@ -27,8 +27,8 @@ class Nearest_tracker {
   using Change = Nearest_neighbor_change;
   using On_change = std::function<void(const Change&)>;
 
-  /// The neighbors just after `now`. The graph and the traits must outlive this object. Changes
-  /// are kept if there is no function.
+  /// The neighbors just after `now`. The graph and the traits must outlive this object. Changes are
+  /// stored if `on_change` is empty.
   Nearest_tracker(const Graph& graph, const Traits& traits, On_change on_change, const Time& now)
       : graph_(graph),
         traits_(traits),
@@ -54,7 +54,7 @@ class Nearest_tracker {
     return changes_;
   }
 
-  // ---- what Edge_follower tells ----
+  // ---- called by Edge_follower ----
 
   void advance(const Time& time) {
     while (const auto due = queue_.take_due(time)) {
@@ -63,8 +63,8 @@ class Nearest_tracker {
     }
   }
 
-  // Entries are about neighbors. So what is to be looked at again are the points that change and
-  // their neighbors, and who loses the neighbor that its entry is about.
+  // To be updated: changed points and their neighbors, and points that lose the neighbor of their
+  // entry or their nearest one.
   void before_change(std::span<const Edge_ids> removed, const auto& points) {
     again_.clear();
     for (const auto& changed : points) {
@@ -102,7 +102,7 @@ class Nearest_tracker {
   }
 
  private:
-  // The first failure that is known of the nearest neighbor of a point.
+  // The first failure of the nearest neighbor of a point.
   struct Entry : Failure {
     Point_id id = no_point;
     Point_id nearest = no_point;
@@ -111,7 +111,7 @@ class Nearest_tracker {
   using Queue = Failure_queue<Entry, Nearest_tracker>;
   friend Queue;
 
-  // An entry that is not in the queue yet, with its certificate, which fails or holds for a time.
+  // An entry that is not in the queue yet, with its certificate.
   struct Next_failure {
     Entry entry;
     Certificate certificate;
@@ -119,7 +119,7 @@ class Nearest_tracker {
 
   // ---- the nearest one ----
 
-  // Whether a is to be named rather than b.
+  // Whether a is nearer than b, or equally near with the smaller id.
   bool is_nearer(Point_id id, Point_id a, Point_id b, const Instant& after) const {
     const auto instantaneous = traits_.instantaneous_traits(after);
     const auto order = instantaneous.compare_distance_2_object()(graph_.point(id), graph_.point(a),
@@ -127,7 +127,8 @@ class Nearest_tracker {
     return order == CGAL::EQUAL ? a < b : order == CGAL::SMALLER;
   }
 
-  // Finds the nearest neighbor of a point, and when it fails. Precondition: the point has no entry.
+  // Finds the nearest neighbor of a point, and its first failure. Precondition: the point has no
+  // entry.
   void look_again(Point_id id, const Time& time) {
     const auto neighbors = graph_.neighbors(id);
     const Instant after = {time, Time_side::after};
@@ -145,7 +146,7 @@ class Nearest_tracker {
     if (first) push(std::move(*first));
   }
 
-  // A point has another neighbor.
+  // A point has got a further neighbor.
   void look_at(Point_id id, Point_id other, const Time& time) {
     const Point_id nearest = nearest_[id];
     if (nearest == no_point || is_nearer(id, other, nearest, {time, Time_side::after})) {
@@ -222,7 +223,7 @@ class Nearest_tracker {
   }
 
   void unschedule(Point_id id) {
-    if (id >= handles_.size()) return;  // it may be yet to come
+    if (id >= handles_.size()) return;  // it may not exist yet
     queue_.erase(std::exchange(handles_[id], no_event));
   }
 
@@ -239,10 +240,10 @@ class Nearest_tracker {
   std::vector<Point_id> nearest_;
   std::vector<Queue_handle> handles_;  // by id; no_event of none
   std::vector<Change> changes_;
-  // What has changed at `changed_at_`, and is not reported yet: the nearest neighbor before.
+  // The unreported changes at `changed_at_`: the nearest neighbors before.
   std::map<Point_id, Point_id> changed_;
   Time changed_at_;
-  std::vector<Point_id> again_;  // to be looked at again in the change that has begun; sorted
+  std::vector<Point_id> again_;  // to be updated in the present change; sorted
   Queue queue_{*this};
 };
 

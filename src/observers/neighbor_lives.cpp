@@ -18,7 +18,7 @@
 namespace kinetri {
 namespace {
 
-// The place that is equally near to the three points.
+// The position equidistant to the three points: the circumcenter, or with weights the power center.
 template <class Point>
 Trajectory_2 center(const Point& p, const Point& q, const Point& r) {
   if constexpr (HasWeight<typename Point::Motion>) {
@@ -28,10 +28,10 @@ Trajectory_2 center(const Point& p, const Point& q, const Point& r) {
   }
 }
 
-// Negative when two places are nearer to each other than `distance`, positive when they are
-// farther apart. The squared distance is the quotient of two polynomials that are never negative.
-// They have a common root when corners of a triangle meet, whose distance is then the limit: so
-// their common divisor, which is never negative either, is divided out.
+// Negative when two positions are nearer than `distance`, positive when they are farther apart. The
+// squared distance is the quotient of two nonnegative polynomials. They have a common root when
+// corners of a triangle meet; the distance is the limit then, so their common divisor, also
+// nonnegative, is divided out.
 Polynomial distance_polynomial(const Trajectory_2& a, const Trajectory_2& b, double distance) {
   const Rational exact = to_rational(distance);
   const Polynomial x = a.x * b.w - b.x * a.w;
@@ -66,8 +66,8 @@ Interval_point interval_point(const Motion& motion, double t) {
   return result;
 }
 
-// Whether the centres of the triangles p, q, r and p, q, s are certainly as far apart as `distance`
-// at the time t. False says nothing.
+// Whether the centers of the triangles p, q, r and p, q, s are certainly at least `distance` apart
+// at the time t.
 template <class Motion>
 bool are_certainly_apart(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
                          double distance, double t) {
@@ -190,7 +190,7 @@ std::vector<Point_exchanges> Neighbor_lives<Traits>::exchanges() {
   return result;
 }
 
-// Of each life, whether it is short up to now.
+// Whether each lifetime is short up to now.
 template <ContactKineticTraits_2 Traits>
 std::vector<bool> Neighbor_lives<Traits>::short_lives() const {
   std::vector<bool> result(lives_.size(), false);
@@ -203,7 +203,7 @@ std::vector<bool> Neighbor_lives<Traits>::short_lives() const {
   return result;
 }
 
-// ---- what happens ----
+// ---- called by the base ----
 
 template <ContactKineticTraits_2 Traits>
 void Neighbor_lives<Traits>::before_change(std::span<const Edge_ids> removed,
@@ -216,7 +216,7 @@ void Neighbor_lives<Traits>::before_change(std::span<const Edge_ids> removed,
     neighbors_before_.emplace_back(changed.id,
                                    std::vector<Point_id>(neighbors.begin(), neighbors.end()));
     if (!threshold_) continue;
-    // The ridges that depend on the motion: of its edges, and of those opposite of it.
+    // The ridges that depend on the motion: of its edges, and of those opposite to it.
     for (const Point_id other : neighbors) {
       end_piece(edge_ids(changed.id, other));
       for (const Point_id third : common_neighbors(changed.id, other)) {
@@ -237,7 +237,7 @@ void Neighbor_lives<Traits>::change(const Time& time, std::span<const Edge_ids> 
                                     std::span<const Changed_point> points) {
   const auto& graph = this->graph();
   now_ = time;
-  // Who has come or gone, and their neighbors.
+  // Inserted and erased points, and their neighbors.
   std::set<Point_id> near;
   for (const auto& [id, neighbors] : neighbors_before_) {
     if (graph.contains(id)) continue;
@@ -274,7 +274,7 @@ void Neighbor_lives<Traits>::change(const Time& time, std::span<const Edge_ids> 
   if (threshold_) follow_opposites(removed, added);
 }
 
-// Where points meet, other triangles may come although no edge does.
+// When points meet, triangles may change although no edge does.
 template <ContactKineticTraits_2 Traits>
 void Neighbor_lives<Traits>::change_triangles(std::span<const Edge_ids> edges) {
   if (!threshold_) return;
@@ -283,7 +283,7 @@ void Neighbor_lives<Traits>::change_triangles(std::span<const Edge_ids> edges) {
   update_opposites(around);
 }
 
-// The triangles at edges whose ends have lost or got an edge, or are at the side of one.
+// Updates the triangles at edges near added and removed ones.
 template <ContactKineticTraits_2 Traits>
 void Neighbor_lives<Traits>::follow_opposites(std::span<const Edge_ids> removed,
                                               std::span<const Edge_ids> added) {
@@ -300,8 +300,8 @@ void Neighbor_lives<Traits>::follow_opposites(std::span<const Edge_ids> removed,
   }
 }
 
-// Adds the ends of edges and the points at their sides; of a point that has gone, the other ends of
-// its edges.
+// Adds the ends of edges and their common neighbors; of an erased point, the other ends of its
+// edges.
 template <ContactKineticTraits_2 Traits>
 void Neighbor_lives<Traits>::add_points_around(std::span<const Edge_ids> edges,
                                                std::set<Point_id>& around) const {
@@ -316,7 +316,7 @@ void Neighbor_lives<Traits>::add_points_around(std::span<const Edge_ids> edges,
   }
 }
 
-// Looks at the triangles of all edges between these points.
+// Updates the triangles of all edges between these points.
 template <ContactKineticTraits_2 Traits>
 void Neighbor_lives<Traits>::update_opposites(const std::set<Point_id>& around) {
   const auto& graph = this->graph();
@@ -345,9 +345,9 @@ std::vector<Point_id> Neighbor_lives<Traits>::common_neighbors(Point_id a, Point
   return result;
 }
 
-// The third points of the triangles at an edge just after now. On each side it is the common
-// neighbor whose circle has no other one inside. There is no doubt where several are on one circle:
-// two of them with edges to both ends would have edges that cross.
+// The third points of the triangles at an edge just after now: on each side the common neighbor
+// whose circle contains no other one. It is unique even among cocircular ones: edges from two of
+// them to both ends would cross.
 template <ContactKineticTraits_2 Traits>
 auto Neighbor_lives<Traits>::opposite(const Edge_ids& edge) const -> Opposite {
   const auto& graph = this->graph();
@@ -372,7 +372,7 @@ auto Neighbor_lives<Traits>::opposite(const Edge_ids& edge) const -> Opposite {
   return result;
 }
 
-// The quadrilateral of the edge, or a motion of it, ends now.
+// The quadrilateral of the edge, or one of its motions, ends now.
 template <ContactKineticTraits_2 Traits>
 void Neighbor_lives<Traits>::end_piece(const Edge_ids& edge) {
   if (!threshold_) return;
@@ -383,7 +383,7 @@ void Neighbor_lives<Traits>::end_piece(const Edge_ids& edge) {
   present.since = now_;
 }
 
-// Whether the ridge is as long as the threshold at a time since the present piece began.
+// Whether the ridge reaches the threshold at a time since the present piece began.
 template <ContactKineticTraits_2 Traits>
 bool Neighbor_lives<Traits>::reaches_threshold(const Edge_ids& edge, const Present& present,
                                                const Time& until) const {

@@ -8,7 +8,7 @@
 namespace kinetri::detail {
 namespace {
 
-// Of the edge from `a` to `b`; twice the area, in units of the squared radius.
+// Twice the signed area for the edge from `a` to `b`, in units of the squared radius.
 double twice_area(const Vector_2& a, const Vector_2& b) {
   const Vector_2 d = {b.x - a.x, b.y - a.y};
   const double cross = a.x * d.y - a.y * d.x;

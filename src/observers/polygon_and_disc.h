@@ -10,13 +10,12 @@
 
 namespace kinetri::detail {
 
-/// The area of the polygon, whose vertices are counterclockwise, within the disc about (0, 0): no
-/// polygon stands for the circle. By Green's theorem it is the sum, over the edges, of the signed
-/// area of what the disc and the triangle of the edge and the centre have in common. Along an edge
-/// from a to b, that is a triangle where the edge is inside of the disc, and else a sector of the
-/// circle. Each of these is off by at most 2^-48 of the square of the radius: where an edge almost
-/// touches the circle the ends of the triangle are known less well, but what it then has too much
-/// the sector beside it has too little.
+/// The area of the polygon, whose vertices are counterclockwise, within the disc about (0, 0). By
+/// Green's theorem it is the sum, over the edges, of the signed area of the intersection of the
+/// disc with the triangle of the edge and the center. Along an edge, that is a triangle inside the
+/// disc, and a sector of the circle outside. The error of each is at most 2^-48 of the square of
+/// the radius: if an edge almost touches the circle, the ends of the triangle are less accurate,
+/// but the errors of the triangle and the adjacent sector cancel.
 double area_within_disc(std::span<const Vector_2> polygon, double radius);
 
 }  // namespace kinetri::detail

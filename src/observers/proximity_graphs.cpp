@@ -21,9 +21,9 @@ class Edge_tests {
   explicit Edge_tests(const Kinetic& kinetic)
       : kinetic_(kinetic), topology_(kinetic.triangulation()) {}
 
-  // Points on the side of r that are within the circle whose diameter is pq are within the circle
-  // through p, q and r as well, if r is outside of the first one. The second circle is empty. And
-  // no third point is between p and q, where they have an edge.
+  // The points opposite the edge suffice: if r is outside of the circle with the diameter pq,
+  // points on its side that are within that circle are within the empty circle through p, q and r
+  // as well. No third point is between the ends of an edge.
   bool is_gabriel(const Edge& edge) const {
     if (topology_.dimension() < 2) return true;
     const auto [face, i] = edge;
@@ -34,7 +34,7 @@ class Edge_tests {
   }
 
   // The points nearer to p than q is are connected with p by edges among themselves (docs/MATH.md,
-  // section 8). So all of them are found, and among them who is nearer to q than p is.
+  // section 8), so a search from p finds all of them.
   bool is_relative_neighbor(const Edge& edge) const {
     if (!is_gabriel(edge)) return false;
     if (topology_.dimension() < 2) return true;
@@ -54,7 +54,7 @@ class Edge_tests {
     return is_empty;
   }
 
-  // The test of an edge that is named by its ends.
+  // Tests the edge between two points.
   template <class Test>
   bool test(const Edge_ids& ids, const Test& is_edge_of_graph) const {
     typename Kinetic::Face_handle face;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A forest of points that is changed edge by edge.
+// A dynamic forest of points.
 #ifndef KINETRI_SRC_OBSERVERS_ROOTED_FOREST_H
 #define KINETRI_SRC_OBSERVERS_ROOTED_FOREST_H
 
@@ -22,11 +22,11 @@ class Rooted_forest {
   using Index = std::uint32_t;  ///< of an edge
   static constexpr Index no_edge = std::numeric_limits<Index>::max();
 
-  /// Has room for the points with ids below `next_id`. New points have no edges.
+  /// Resizes to the points with ids below `next_id`. New points have no edges.
   void resize(Point_id next_id) { nodes_.resize(next_id); }
 
-  /// The edges between two points; none if they are in different trees. Climbs from both in step.
-  /// Cost: O(the distance from the farther of the two to where they meet).
+  /// The edges of the path between two points; none if they are in different trees. Climbs from
+  /// both alternately. Cost: O(the greater distance of the two to their common ancestor).
   std::optional<std::vector<Index>> path(Point_id a, Point_id b) {
     std::array<Point_id, 2> at = {a, b};
     const std::array<std::uint64_t, 2> numbers = {++searches_, ++searches_};
@@ -58,7 +58,7 @@ class Rooted_forest {
     nodes_[ends[0]].edge = edge;
   }
 
-  /// Takes an edge away.
+  /// Removes an edge.
   void remove(Index edge, const Edge_ids& ends) {
     Node& child = nodes_[ends[nodes_[ends[0]].edge == edge ? 0 : 1]];
     KINETRI_ASSERT(child.edge == edge, "an edge of the tree leads to a parent");
@@ -70,7 +70,7 @@ class Rooted_forest {
   struct Node {
     Point_id parent = no_point;
     Index edge = no_edge;    // to the parent
-    std::uint64_t seen = 0;  // the last search that has come by
+    std::uint64_t seen = 0;  // the last search that has visited it
   };
 
   void make_root(Point_id id) {

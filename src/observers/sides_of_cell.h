@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sides of Voronoi and power cells at one time, as half planes from the point on.
+// The sides of Voronoi and power cells at one time, as half planes relative to the point.
 #ifndef KINETRI_SRC_OBSERVERS_SIDES_OF_CELL_H
 #define KINETRI_SRC_OBSERVERS_SIDES_OF_CELL_H
 
@@ -20,7 +20,7 @@ namespace kinetri::detail {
 template <KineticTraits_2 Traits>
 class Exact_cell_at_time;
 
-/// Makes the sides at one time, in one thread. Ball arithmetic where that is enough, else exact
+/// Computes the sides at one time, in one thread: by ball arithmetic if that suffices, else exact
 /// arithmetic.
 template <KineticTraits_2 Traits>
 class Sides_at_time {
@@ -31,7 +31,7 @@ class Sides_at_time {
   Sides_at_time(const Traits& traits, const Algebraic_number& time)
       : traits_(traits), time_(time), t_(ball_of(time)) {}
 
-  /// The place of the point, each coordinate known well.
+  /// The accurate position of the point.
   Ball_2 place(const Point_2& p) const {
     const Ball_2 result = ball_place(centre(p.motion()), t_);
     if (is_known_well(result.x) && is_known_well(result.y)) return result;
@@ -41,7 +41,7 @@ class Sides_at_time {
             ball(rounded_quotient(path.y, path.w, time_))};
   }
 
-  /// Whether the two have one place and, with weights, one weight.
+  /// Whether the two have the same position and, with weights, the same weight.
   bool are_alike(const Point_2& p, const Ball_2& at_p, const Point_2& q, const Ball_2& at_q) const {
     const Ball_2 d = at_q - at_p;
     if (d.x.is_nonzero() || d.y.is_nonzero()) return false;
@@ -55,7 +55,7 @@ class Sides_at_time {
     const Ball_2 d = at_q - at_p;
     Vector_2 vector = {d.x.high, d.y.high};
     const double size = std::max(std::abs(vector.x), std::abs(vector.y));
-    int exponent = 0;  // of the power of two that the vector has been multiplied by
+    int exponent = 0;  // of the scale of the vector, a power of two
     const bool is_known =
         std::max(d.x.radius, d.y.radius) <= 0x1p-60 * size && size >= 0x1p-500 && size <= 0x1p500;
     if (!is_known) {
@@ -72,7 +72,7 @@ class Sides_at_time {
     if (shift != 0) {
       const double error = 0x1p-50 * (std::abs(middle) + std::abs(shift));
       sides.displacement = std::max(sides.displacement, error);
-      // Its sign says whether the cell of p has p.
+      // Its sign says whether the cell of p contains p.
       if (std::abs(bound) <= error)
         bound = std::numeric_limits<double>::min() * static_cast<int>(power_order(p, q));
     }
@@ -95,13 +95,13 @@ class Sides_at_time {
            exactly().compare_y_2_object()(p, q) == CGAL::EQUAL;
   }
 
-  // Of the weight of p minus that of q.
+  // The sign of the weight of p minus that of q.
   CGAL::Sign weight_order(const Point_2& p, const Point_2& q) const {
     if constexpr (is_weighted) return sign_at(weight_polynomial(p, q), time_);
     return CGAL::ZERO;
   }
 
-  // Of the power of the place of p to q minus that to p.
+  // The sign of the power of the position of p to q minus that to p.
   CGAL::Sign power_order(const Point_2& p, const Point_2& q) const {
     const Trajectory_2 here = p.trajectory();
     const Trajectory_2 there = q.trajectory();
@@ -127,7 +127,7 @@ class Sides_at_time {
     return 0;
   }
 
-  // The vector from p to q times a power of two with which it is neither huge nor tiny.
+  // The vector from p to q, scaled by a power of two so that it is neither huge nor tiny.
   // Precondition: the two do not coincide.
   Vector_2 scaled_vector(const Point_2& p, const Point_2& q, int& exponent) const {
     const Trajectory_2 here = p.trajectory();
@@ -159,7 +159,7 @@ class Sides_at_time {
   const Traits& traits_;
   const Algebraic_number& time_;
   Ball t_;
-  mutable std::optional<Instantaneous_traits> exactly_ = std::nullopt;  // made where it is needed
+  mutable std::optional<Instantaneous_traits> exactly_ = std::nullopt;  // created on demand
 };
 
 /// The cell of one point among neighbors.
@@ -182,7 +182,7 @@ class Exact_cell_at_time final : public Exact_cell {
   std::optional<bool> is_open(const Vector_2& from, const Vector_2& to,
                               double cutoff) const override {
     const Algebraic_number& time = at_time_.time_;
-    time.tight_interval();  // finds out whether it is a binary64 number
+    time.tight_interval();  // detects binary64 numbers
     if (!time.is_known_rational()) return std::nullopt;
     const Rational t = time.rational();
     const Exact_position_2 p = point_.position(t);

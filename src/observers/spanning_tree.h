@@ -20,11 +20,10 @@ namespace kinetri::detail {
 
 /// Invariant between events: each edge of the graph that is not in the tree has a *cycle
 /// certificate*, a cycle of which it is the longest edge: the rest of the cycle is either two other
-/// edges of a triangle, or a path that was in the tree when it was found. Then no such edge is in
-/// the minimum spanning tree, and the tree is that. A cycle certificate fails when another edge of
-/// the cycle becomes longer than its edge; the queue has the first such failure of each edge that
-/// is not in the tree, and for each edge of the tree but the longest one the time at which it
-/// becomes longer than that.
+/// edges of a triangle, or a path that was in the tree when it was found. So no such edge is in the
+/// minimum spanning tree. A cycle certificate fails when another edge of the cycle becomes longer
+/// than its edge; the queue has the first such failure of each edge that is not in the tree, and
+/// for each edge of the tree except the longest one the time at which it becomes longer than that.
 template <ContactKineticTraits_2 Traits>
 class Spanning_tree {
  public:
@@ -53,7 +52,7 @@ class Spanning_tree {
   Spanning_tree(const Spanning_tree&) = delete;
   Spanning_tree& operator=(const Spanning_tree&) = delete;
 
-  // ---- what Edge_follower tells ----
+  // ---- called by Edge_follower ----
 
   void advance(const Time& time) {
     execute_until(time);
@@ -70,7 +69,7 @@ class Spanning_tree {
     }
     std::ranges::sort(affected);
     affected.erase(std::unique(affected.begin(), affected.end()), affected.end());
-    // Everything that goes by one of them leaves the queue before anything else.
+    // First remove all entries that depend on one of them.
     for (const Edge_ids& ids : affected) {
       const Index edge = find(ids);
       const std::vector<Index> certified = edges_[edge].certified;
@@ -98,7 +97,7 @@ class Spanning_tree {
 
   // ---- answers ----
 
-  /// Brings the tree and its history to the time, which is the present one of the graph.
+  /// Advances the tree and its history to the present time of the graph.
   void look(const Time& time) {
     execute_until(time);
     record();
@@ -124,13 +123,13 @@ class Spanning_tree {
   struct Edge {
     Edge_ids ids = {no_point, no_point};
     bool is_in_tree = false;
-    bool is_uncertified = false;   // it may belong into the tree
+    bool is_uncertified = false;   // it may belong to the tree
     std::vector<Index> cycle;      // of its certificate, without the edge itself
     std::vector<Index> certified;  // those with this edge in their cycles
     Queue_handle event = no_event;
   };
 
-  // The time at which `near` becomes longer than `far`. It is the entry of `owner`, one of the two.
+  // The time at which `near` becomes longer than `far`: the entry of `owner`, one of the two.
   struct Entry : Failure {
     Index owner = no_edge;
     Index near = no_edge;
@@ -145,7 +144,7 @@ class Spanning_tree {
     Index edge;
   };
 
-  // Whether an edge is before another one just after now, and if so, the certificate.
+  // Whether an edge is shorter than another one just after now, and if so, the certificate.
   struct Closer {
     bool holds = false;
     Certificate certificate = {};
@@ -222,7 +221,7 @@ class Spanning_tree {
 
   const Point_2& end(Index edge, std::size_t i) const { return graph_.point(edges_[edge].ids[i]); }
 
-  // For what may be wrong: an order to begin with.
+  // For initial orders, which need not be right.
   double rounded_square_length(Index edge) const {
     const double time = now_.interval().lower;
     const Vector_2 p = rounded_place(end(edge, 0).motion(), time);
@@ -273,7 +272,7 @@ class Spanning_tree {
 
   // ---- cycle certificates ----
 
-  // An edge that is not in the tree has no certificate any more, or not yet.
+  // Removes the cycle certificate of an edge, and marks it as uncertified.
   void withdraw(Index edge) {
     if (edges_[edge].is_uncertified) return;
     for (const Index other : std::exchange(edges_[edge].cycle, {})) {
@@ -286,8 +285,8 @@ class Spanning_tree {
     uncertified_.push_back(edge);
   }
 
-  // The order does not matter: there is one minimum spanning tree. Each edge gets a certificate or
-  // comes into the tree, mostly for a longer one, whose certificate is to be found then.
+  // Each edge gets a certificate or enters the tree, mostly instead of a longer one, which is then
+  // uncertified. The order does not matter, since the minimum spanning tree is unique.
   void certify_all() {
     for (std::size_t i = 0; i < uncertified_.size(); ++i) {
       const Index edge = uncertified_[i];
@@ -297,8 +296,7 @@ class Spanning_tree {
     uncertified_.clear();
   }
 
-  // Looks for a triangle of which the edge is the longest one. It need not be one of the
-  // triangulation.
+  // Looks for a triangle of edges of which the edge is the longest one. It need not be a face.
   bool find_triangle(Index edge) {
     const auto [a, b] = edges_[edge].ids;
     for (const Point_id corner : graph_.neighbors(a)) {
@@ -318,8 +316,8 @@ class Spanning_tree {
     return false;
   }
 
-  // The edge comes into the tree if it joins two parts of it, or if the longest edge of the path
-  // between its ends is longer; else it makes a cycle with the path.
+  // The edge enters the tree if it joins two parts of it, or if the longest edge of the path
+  // between its ends is longer; else it gets a cycle with the path.
   void find_path(Index edge) {
     std::optional<std::vector<Index>> path = forest_.path(edges_[edge].ids[0], edges_[edge].ids[1]);
     if (!path) return add_to_tree(edge);
@@ -339,8 +337,8 @@ class Spanning_tree {
     withdraw(longest);
   }
 
-  // Schedules the first failure of the certificates, which are those that the edges of the cycle
-  // are shorter. A path still certifies when an edge of it leaves the tree: it is one in the graph.
+  // Schedules the first failure of the certificates that the edges of the cycle are shorter. A
+  // cycle remains valid when one of its edges leaves the tree.
   void certify(Index edge, std::vector<Index> cycle, std::vector<Certificate> certificates) {
     std::optional<std::size_t> first;
     for (std::size_t i = 0; i < cycle.size(); ++i) {
@@ -377,7 +375,7 @@ class Spanning_tree {
     if (edge == longest_) longest_ = no_edge;
   }
 
-  // Compares the edges that have come into the tree with the longest one, or all, if that has gone.
+  // Compares the edges that have entered the tree with the longest one, or all, if that has left.
   void find_longest() {
     const std::vector<Index> added = std::exchange(new_in_tree_, {});
     if (longest_ == no_edge) return compare_all_with_longest();
@@ -393,8 +391,7 @@ class Spanning_tree {
     }
   }
 
-  // Begins with longest_, or if there is none, with an edge that seems to be it, and goes on to
-  // each edge that is longer.
+  // Begins with longest_ or, if there is none, with an edge of about the greatest length.
   void compare_all_with_longest() {
     std::vector<Index> tree;
     for (Index edge = 0; edge < edges_.size(); ++edge) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What has changed in a spanning tree, and which edge was the longest one when.
+// The changes of a spanning tree, and its longest edge over time.
 #ifndef KINETRI_SRC_OBSERVERS_SPANNING_TREE_HISTORY_H
 #define KINETRI_SRC_OBSERVERS_SPANNING_TREE_HISTORY_H
 
@@ -14,8 +14,8 @@
 
 namespace kinetri::detail {
 
-/// Invariant: all changes are recorded but those counted since the last record(), which are of one
-/// time; the longest edges are in the order of time, each until the next one begins.
+/// Invariant: all changes are recorded except those counted since the last record(), which are at
+/// one time; the longest edges are in the order of time.
 template <class Point_2>
 class Spanning_tree_history {
  public:
@@ -29,12 +29,12 @@ class Spanning_tree_history {
     Point_2 q = Point_2();
   };
 
-  /// The edge has come into the tree (1) or gone (-1).
+  /// The edge has entered the tree (1) or left it (-1).
   void count(const Edge_ids& ids, int change) { changed_[ids] += change; }
-  /// What has been counted is no change: it was so at the start.
+  /// Discards the counts: they are the state at the start.
   void forget_counts() { changed_.clear(); }
 
-  /// What has been counted was at longest.since, and from then on that edge is the longest.
+  /// Records the counts as the change at longest.since, and the longest edge from then on.
   void record(Longest_piece longest) {
     Spanning_tree_change change = {longest.since, {}, {}};
     for (const auto& [ids, number] : std::exchange(changed_, {})) {
@@ -71,7 +71,7 @@ class Spanning_tree_history {
     if (!edge) return std::nullopt;
     return Connecting_range{length_at(detail::squared_distance(p, q), now), *edge, now};
   }
-  /// The greatest one up to the present time, or the least.
+  /// The greatest or the least one up to the present time.
   std::optional<Connecting_range> extreme_range(bool greatest, const Time& now) const {
     std::vector<Length_piece> pieces;
     for (std::size_t i = 0; i < longest_.size(); ++i) {
@@ -84,7 +84,8 @@ class Spanning_tree_history {
   }
 
  private:
-  std::map<Edge_ids, int> changed_;  // how often an edge has come less how often it has gone
+  std::map<Edge_ids, int>
+      changed_;  // how often an edge has entered the tree minus how often it has left
   std::vector<Spanning_tree_change> changes_;
   std::vector<Longest_piece> longest_;
 };

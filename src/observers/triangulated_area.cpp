@@ -14,7 +14,7 @@
 namespace kinetri::detail {
 namespace {
 
-// A ring, and what it is.
+// A ring, and its place in the input.
 struct Named_ring {
   const Ring* positions;
   std::size_t polygon;
@@ -28,14 +28,14 @@ struct Named_ring {
 
 // A side of a face.
 struct Side_info {
-  // How many polygons more, less holes, are on this side of it than on the other one.
+  // The winding number on this side minus that on the other side.
   int step = 0;
-  const Named_ring* ring = nullptr;  // that it belongs to
+  const Named_ring* ring = nullptr;  // of the side
 };
 
 struct Face_info {
   std::array<Side_info, 3> sides = {};  // opposite to the corners
-  int winding = -1;                     // the number of polygons that it is in, less that of holes
+  int winding = -1;  // the number of polygons minus that of holes that contain it
   bool is_known = false;
   std::size_t index = Triangulated_area::wall;  // among those of the area
 
@@ -61,8 +61,7 @@ std::string text(const Vector_2& place) {
   return out.str();
 }
 
-// 1 if the ring is counterclockwise, -1 if it is clockwise, 0 if what it winds around to the left
-// is as large as what it winds around to the right.
+// The sign of the area of the ring: 1 if it is counterclockwise, -1 if it is clockwise.
 int direction(const Ring& ring) {
   Rational sum;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -75,7 +74,7 @@ int direction(const Ring& ring) {
 
 void insert_edges(Triangulation& triangulation, const std::vector<Named_ring>& rings,
                   std::vector<std::vector<Vertex_handle>>& vertices) {
-  // All vertices first: then an edge that passes through a vertex is divided there.
+  // All vertices first, so that edges are divided at vertices on them.
   Face_handle hint;
   for (const Named_ring& ring : rings) {
     vertices.emplace_back();
@@ -100,7 +99,7 @@ void insert_edges(Triangulation& triangulation, const std::vector<Named_ring>& r
   }
 }
 
-// Notes on both sides of the edges from `v` to `end`, which have a face to their left.
+// Marks both sides of the edges from `v` to `end`.
 void note_edges(const Triangulation& triangulation, Vertex_handle v, Vertex_handle end,
                 const Named_ring& ring, int step) {
   const auto leads_on = [&](Vertex_handle w) {
@@ -123,7 +122,7 @@ void note_edges(const Triangulation& triangulation, Vertex_handle v, Vertex_hand
   }
 }
 
-// From the infinite faces on, which are outside. Gives the faces of the area.
+// Finds the faces of the area, by a search from the infinite faces.
 std::vector<Face_handle> find_inside(const Triangulation& triangulation) {
   std::vector<Face_handle> inside;
   std::vector<Face_handle> open = {triangulation.infinite_face()};

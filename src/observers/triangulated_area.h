@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a Walkable_area holds: its constrained Delaunay triangulation, whose triangles have the
-// corners that were given, unrounded; and trees to find triangles and walls.
+// The content of a Walkable_area: its constrained Delaunay triangulation, with the given corners,
+// unrounded; and trees to find triangles and walls.
 #ifndef KINETRI_SRC_OBSERVERS_TRIANGULATED_AREA_H
 #define KINETRI_SRC_OBSERVERS_TRIANGULATED_AREA_H
 
@@ -22,7 +22,7 @@ namespace kinetri::detail {
 
 /// Rings that do not bound an area.
 struct Invalid_area {
-  std::string what;  ///< what is wrong, where, and what was expected
+  std::string what;  ///< the error, its position, and what was expected
 };
 
 /// Immutable.
@@ -31,12 +31,12 @@ class Triangulated_area {
   /// A triangle of the area.
   struct Triangle {
     std::array<Vector_2, 3> corners;  ///< counterclockwise
-    /// Across the side opposite to corner i; `wall` where the area ends there.
+    /// Across the side opposite to corner i, or `wall`.
     std::array<std::size_t, 3> neighbors;
   };
   static constexpr auto wall = static_cast<std::size_t>(-1);
 
-  /// A side of a triangle where the area ends.
+  /// A side of a triangle on the boundary of the area.
   using Wall = std::array<Vector_2, 2>;
 
   /// Throws Invalid_area. Precondition: each ring has three positions or more, which are finite.

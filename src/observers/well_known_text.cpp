@@ -37,7 +37,7 @@ class Reader {
 
   void skip_blanks() { at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size()); }
 
-  // What stands here, for messages.
+  // The next text, for messages.
   std::string here() {
     skip_blanks();
     if (at_ == text_.size()) return "the text ends here";
@@ -79,7 +79,7 @@ class Reader {
     return result;
   }
 
-  // Collections in collections, as deep as anyone needs and the stack allows.
+  // The depth of nested collections is limited because of the stack.
   void read_geometry(std::size_t depth = 0) {
     constexpr std::size_t greatest_depth = 100;
     skip_blanks();

@@ -21,8 +21,8 @@ typename Traits::Point_2 resting_point(const Vector_2& place) {
   return typename Traits::Point_2(motion, no_point);
 }
 
-// Grows the maximum spanning tree of the dual graph from one place until it reaches the other one,
-// as Prim's algorithm does: always across the longest edge.
+// Prim's algorithm: grows the maximum spanning tree of the dual graph from one position until it
+// reaches the other one, always across the longest edge.
 template <class Traits>
 class Search {
  public:
@@ -67,7 +67,7 @@ class Search {
     Face_handle into;
   };
 
-  // How a face has been reached; not by a crossing the first ones.
+  // How a face has been reached; the first ones without a crossing.
   struct Step {
     std::optional<Crossing> crossing;
   };
@@ -138,7 +138,7 @@ template <class Traits>
 requires HasNearestNeighbors<Traits> std::optional<Algebraic_number> end_of_path(
     const Kinetic_triangulation_2<Traits>& triangulation, const Widest_path& path, double width) {
   KINETRI_PRECONDITION(std::isfinite(width) && width >= 0, "the width is negative or not finite");
-  // The failures that matter are exact: a certificate that holds up to some time is asked again.
+  // Failures are exact; a certificate that holds until some time is checked again from there.
   const Traits& traits = triangulation.traits();
   const auto point = [&](Point_id id) { return triangulation.vertex(id)->point(); };
   std::optional<Algebraic_number> first;

@@ -16,9 +16,10 @@
 // overlap at the position x. Without the discs with new motions x would be in the power cell of a
 // disc v: its power there is at most that of q, so not positive. So v is q or overlaps it, and it
 // overlaps p. There are three cases (docs/MATH.md, section 8):
-// - x is still in the cell of v, which meets p;\n// - v has a smaller cell: its neighbors include a
-// disc with a new motion;\n// - v has none: the triangle that hides it is new, and so has a corner
-// with a new motion.
+//
+// - x is still in the cell of v, which meets p;
+// - v has a smaller cell: its neighbors include a disc with a new motion;
+// - v has none: the triangle that hides it is new, and so has a corner with a new motion.
 //
 // All such v are found (Disc_geometry::discs_about); q is one of them, or overlaps one of them. For
 // radii 0 see find_overlaps_of_seeds and let_pass.
