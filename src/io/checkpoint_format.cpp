@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view format_name = "kinetri checkpoint ";
 constexpr std::string_view version = "6";
-// An exact time of the program's has some hundred thousand digits at most.
+// Exact times of the program have at most some hundred thousand digits.
 constexpr std::size_t longest_line = std::size_t{1} << 24U;
 
 std::string checksum_line(std::string_view text) {
@@ -29,7 +29,7 @@ void expect_readable(const std::istream& in, const std::string& file_name) {
   throw Input_error(file_name, 0, "cannot be read to its end; expected a readable file");
 }
 
-// With its line end, or the beginning of it if that is far away. Waits for no more.
+// The first line with its line end, or its first 64 bytes. Does not wait for more.
 std::string first_line(std::istream& in, const std::string& file_name) {
   constexpr std::size_t enough = 64;
   std::string line;
@@ -38,7 +38,7 @@ std::string first_line(std::istream& in, const std::string& file_name) {
   return line;
 }
 
-// Puts the rest of the file behind its first line.
+// Appends the rest of the file to its first line.
 void read_rest(std::istream& in, const std::string& file_name, std::string& file) {
   std::array<char, 1U << 16U> buffer;
   std::size_t line = 2;

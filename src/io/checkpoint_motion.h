@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How a checkpoint file holds a motion: the name of its kind, and a list of numbers.
+// The form of motions in checkpoint files: the name of the kind, and a list of numbers.
 #ifndef KINETRI_SRC_IO_CHECKPOINT_MOTION_H
 #define KINETRI_SRC_IO_CHECKPOINT_MOTION_H
 
@@ -29,7 +29,7 @@ struct Checkpoint_motion<Linear_motion_2> {
             motion.epoch};
   }
 
-  /// None if there are too few numbers, or too many.
+  /// None if the number of numbers is wrong.
   static std::optional<Linear_motion_2> from_numbers(std::span<const double> numbers) {
     if (numbers.size() != 5) return std::nullopt;
     return Linear_motion_2{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4]};

@@ -178,7 +178,7 @@ std::vector<Checkpoint_log> logs(const Json_value& list) {
   return result;
 }
 
-// Reads the snapshot of the kind of motion with the name. Whether there is such a kind.
+// Reads the snapshot of the named kind of motion. Returns whether there is such a kind.
 template <class... Snapshots>
 bool read_snapshot(const Json_value& state, std::string_view name,
                    std::variant<Snapshots...>& result) {

@@ -120,7 +120,7 @@ class Checkpoint_writer {
     add("max_contacts_per_instant", options.max_contacts_per_instant);
   }
 
-  // What writes the value of the member.
+  // The writer of the value of a member.
   Json_writer begin(const char* key) {
     if (!std::exchange(is_first_, false)) text_ += ',';
     text_ += "\n\"";
@@ -134,7 +134,7 @@ class Checkpoint_writer {
     begin(key).value(value);
   }
 
-  // The same of what `write` writes.
+  // Adds a member whose value `write` writes.
   template <class... Values>
   void add_written(const char* key, const Values&... values) {
     Json_writer json = begin(key);

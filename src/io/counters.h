@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The names of counters in files, for those who write and those who read them.
+// The names of counters in files, for writers and readers.
 #ifndef KINETRI_SRC_IO_COUNTERS_H
 #define KINETRI_SRC_IO_COUNTERS_H
 
@@ -30,7 +30,8 @@ inline constexpr std::array<Named_counter<Certificate_counters>, 5> certificate_
     {"exact_decided", &Certificate_counters::exact_decided},
 }};
 
-/// Of a triangulation, those that tell what happened, and are not by kinds of events.
+/// Of a triangulation, those that do not depend on the number of threads, except the counts by
+/// kinds of events.
 inline constexpr std::array<Named_counter<Triangulation_counters>, 6> triangulation_counters = {{
     {"instants", &Triangulation_counters::instants},
     {"largest_instant", &Triangulation_counters::largest_instant},
@@ -40,7 +41,7 @@ inline constexpr std::array<Named_counter<Triangulation_counters>, 6> triangulat
     {"reconstructions", &Triangulation_counters::reconstructions},
 }};
 
-/// Of contacts, those that tell what happened.
+/// Of contacts, those that do not depend on the number of threads.
 inline constexpr std::array<Named_counter<Contact_counters>, 2> contact_counters = {{
     {"instants", &Contact_counters::instants},
     {"most_at_one_time", &Contact_counters::most_at_one_time},
@@ -53,7 +54,7 @@ inline constexpr std::array<Named_counter<Queue_counters>, 3> queue_counters = {
     {"peak", &Queue_counters::peak},
 }};
 
-/// Writes counters as members of the object that has been begun.
+/// Writes counters as members of the present object.
 template <class Counters, std::size_t n>
 void write_counters(Json_writer& json, const Counters& counters,
                     const std::array<Named_counter<Counters>, n>& names) {

@@ -24,7 +24,7 @@ void append_point(std::string& line, const std::optional<Point_id>& point) {
 }  // namespace
 
 std::string time_fields(const Algebraic_number& time) {
-  const double nearest = time.to_double();  // mostly the bounds are known then
+  const double nearest = time.to_double();  // mostly computes the bounds too
   const Double_interval interval = time.tight_interval();
   return joined(nearest, ',', interval.lower, ',', interval.upper);
 }

@@ -34,8 +34,8 @@ Name name_of(std::string_view word) {
   return word == "y" ? Name::y : Name::other;
 }
 
-// In lower case, without what is in brackets, without units after a slash, and without underscores;
-// separated by blanks.
+// In lower case, without text in brackets, units after a slash, and underscores; separated by
+// blanks.
 std::string simplified(std::string_view comment) {
   std::string result;
   int brackets = 0;
@@ -124,8 +124,8 @@ std::optional<Length_unit> unit_of(std::string_view word) {
   return found == names.end() ? std::nullopt : std::optional(found->unit);
 }
 
-// The unit behind x or y, with or without `in` between; or else one behind `in` or `unit`, or
-// behind z where that follows y: "x y z (cm)".
+// The unit after x or y, with or without `in` between; or else one after `in` or `unit`, or after z
+// if that follows y: "x y z (cm)".
 void find_unit(std::string_view comment, Comment_signs& signs) {
   std::string text = in_lower_case(comment);
   std::ranges::replace_if(
@@ -168,7 +168,7 @@ bool is_whole(double number) {
   return std::trunc(number) == number;
 }
 
-// The average distance of successive rows that have one key, and how many of them there are.
+// The average distance of successive rows with one key, and their number.
 struct Steps {
   double average = 0;
   std::size_t number = 0;
@@ -209,7 +209,7 @@ Comment_signs signs_in_comment(std::string_view comment) {
 }
 
 std::optional<std::string> sign_in_rows(const std::vector<Track>& tracks) {
-  // With fewer it may be chance.
+  // With fewer steps it may be chance.
   constexpr std::size_t least_steps_of_one = 2;
   constexpr std::size_t least_steps = 8;
   std::vector<Row> rows;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Beside tracks/geojson.cpp the only source of the library that takes in nlohmann-json, which takes
-// seconds to compile.
+// Only this source and tracks/geojson.cpp include the whole of nlohmann-json, which takes seconds
+// to compile.
 #include <nlohmann/json.hpp>
 
 #include "json_value.h"
@@ -49,7 +48,7 @@ void Json_writer::end(char bracket) {
   text_ += bracket;
 }
 
-// What stands before an element; nothing before a value that has a key.
+// Writes the separator before an element, unless it has a key.
 void Json_writer::begin_element() {
   if (has_key_ || elements_.empty()) {
     has_key_ = false;
@@ -149,7 +148,7 @@ std::uint64_t Json_value::whole_number_up_to(std::uint64_t limit) const {
   return json_.get<std::uint64_t>();
 }
 
-// As in state.points[3].
+// For example state.points[3].
 std::string Json_value::place() const {
   if (parent_ == nullptr) return key_;
   return key_ != nullptr ? joined(parent_->place(), '.', key_)

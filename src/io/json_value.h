@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A JSON value that is read with suspicion: each access says what it expects, and where in the file
-// something else is.
+// Checked access to JSON values, with errors that say what was expected, and where.
 #ifndef KINETRI_SRC_IO_JSON_VALUE_H
 #define KINETRI_SRC_IO_JSON_VALUE_H
 
@@ -15,11 +14,11 @@
 
 namespace kinetri {
 
-/// The values that its functions give refer to it: it must outlive them. Each function throws
-/// Input_error if the value is not what it asks for.
+/// A JSON value, which must outlive the values that its functions return. Each function throws
+/// Input_error if the value does not have the expected type.
 class Json_value {
  public:
-  /// `file` names the file in messages, `root` this value.
+  /// `file` is the name of the file in messages, `root` that of this value.
   Json_value(const nlohmann::json& json, const std::string& file, const char* root)
       : json_(json), file_(file), key_(root) {}
 
@@ -49,7 +48,7 @@ class Json_value {
 
   double number() const;
 
-  /// A whole number from 0 to that limit.
+  /// A whole number from 0 to the limit.
   template <class Unsigned>
   Unsigned whole_number(Unsigned limit = std::numeric_limits<Unsigned>::max()) const {
     return static_cast<Unsigned>(whole_number_up_to(limit));
@@ -77,7 +76,7 @@ class Json_value {
   std::size_t index_ = 0;
 };
 
-/// A JSON text that has been read.
+/// A parsed JSON text.
 class Json_document {
  public:
   explicit Json_document(std::string_view text);

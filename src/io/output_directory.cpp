@@ -48,7 +48,7 @@ void check_existing_target(const std::string& path, const fs::path& target) {
     fail_output(path, "is not empty", 0,
                 std::string(usable_target) + "; remove what is in it, or name another");
   }
-  // Neither can be replaced as the others: the one would leave whoever is in it nowhere.
+  // The current directory and mount points cannot be replaced.
   if (target == fs::current_path(error)) {
     fail_output(path, "is the current directory", 0, "another one");
   }
@@ -65,7 +65,7 @@ Made_temporary make_directory_beside(const std::string& path, const fs::path& ta
               "a path in an existing directory in which directories can be made");
 }
 
-// Writes it all. The reason if that fails, else 0.
+// Writes the whole content. Returns 0 or an errno.
 int write_all(int descriptor, std::string_view content) {
   while (!content.empty()) {
     const ssize_t written = ::write(descriptor, content.data(), content.size());
@@ -80,7 +80,7 @@ int write_all(int descriptor, std::string_view content) {
 
 }  // namespace
 
-// The directory beside the target. It knows its files, so that a signal handler can remove them.
+// The directory beside the target, with a list of its files for signal handlers.
 struct Output_directory::Temporary {
   struct File {
     std::string path;
@@ -99,14 +99,14 @@ struct Output_directory::Temporary {
       const Temporary* expected = this;
       if (entry.compare_exchange_strong(expected, nullptr)) break;
     }
-    // One by one: a long list that destroys itself does so by deep recursion.
+    // Iteratively: destructors of a long list would recurse deeply.
     std::unique_ptr<File> file(last.load());
     while (file) file = std::move(file->previous);
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
 
-  // The path of a new file; noted before there is one, so that none is ever unknown.
+  // The path of a new file; listed before the file is created.
   const char* add(std::string_view name) {
     auto file = std::make_unique<File>();
     file->path = path + '/' + std::string(name);
@@ -115,7 +115,7 @@ struct Output_directory::Temporary {
     return last.load()->path.c_str();
   }
 
-  // Async-signal-safe. Does nothing once the directory has another name.
+  // Async-signal-safe. Does nothing after the directory has been renamed.
   void remove() const noexcept {
     for (const File* file = last.load(); file != nullptr; file = file->previous.get()) {
       ::unlink(file->path.c_str());
@@ -123,7 +123,7 @@ struct Output_directory::Temporary {
     ::rmdir(path.c_str());
   }
 
-  // Those that a signal handler must remove.
+  // The directories that a signal handler must remove.
   static inline std::array<std::atomic<const Temporary*>, 16> all = {};
 
   std::string path;
@@ -150,7 +150,7 @@ Output_directory::~Output_directory() {
 Output_directory::Output_directory(Output_directory&&) noexcept = default;
 
 void Output_directory::make_temporary() {
-  // So that a signal's handler knows each directory that there is.
+  // So that signal handlers know every existing directory.
   const Signals_held_back held_back;
   temporary_ = std::make_unique<Temporary>(make_directory_beside(path_, identity_));
 }
@@ -182,7 +182,7 @@ void Output_directory::commit() {
                 usable_target);
   }
   if (replaces) {
-    // Not everyone may give directories away, nor must a result be lost for it.
+    // Failures are ignored: not all users may change owners, and the result must not be lost.
     const bool owner_kept = ::chown(identity_.c_str(), replaced.st_uid, replaced.st_gid) == 0;
     const bool mode_kept = ::chmod(identity_.c_str(), replaced.st_mode & 07777U) == 0;
     static_cast<void>(owner_kept && mode_kept);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How failures of outputs are said.
+// The messages of failed outputs.
 #ifndef KINETRI_SRC_IO_OUTPUT_FAILURE_H
 #define KINETRI_SRC_IO_OUTPUT_FAILURE_H
 
@@ -11,7 +11,7 @@
 
 namespace kinetri {
 
-/// Throws an Output_error about `path`. `error` is an errno, 0 if there is none to tell.
+/// Throws an Output_error about `path`. `error` is an errno, or 0.
 template <class Kind_of_error = Output_error>
 [[noreturn]] void fail_output(const std::string& path, const std::string& problem, int error,
                               const std::string& expected) {

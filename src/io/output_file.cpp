@@ -42,7 +42,7 @@ void forget(const char* temporary) {
   }
 }
 
-// What a chain of symbolic links ends at, whether it exists or not.
+// The end of a chain of symbolic links; it need not exist.
 fs::path resolved(fs::path path) {
   constexpr int longest_chain = 40;
   std::error_code error;
@@ -56,7 +56,7 @@ fs::path resolved(fs::path path) {
 
 }  // namespace
 
-// Writes to a file descriptor, and keeps the reason of a failure.
+// Writes to a file descriptor, and stores the error.
 class Output_file::Buffer : public std::streambuf {
  public:
   Buffer(int descriptor, bool owned) : descriptor_(descriptor), owned_(owned), memory_(size) {
@@ -72,7 +72,7 @@ class Output_file::Buffer : public std::streambuf {
   void keep_checksum() { checksum_.emplace(); }
   const std::optional<Checksum>& checksum() const { return checksum_; }
 
-  // Writes out and closes. False if any write failed.
+  // Flushes and closes. False if any write failed.
   bool close() {
     flush();
     if (owned_ && descriptor_ >= 0 && ::close(descriptor_) != 0 && error_ == 0) error_ = errno;
@@ -121,7 +121,7 @@ Output_file::Output_file(std::string path) : path_(std::move(path)) {
   if (path_.empty()) {
     fail_output("''", "is no path of an output file", 0, "a path, or - for standard output");
   } else if (path_ == "-") {
-    // Known before a long run, not after it.
+    // Detected before a long run, not after it.
     const int flags = ::fcntl(STDOUT_FILENO, F_GETFL);
     if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY) {
       fail_output(path_, "is closed, or open for reading alone", 0, "it open for writing");
@@ -168,10 +168,10 @@ void Output_file::open_temporary(const struct stat* existing) {
   std::error_code ignored;
   identity_ = fs::weakly_canonical(fs::absolute(target_, ignored), ignored).string();
 
-  // So that a signal's handler knows each file that there is.
+  // So that signal handlers know every existing file.
   const Signals_held_back held_back;
   Made_temporary made = make_temporary(Temporary_kind::file, target_);
-  // Not closed before the file has its name, and so locked until then.
+  // Closed after renaming, so that the file is locked until then.
   if (made.descriptor) {
     lock_ = File_descriptor(::fcntl(made.descriptor.number(), F_DUPFD_CLOEXEC, 0));
     if (!lock_) {
@@ -188,7 +188,7 @@ void Output_file::open_temporary(const struct stat* existing) {
   const int descriptor = made.descriptor.release();
   buffer_ = std::make_unique<Buffer>(descriptor, true);
   if (existing != nullptr) {
-    // Not everyone may give files away, nor must a result be lost for it.
+    // Failures are ignored: not all users may change owners, and the result must not be lost.
     const bool owner_kept = ::fchown(descriptor, existing->st_uid, existing->st_gid) == 0;
     const bool mode_kept = ::fchmod(descriptor, existing->st_mode & 0777U) == 0;
     static_cast<void>(owner_kept && mode_kept);
@@ -210,7 +210,7 @@ void Output_file::finish() {
   stream_->flush();
   const bool stream_good = stream_->good();
   const bool closed = buffer_->close();
-  stream_->setstate(std::ios::badbit);  // what is written from now on is lost
+  stream_->setstate(std::ios::badbit);  // later output is lost
   if (!stream_good || !closed) {
     discard();
     const bool is_unread = path_ == "-" && buffer_->error() == EPIPE;

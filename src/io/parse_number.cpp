@@ -25,7 +25,7 @@ Parsed_number parse_number(std::string_view text) {
   if (negative || digits.starts_with('+')) digits.remove_prefix(1);
   const bool hexadecimal = digits.starts_with("0x") || digits.starts_with("0X");
   if (hexadecimal) digits.remove_prefix(2);
-  // from_chars takes a minus sign; it would be the second one here.
+  // from_chars would accept a second minus sign.
   if (digits.starts_with('-')) return {0, not_a_number};
   const char* const end = digits.data() + digits.size();
   double value = 0;

@@ -25,7 +25,7 @@ namespace {
 
 constexpr Table_kind points_kind = {"points", "point"};
 
-// Those of numbers first.
+// Columns of numbers first.
 enum Column : std::size_t {
   x,
   y,
@@ -100,7 +100,7 @@ class Points_reader {
                        column_names[second], ", or neither"));
   }
 
-  // Whether the line, which begins with #, is no comment, but a row whose first field is the label.
+  // Whether a line that begins with # is a row, whose label begins with #.
   bool is_row(std::string_view line) {
     if (header_.columns.front() != label) return false;
     std::size_t fields = 0;
@@ -114,7 +114,7 @@ class Points_reader {
     return has_numbers && fields == header_.columns.size();
   }
 
-  // Points move in the plane: a third coordinate may be there if it says nothing.
+  // A third coordinate must be the same for all points.
   void expect_one_plane(const std::array<double, label>& values) {
     if (!header_.has(z)) return;
     for (const Column column : {z, vz}) {
@@ -173,7 +173,7 @@ class Points_reader {
     }
   }
 
-  // Discs about one centre that moves may differ in their radii.
+  // Discs with equal motions may differ in radius and growth.
   std::array<double, 2> sizes(Point_id id) const {
     return {has_radius_ ? result_.radii[id] : 0, has_growth_ ? result_.growths[id] : 0};
   }
@@ -185,7 +185,7 @@ class Points_reader {
 
   void reject_equal_labels() const {
     if (!has_label_) return;
-    std::map<std::string_view, Point_id> points;  // a tree, so that no input makes it slow
+    std::map<std::string_view, Point_id> points;  // a tree, so that no input is slow
     for (Point_id point = 0; point < result_.labels.size(); ++point) {
       const auto [known, is_new] = points.emplace(result_.labels[point], point);
       if (is_new) continue;
@@ -198,8 +198,8 @@ class Points_reader {
     }
   }
 
-  // Sorts ids by x, kept beside them, and by the other numbers where x does not decide. Not by a
-  // hash: no input makes this quadratic.
+  // Sorts ids by x, stored beside them, then by the other numbers. Not by a hash, so that no input
+  // is slow.
   template <class Motion>
   void reject_equal_points(const std::vector<Motion>& motions) const {
     struct Entry {

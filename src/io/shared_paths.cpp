@@ -23,7 +23,7 @@ struct Piece {
   Linear_motion_2 motion;
 };
 
-// Where the line of a motion is at time 0, exactly.
+// The exact position on the line of a motion at time 0.
 using Intercept = std::pair<Rational, Rational>;
 
 Intercept intercept(const Linear_motion_2& motion) {
@@ -32,7 +32,7 @@ Intercept intercept(const Linear_motion_2& motion) {
           to_rational(motion.position.y) - to_rational(motion.velocity.y) * epoch};
 }
 
-// By what is cheap to compare. Zeros of both signs are equal.
+// By numbers that are cheap to compare. Zeros of both signs are equal.
 auto key(const Piece& piece) {
   return std::tuple(piece.radius, piece.motion.velocity.x, piece.motion.velocity.y);
 }
@@ -44,7 +44,7 @@ class Search {
     std::iota(result_.companion.begin(), result_.companion.end(), std::size_t{0});
   }
 
-  // Of one velocity.
+  // Adds pieces of one velocity.
   void add(std::span<const Piece> pieces) {
     if (pieces.size() < 2) return;
     std::map<Intercept, std::vector<Piece>> lines;
@@ -70,8 +70,8 @@ class Search {
   void add_line(std::vector<Piece>& pieces) {
     std::ranges::sort(pieces, {},
                       [](const Piece& piece) { return std::tuple(piece.begin, piece.stay); });
-    // Of those that are there when one comes: as many as a message names, and the one that stays
-    // longest, which is enough to join who comes.
+    // The present pieces: as many as a message names, and the one that stays longest, which
+    // suffices to join later ones.
     std::vector<const Piece*> present;
     for (const Piece& piece : pieces) {
       std::erase_if(present, [&](const Piece* other) { return !(other->end > piece.begin); });

@@ -23,7 +23,7 @@ constexpr double margin = 24;
 constexpr double caption_height = 32;
 constexpr double least_width = 400;  // so that the caption fits
 
-// Where the plane is on the picture.
+// The map from the plane to the drawing.
 class Canvas {
  public:
   explicit Canvas(const Svg_view& view) {
@@ -37,7 +37,7 @@ class Canvas {
     half_width_ = with_discs(xmax / 2 - xmin / 2);
     double half_height = with_discs(ymax / 2 - ymin / 2);
     if (half_width_ == 0 && half_height == 0) half_width_ = half_height = 1;
-    // Points on a line have a strip.
+    // A strip for collinear points.
     constexpr double flattest = 0.3;
     half_width_ = std::max(half_width_, flattest * half_height);
     half_height = std::max(half_height, flattest * half_width_);
@@ -56,7 +56,7 @@ class Canvas {
   }
   double length(double length) const { return length / half_width_ * drawn_width_ / 2; }
 
-  // The side of the square that one of `points` points has to itself.
+  // The side of a square whose area is the drawn area per point.
   double spacing(std::size_t points) const {
     return std::sqrt(drawn_width_ * drawn_height_ /
                      static_cast<double>(std::max<std::size_t>(points, 1)));
@@ -156,8 +156,8 @@ class Picture {
 
   bool is_hidden(std::size_t i) const { return frame_.discs && (*frame_.discs)[i].is_hidden; }
 
-  // Of the points that are hidden, or of the others: radius(i) for the i-th one. A group without
-  // hidden points is left out.
+  // Adds circles of the hidden points or of the others, with radius(i) for the i-th one. An empty
+  // group of hidden points is omitted.
   template <class Radius>
   void add_circles(std::string_view name, std::string_view style, bool are_hidden,
                    const Radius& radius) {

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As much of the target's name as leaves room for the rest: names may have 255 bytes.
+// A beginning of the target's name that is short enough: names may have 255 bytes.
 std::string beginning_of_name(const fs::path& target) {
   constexpr std::size_t most = 170;
   std::string name = target.filename().string();
@@ -37,7 +37,7 @@ std::string beginning_of_name(const fs::path& target) {
   return joined(".kinetri-", name, '-');
 }
 
-// Which of all kernels that have ever run this one is; empty if the system does not say.
+// Identifies the running kernel; empty if unknown.
 const std::string& running_kernel() {
   static const std::string id = [] {
     constexpr std::size_t size = 36;  // as 01234567-89ab-...
@@ -48,8 +48,8 @@ const std::string& running_kernel() {
   return id;
 }
 
-// Where a lock of this process on a file in the directory is seen by others: all that have the same
-// place. Empty if that is unknown.
+// Identifies the processes to which a lock of this process on a file in the directory is visible.
+// Empty if unknown.
 std::string place_of_locks(const fs::path& directory) {
   struct stat status = {};
   if (running_kernel().empty() || ::stat(directory.c_str(), &status) != 0) return "";
@@ -60,7 +60,7 @@ std::string_view ending(Temporary_kind kind) {
   return kind == Temporary_kind::file ? ".tmp" : ".dir";
 }
 
-// What no other process has in the names of its temporaries, and this one only once.
+// A text that occurs in no other name of a temporary.
 std::string unique_part() {
   static const std::string of_process = [] {
     std::random_device random;
@@ -101,8 +101,8 @@ void remove(Temporary_kind kind, const File_descriptor& descriptor, const std::s
 
 enum class Lock { got, held_by_another, impossible };
 
-// Locks what is open. Got is only what is still there, under the path: another process may have
-// removed it, and have released its lock, meanwhile.
+// Locks an open file. Lock::got only if the path still names it: another process may have removed
+// it, and released its lock, meanwhile.
 Lock lock_file(const File_descriptor& descriptor, const std::string& path) {
   if (::flock(descriptor.number(), LOCK_EX | LOCK_NB) != 0) {
     return errno == EWOULDBLOCK ? Lock::held_by_another : Lock::impossible;
@@ -124,8 +124,8 @@ void remove_left_over(Temporary_kind kind, const fs::path& directory,
     if (!name.starts_with(beginning) || !name.ends_with(ending(kind))) continue;
     const std::string path = entry->path().string();
     const File_descriptor descriptor = opened(kind, path);
-    // Who has made it holds a lock, or, between making and locking it, does not get the lock that
-    // is held here, and makes another one.
+    // Its creator holds a lock; or, before locking it, fails to get the lock held here, and creates
+    // another one.
     if (descriptor && lock_file(descriptor, path) == Lock::got) remove(kind, descriptor, path);
   }
 }
@@ -154,7 +154,7 @@ Made_temporary make_temporary(Temporary_kind kind, const fs::path& target) {
         break;
       case Lock::impossible:
         remove(kind, made.descriptor, made.path);
-        place.clear();  // so that no process takes it for left over
+        place.clear();  // so that no process removes it
         break;
     }
   }

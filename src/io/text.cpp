@@ -10,7 +10,7 @@
 namespace kinetri {
 namespace {
 
-// Exponents of the first digit for which a number is written without an exponent.
+// Numbers with exponents in this range are written without an exponent.
 constexpr int least_exponent = -4;
 constexpr int end_of_exponents = 16;
 
@@ -18,7 +18,7 @@ constexpr int end_of_exponents = 16;
 char* write(char* begin, char* limit, double number) {
   char* const end = std::to_chars(begin, limit, number, std::chars_format::scientific).ptr;
   if (!std::isfinite(number)) return end;
-  // Now it is d.ddde+xx, or de+xx: to be laid out anew unless the exponent stays.
+  // Now it is d.ddde+xx, or de+xx: reformatted unless the exponent stays.
   if (*begin == '-') ++begin;
   char* mark = end - 1;
   while (*mark != 'e') --mark;

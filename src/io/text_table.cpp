@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 20U;
 constexpr std::size_t longest_quotation = 40;
-// The buffer doubles where a line does not fit, so that a small file does not pay for a long line.
+// The buffer doubles if a line does not fit.
 constexpr std::size_t first_buffer = std::size_t{1} << 16U;
 
 }  // namespace
@@ -142,7 +142,7 @@ Csv_header Table_reader::read_csv_header(std::span<const std::string_view> names
   return header;
 }
 
-// Takes the first field away from the rest of the line, which is none after the last one.
+// Removes the first field from the rest of the line; none after the last one.
 std::string_view Table_reader::take_csv_field(std::optional<std::string_view>& rest) {
   std::string_view text = *rest;
   const auto take_up_to = [&](std::size_t position) {
@@ -165,7 +165,7 @@ std::string_view Table_reader::take_csv_field(std::optional<std::string_view>& r
     unquoted_ += text.substr(from, mark - from);
     from = mark + 1;
     if (from == text.size() || text[from] != '"') break;
-    unquoted_ += '"';  // two of them stand for one
+    unquoted_ += '"';  // two stand for one
     ++from;
   }
   text.remove_prefix(from);
@@ -220,7 +220,7 @@ std::optional<std::string_view> Table_reader::next_line() {
   return without_return(last);
 }
 
-// Without a byte order mark as well.
+// Removes a byte order mark, too.
 std::string_view Table_reader::without_return(std::string_view line) const {
   if (line.size() > longest_line) fail_too_long();
   if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
@@ -228,7 +228,7 @@ std::string_view Table_reader::without_return(std::string_view line) const {
   return line;
 }
 
-// Reads more behind what is left. False at the end of the stream.
+// Appends more bytes to the rest. False at the end of the stream.
 bool Table_reader::fill() {
   std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
   end_ -= begin_;

@@ -36,7 +36,7 @@ bool has_named_columns(Tracks_format format) {
   return format == Tracks_format::table || format == Tracks_format::geojson;
 }
 
-// The reader of a file that begins so.
+// The reader of a file with this beginning.
 const Tracks_reader& reader_of(std::string_view head, const Tracks_input& input) {
   const std::span<const Tracks_reader> readers = tracks_readers();
   const auto reader = [&](Tracks_format format) -> const Tracks_reader& {
@@ -73,7 +73,7 @@ void expect_tracks(const Tracks_file& file) {
   }
 }
 
-// Leaves out the observations of which `is_none` says that they have no place; how many.
+// Removes the observations without a position, according to `is_none`. Returns their number.
 template <class Is_none>
 std::size_t leave_out_no_places(Tracks_file& file, const Is_none& is_none) {
   std::size_t left_out = 0;
@@ -92,8 +92,8 @@ std::size_t leave_out_no_places(Tracks_file& file, const Is_none& is_none) {
   return left_out;
 }
 
-// Trackers write the longitude 0 and the latitude 0 where they know no place. Where another place
-// is near, things may have been there.
+// Removes positions at (0, 0), which trackers write for unknown ones, unless another position is
+// near.
 void leave_out_null_island(Tracks_file& file) {
   constexpr double near = 1;  // in degrees
   std::size_t others = 0;
@@ -118,7 +118,7 @@ void leave_out_null_island(Tracks_file& file) {
 
 void project_if_asked(Tracks_file& file, const std::string& name, Tracks_projection projection) {
   if (projection == Tracks_projection::local || projection == Tracks_projection::utm) {
-    // Where no name says that these are degrees, one number alone may be a fault.
+    // Without names of degrees, one number alone may be an error.
     file.rows_without_place += leave_out_no_places(file, [](const Vector_2& place) {
       return place == Vector_2{181, 91};
     });
@@ -149,7 +149,7 @@ Tracks_file read_as(Tracks_format format, const Tracks_input& input) {
   return reader.read(input);
 }
 
-// Of one day, times ascend in the rows of each thing; past midnight they go back.
+// Times of day must ascend in the rows of each id: after midnight they would not.
 void expect_one_day(Tracks_file& file, const std::string& name) {
   if (file.rows_out_of_order > 0) {
     throw Input_error(
@@ -235,7 +235,7 @@ Tracks_file read_tracks(std::istream& in, const std::string& name,
                         const Tracks_file_options& options) {
   KINETRI_PRECONDITION(!options.fps || (std::isfinite(*options.fps) && *options.fps > 0),
                        "the number of frames a second is not a finite number greater than 0");
-  // A stream that has failed before would look like a file without frames.
+  // A failed stream would look like an empty file.
   if (in.fail()) fail_to_read(name);
   KINETRI_PRECONDITION(
       options.date_format.empty() || problem_of_date_format(options.date_format).empty(),

@@ -12,7 +12,7 @@ constexpr std::size_t piece_size = std::size_t{1} << 16U;
 
 enum class Byte_order { little, big };
 
-// That of UTF-16; none if the text is not in UTF-16.
+// The byte order of UTF-16; none if the text is not in UTF-16.
 std::optional<Byte_order> byte_order(std::string_view head) {
   using namespace std::string_view_literals;
   if (head.starts_with("\xFF\xFE"sv)) return Byte_order::little;
@@ -96,7 +96,7 @@ class Utf16_buffer : public std::streambuf {
     if (unit >= 0xD800 && unit < 0xDC00) {
       high_ = unit;
     } else {
-      append_utf8(text_, unit);  // a byte order mark becomes that of UTF-8
+      append_utf8(text_, unit);  // a byte order mark is kept
     }
   }
 
@@ -104,7 +104,7 @@ class Utf16_buffer : public std::streambuf {
   Byte_order order_;
   std::string bytes_;
   std::string text_;
-  std::uint32_t high_ = 0;  // the first half of a pair
+  std::uint32_t high_ = 0;  // the high surrogate of a pair
   bool is_at_end_ = false;
 };
 
@@ -128,7 +128,7 @@ Replayed_buffer::int_type Replayed_buffer::underflow() {
 Utf8_input::Utf8_input(std::istream& in) {
   std::string head(4, '\0');
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  // What fails now fails again when it is read.
+  // A failure occurs again when the stream is read.
   head.resize(static_cast<std::size_t>(in.gcount()));
   const auto order = byte_order(head);
   replayed_ = std::make_unique<Replayed_buffer>(std::move(head), in);

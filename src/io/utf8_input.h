@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Streams of text before they are read: what was taken from one to look at it is given again, and
-// UTF-16, which spreadsheets and shells of Windows write, becomes UTF-8.
+// Input streams: lookahead, and conversion of UTF-16, which spreadsheets and shells of Windows
+// write, to UTF-8.
 #ifndef KINETRI_SRC_IO_UTF8_INPUT_H
 #define KINETRI_SRC_IO_UTF8_INPUT_H
 
@@ -12,7 +12,7 @@
 
 namespace kinetri {
 
-/// Gives the beginning of a stream, which was read to look at it, and then the rest. `rest` must
+/// The beginning of a stream, which was read as lookahead, followed by the rest. `rest` must
 /// outlive it.
 class Replayed_buffer : public std::streambuf {
  public:
@@ -26,12 +26,12 @@ class Replayed_buffer : public std::streambuf {
   std::istream& rest_;
 };
 
-/// A stream in UTF-8 of one in UTF-8 or another encoding of bytes, which is not changed, or in
-/// UTF-16 with a byte order mark, or without one if its first two characters are ASCII. Half of a
-/// pair of surrogates keeps its code; half a unit at the end is U+FFFD.
+/// A stream that converts UTF-16, with a byte order mark or if its first two characters are ASCII,
+/// to UTF-8. Other encodings are not changed. A lone surrogate keeps its code; half a unit at the
+/// end becomes U+FFFD.
 class Utf8_input {
  public:
-  /// Takes a few bytes of `in`, which must outlive it.
+  /// Reads a few bytes of `in`, which must outlive it.
   explicit Utf8_input(std::istream& in);
 
   std::istream& stream() { return *stream_; }

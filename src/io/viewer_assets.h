@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The files of viewer/, of which the viewer page is put together; the build makes the
-// definitions.
+// The files of viewer/, which compose the viewer page. The build generates the definitions.
 #ifndef KINETRI_IO_VIEWER_ASSETS_H
 #define KINETRI_IO_VIEWER_ASSETS_H
 
@@ -10,7 +9,7 @@
 
 namespace kinetri::detail {
 
-extern const std::string_view viewer_page;  // with a marker where something is put in
+extern const std::string_view viewer_page;  // with markers for insertions
 extern const std::string_view viewer_style;
 extern const std::span<const std::string_view> viewer_scripts;  // in their order
 

@@ -19,7 +19,7 @@
 namespace kinetri {
 namespace {
 
-// Point ids, each as short as the number of points allows.
+// Point ids, with the width for the number of points.
 class Id_bytes {
  public:
   explicit Id_bytes(std::size_t points) : is_short_(points <= 65'536) {}
@@ -42,7 +42,7 @@ class Id_bytes {
   bool is_short_;
 };
 
-// Ids are given in the order in which points come, so that each has a motion.
+// Each id has a motion.
 std::size_t number_of_points(const Recording& recording) {
   std::size_t result = 0;
   for (const Recorded_motion& motion : recording.motions) {
@@ -62,7 +62,7 @@ int degree(const Recording& recording) {
   return result;
 }
 
-// Of the edges at the start, those that are sides of no triangle.
+// The edges at the start that are not sides of triangles.
 std::string initial_edges(const Recording& recording, std::size_t points) {
   std::vector<Edge_ids> sides;
   for (const auto& [a, b, c] : recording.initial_triangles) {
@@ -269,7 +269,7 @@ std::string page_data(const Recording& recording, const Viewer_settings& setting
   return text;
 }
 
-// The text of a JSON object that nothing in it can end the element that it stands in.
+// Escapes JSON text so that it cannot end the enclosing HTML element.
 std::string embedded(std::string_view json) {
   std::string result;
   for (const char c : json) {

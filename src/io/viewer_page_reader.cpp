@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The other direction of viewer_page.cpp. The JSON object is described in viewer_page.h.
+// The reader of pages; viewer_page.h describes the JSON object.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -31,10 +30,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
   value.fail(joined(problem, "; expected the page as it was written"));
 }
 
-// Numbers or ids that stand one behind the other in a member, and are taken in order.
+// The packed numbers or ids of a member, read in order.
 class Packed_numbers {
  public:
-  // `points`: ids are as wide as so many points need.
+  // `points` determines the width of ids.
   Packed_numbers(const Json_value& object, const char* key, std::size_t points)
       : value_(object.member(key)), points_(points), are_ids_short_(points <= 65'536) {
     auto bytes = bytes_of_base64(value_.text());
@@ -102,7 +101,7 @@ class Packed_numbers {
   std::size_t place_ = 0;
 };
 
-// Follows the edges and triangles of a recording, so that each change is possible.
+// Checks each change of the edges and triangles of a recording.
 class Followed_topology {
  public:
   explicit Followed_topology(const Json_value& json) : json_(json) {}
@@ -403,7 +402,7 @@ class Page_reader {
   Viewer_settings settings_;
 };
 
-// The recording's text. Nothing in it begins with '<'.
+// The recording's text, which does not contain '<'.
 std::string_view recording_in(std::string_view page, const std::string& name) {
   constexpr std::string_view begin = "<script type=\"application/json\" id=\"recording\">";
   constexpr std::string_view end = "</script>";
@@ -420,7 +419,7 @@ std::string_view recording_in(std::string_view page, const std::string& name) {
   return page.substr(0, last);
 }
 
-// The text of the page. What is none is not read to its end, since it may have none.
+// The text of the page. Stops early if the input is not a page; it may be endless.
 std::string text_of_page(std::istream& in, const std::string& name) {
   constexpr std::string_view first = "<!doctype html>";
   std::string page;

@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::uint8_t triangle_cell = 5;  // VTK_TRIANGLE
 
-// What VTK calls the type of numbers.
+// VTK's names of types.
 constexpr std::string_view type_name(double) {
   return "Float64";
 }
 constexpr std::string_view type_name(std::uint64_t) {
-  return "Int64";  // as VTK's own; none is that large
+  return "Int64";  // as VTK's own; values are small enough
 }
 constexpr std::string_view type_name(std::uint32_t) {
   return "UInt32";
@@ -29,7 +29,7 @@ constexpr std::string_view type_name(std::uint8_t) {
   return "UInt8";
 }
 
-// One array of numbers: in base64 their length in bytes, and they.
+// Writes an array of numbers: their length in bytes and the numbers, in base64.
 template <class Number>
 void write_array(std::ostream& out, std::string_view name, std::string_view attributes,
                  std::span<const Number> numbers) {
@@ -58,7 +58,7 @@ void write_discs(std::ostream& out, const std::vector<Frame_2::Disc>& discs) {
   write_array<std::uint8_t>(out, "hidden", "", hidden);
 }
 
-// A field has one tuple, whatever the points.
+// A field has one tuple.
 template <class Number>
 void write_field(std::ostream& out, const std::string& field, Number value) {
   write_array<Number>(out, field, " NumberOfTuples=\"1\"", std::array<Number, 1>{value});

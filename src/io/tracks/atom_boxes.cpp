@@ -11,7 +11,7 @@
 namespace kinetri {
 namespace {
 
-// Numbers may be large: products are those of a vector and a direction, which has the length 1.
+// Numbers may be large, so products are those of a vector and a unit vector.
 double length(const Vector_2& v) {
   return std::hypot(v.x, v.y);
 }
@@ -28,8 +28,8 @@ Vector_2 sum(const Vector_2& a, double times, const Vector_2& b) {
   return {a.x + times * b.x, a.y + times * b.y};
 }
 
-// Takes the one from the other as often as that makes it shorter (the algorithm of Lagrange and
-// Gauss): then one of a, b, a + b and a - b leads from any place to its nearest image.
+// The lattice reduction of Lagrange and Gauss: then one of a, b, a + b and a - b leads from any
+// position to its nearest image.
 void shorten(Vector_2& a, Vector_2& b) {
   for (;;) {
     if (length(b) < length(a)) std::swap(a, b);
@@ -39,8 +39,7 @@ void shorten(Vector_2& a, Vector_2& b) {
   }
 }
 
-// How often the vectors of the basis are in the step, in whole numbers, so that what is left is the
-// shortest.
+// Whole multiples of the basis vectors to subtract from the step, so that the rest is shortest.
 std::array<double, 2> images_in(const Vector_2& step, const std::vector<Vector_2>& basis) {
   const Vector_2& a = basis.front();
   if (basis.size() == 1) return {std::round(dot(step, direction(a)) / length(a)), 0};
@@ -82,7 +81,7 @@ Atom_boxes::Images Atom_boxes::images_of(std::size_t line, const Atom_box& box) 
   } else if (edges.size() == 1) {
     result.basis = edges;
   }
-  // All that lead through one side of the box at most in each direction, but for their negatives.
+  // All sums with coefficients -1, 0 and 1, except negatives.
   edges.resize(3);
   for (int i = 0; i <= 1; ++i) {
     for (int j = -1; j <= 1; ++j) {
@@ -146,7 +145,7 @@ void Atom_boxes::unwrap(Tracks_file& file, const std::string& name,
   }
   std::size_t crossings = 0;
   for (Track& track : file.tracks) {
-    std::array<double, 2> turns = {0, 0};  // around the box so far
+    std::array<double, 2> turns = {0, 0};  // images passed so far
     Vector_2 last = track.observations.front().place;
     for (std::size_t i = 1; i < track.observations.size(); ++i) {
       Track_observation& next = track.observations[i];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Periodic boxes of atoms. Where atoms that leave a box come in on its other side, their path
+// Periodic boxes of atoms. If an atom leaves a box and enters it on the other side, its path
 // between two frames is not the straight line.
 #ifndef KINETRI_SRC_IO_TRACKS_ATOM_BOXES_H
 #define KINETRI_SRC_IO_TRACKS_ATOM_BOXES_H
@@ -15,9 +15,9 @@
 
 namespace kinetri {
 
-/// A box, as the plane shows it: a parallelepiped whose edges may lead aside.
+/// The projection of a box to the plane: a parallelepiped whose edges may be tilted.
 struct Atom_box {
-  Vector_2 corner;                ///< from which the edges go
+  Vector_2 corner;                ///< the origin of the edges
   std::array<Vector_2, 3> edges;  ///< (0, 0) for one that is parallel to z
   std::array<bool, 3> is_periodic = {false, false, false};  ///< in the direction of each edge
 
@@ -27,24 +27,23 @@ struct Atom_box {
 /// The boxes of the frames of a file.
 class Atom_boxes {
  public:
-  /// The box of the atoms from this line on, whose places may jump from one of its sides to the
-  /// other. Precondition: the lines ascend.
+  /// Sets the box of the atoms from this line on. Precondition: the lines ascend.
   void add(std::size_t line, const Atom_box& box);
 
-  /// Lets atoms go on to the nearest image of their next place, if the options ask for that. Else
-  /// throws Input_error if an image of the next place of an atom is nearer than this place, which
-  /// then is one behind a jump; the message ends in `expected`. Throws also if there is no box, or
-  /// no single one, in which to unwrap, if two images are equally near, and if places in the plane
-  /// do not tell the images: where three periodic edges lead aside in it.
+  /// Moves each atom to the nearest image of its next position, if the options request it. Else
+  /// throws Input_error if an image of the next position of an atom is nearer than that, so that it
+  /// has jumped; the message ends in `expected`. Throws also if there is not exactly one box in
+  /// which to unwrap, if two images are equally near, or if images are ambiguous in the plane,
+  /// since three periodic edges have components in it.
   void settle_jumps(Tracks_file& file, const Tracks_input& input, std::string_view expected) const;
 
  private:
-  // What lies between the images of a place.
+  // The lattice of the images of a position.
   struct Images {
     std::size_t line = 0;
     Atom_box box;
-    std::vector<Vector_2> basis;     // two at most, the shortest; empty if these do not suffice
-    std::vector<Vector_2> shortest;  // of which one leads to the nearest image; not its negatives
+    std::vector<Vector_2> basis;     // at most two, reduced; empty if two do not suffice
+    std::vector<Vector_2> shortest;  // one of them or their negatives leads to the nearest image
   };
 
   static Images images_of(std::size_t line, const Atom_box& box);

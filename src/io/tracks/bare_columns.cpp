@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tracks of pedestrians as lines without a header: frame id x y, or id frame x y and perhaps z.
-// Both are read at once as long as nothing tells which of the two a file is.
+// Both orders are read in parallel until one is excluded.
 #include <algorithm>
 #include <list>
 
@@ -66,7 +66,7 @@ struct Reading {
   Tracks_builder builder;
   Signs_of_degrees signs;
   std::size_t rows_without_place = 0;
-  std::string problem;  // that makes it impossible
+  std::string problem;  // the reason if it is impossible
 };
 
 class Bare_columns_reader {
@@ -99,10 +99,10 @@ class Bare_columns_reader {
  private:
   // ---- comments ----
 
-  // What a comment says must agree with how the file is read.
+  // Comments must agree with the order that is read.
   void heed(std::string_view comment) {
     const Comment_signs signs = signs_in_comment(comment);
-    // Beside x and y there may be degrees as well.
+    // Degrees may occur beside x and y.
     if (signs.column_names.empty() && says_degrees(comment)) {
       expect_projection(input_.name, table_.line(), input_.options.projection,
                         "the comment says that places are");
@@ -179,7 +179,7 @@ class Bare_columns_reader {
                                   [this](std::string_view field) { fields_.push_back(field); });
   }
 
-  // Whether the line, which begins with #, is no comment, but a row whose first field is the id.
+  // Whether a line that begins with # is a row, whose id begins with #.
   bool is_row_of_ids(std::string_view line) {
     if (wanted_ == Tracks_format::frames || (names_ && columns_of(*names_).id != 0)) return false;
     split(line);
@@ -200,7 +200,7 @@ class Bare_columns_reader {
                    "by tabs or blanks, or ",
                    with_numbers_of_columns));
       }
-      // What is no number says more.
+      // An invalid number gives the better message.
       if (wanted_ == Tracks_format::frames) table_.number(fields_.front(), "frame");
       fail_for_fields(wanted_ == Tracks_format::frames
                           ? expect_four
@@ -241,7 +241,7 @@ class Bare_columns_reader {
     if (wanted_ != Tracks_format::frames) readings_.emplace_back(of_ids, input_);
   }
 
-  // Words of the comment before the names are names of columns, too, if there are fields for them.
+  // Words before the names are names of columns, too, if there are enough fields.
   Frame_columns columns_of(const Comment_signs& signs) const {
     if (wanted_ == Tracks_format::frames || fields_.size() != signs.words) return signs.columns;
     const std::size_t before = signs.words_before;
@@ -249,7 +249,7 @@ class Bare_columns_reader {
     return {frame + before, id + before, x + before, y + before};
   }
 
-  // A reading ends where its frame is no number.
+  // A reading ends if its frame is not a number.
   void add_to_readings() {
     for (Reading& reading : readings_) add(reading);
     const auto is_impossible = [](const Reading& reading) { return !reading.problem.empty(); };
@@ -378,23 +378,23 @@ class Bare_columns_reader {
   Tracks_format wanted_;
   Table_reader table_;
   std::vector<std::string_view> fields_;  // of the row
-  std::size_t number_of_fields_ = 0;      // of each row, if there is one
+  std::size_t number_of_fields_ = 0;      // of each row
   std::vector<std::vector<std::string>> first_rows_;
-  std::list<Reading> readings_;         // those that are possible
+  std::list<Reading> readings_;         // the possible ones
   std::optional<Comment_signs> names_;  // of a comment that names the columns
   std::optional<double> file_rate_;
-  std::size_t frame_rate_line_ = 0;  // of a comment that gives the rate; 0 if there is none
+  std::size_t frame_rate_line_ = 0;  // of the comment with the rate; 0 if there is none
   std::optional<Length_unit> unit_;
   bool is_row_of_ids_ = false;     // the row begins with #
   std::size_t rows_of_ids_ = 0;    // that begin with #
-  std::size_t used_comments_ = 0;  // that say something of the rows
+  std::size_t used_comments_ = 0;  // with evidence about the rows
   std::string remark_;
 };
 
 }  // namespace
 
 bool has_bare_columns(std::string_view head) {
-  // All but an id that is a text.
+  // Numbers in all fields but the id.
   const auto has_numbers = [](std::string_view line) {
     std::size_t fields = 0;
     std::size_t numbers = 0;
@@ -410,7 +410,7 @@ bool has_bare_columns(std::string_view head) {
     result = has_numbers(line);
     return false;
   });
-  // Where all ids begin with #, the rows look like comments.
+  // If all ids begin with #, the rows look like comments.
   while (!has_rows && !result && !head.empty()) {
     const std::string_view line = head.substr(0, head.find_first_of("\r\n"));
     result = line.size() > 1 && !is_blank(line[1]) && has_numbers(line);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The names of columns of a table, as Track_columns has them.
+// The names of columns of a table in Track_columns.
 #ifndef KINETRI_SRC_IO_TRACKS_COLUMN_NAMES_H
 #define KINETRI_SRC_IO_TRACKS_COLUMN_NAMES_H
 
@@ -14,7 +14,7 @@
 
 namespace kinetri {
 
-/// The column that a name is the number of, from 0 on; none if it is not a number.
+/// The index of the column whose number is the name; none if it is not a number.
 inline std::optional<std::size_t> column_number(const std::string& name) {
   constexpr std::size_t most_digits = 7;
   if (name.empty() || name.size() > most_digits || name.front() == '0') return std::nullopt;
@@ -22,7 +22,7 @@ inline std::optional<std::size_t> column_number(const std::string& name) {
   return static_cast<std::size_t>(parse_number(name).value) - 1;
 }
 
-/// The names that a name of times has between plus signs; the name itself if it has none.
+/// The parts of a name between plus signs.
 inline std::vector<std::string> parts_of(const std::string& name) {
   std::vector<std::string> result;
   for (std::string_view rest = name;;) {

@@ -23,7 +23,7 @@ bool is_lower(char c) {
 bool is_upper(char c) {
   return c >= 'A' && c <= 'Z';
 }
-// Bytes beyond ASCII are of letters, but for the sign of degrees.
+// Bytes beyond ASCII belong to letters, except the sign of degrees.
 bool is_letter(char c) {
   return is_lower(c) || is_upper(c) || static_cast<unsigned char>(c) >= 0x80;
 }
@@ -55,7 +55,7 @@ bool is_among(std::string_view word, std::span<const std::string_view> words) {
 
 constexpr std::array<std::string_view, 4> degree_words = {"deg", "degs", "degree", "degrees"};
 
-// Words that stand before or behind lon and lat without a sign between.
+// Words that occur before or after lon and lat without a sign between.
 constexpr std::array<std::string_view, 51> companions = {
     "",       "gps",   "gnss",  "pos",     "position", "geo",    "dec",    "decimal", "loc",
     "wgs",    "x",     "y",     "dd",      "start",    "end",    "stop",   "ref",     "mean",
@@ -64,7 +64,7 @@ constexpr std::array<std::string_view, 51> companions = {
     "pickup", "first", "last",  "shape",   "ais",      "veh",    "bus",    "deg",     "degs",
     "degree", "wp",    "point", "degrees", "d",        "dropoff"};
 
-// Whether the word is one of `names`, behind or before one of the companions.
+// Whether the word is one of `names`, joined with one of the companions.
 bool is_short_name(std::string_view word, std::span<const std::string_view> names) {
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
     return (word.starts_with(name) && is_among(word.substr(name.size()), companions)) ||
@@ -73,7 +73,7 @@ bool is_short_name(std::string_view word, std::span<const std::string_view> name
   });
 }
 
-// The sign of degrees in UTF-8 or Latin-1, or the ordinal that is taken for it.
+// The sign of degrees in UTF-8 or Latin-1, or the similar ordinal indicator.
 bool has_sign_of_degrees(std::string_view name) {
   if (name.find("\xC2\xBA") != std::string_view::npos) return true;
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -124,15 +124,14 @@ bool is_latitude(std::string_view word) {
   return is_short_name(word, names) || contains_one(word, pieces);
 }
 
-// Whether the name has that of the reference system WGS 84, whose coordinates are degrees, or its
-// number.
+// Whether the name contains that of the reference system WGS 84, or its number.
 bool names_wgs84(std::string_view name) {
   constexpr std::array<std::string_view, 3> systems = {"wgs", "crs84", "4326"};
   const std::string lower = in_lower_case(name);
   return contains_one(lower, systems) && lower.find("utm") == std::string::npos;
 }
 
-// Whether columns of such names often have degrees, but also metres.
+// Whether columns with such names often have degrees, but also meters.
 bool is_often_of_degrees(std::string_view name) {
   constexpr std::array<std::string_view, 5> pieces = {"gps", "gnss", "geo", "coord", "point"};
   constexpr std::array<std::string_view, 2> short_names = {"lo", "la"};
@@ -142,7 +141,7 @@ bool is_often_of_degrees(std::string_view name) {
                      [&](const std::string& word) { return is_among(word, short_names); });
 }
 
-// The unit of length that is the last of several words, in one spelling; empty if it is none.
+// The unit of length that is the last of several words, normalized; else empty.
 std::string_view unit_of_length(const std::vector<std::string>& words) {
   using Spelling = std::pair<std::string_view, std::string_view>;
   constexpr std::array<Spelling, 13> spellings = {{{"m", "m"},
@@ -270,8 +269,8 @@ void Signs_of_degrees::note(const Vector_2& place, std::string_view x, std::stri
 
 namespace {
 
-// How many seconds the unit of the times is, if they are dates, or if all are numbers of units
-// since 1970 in the years from 1989 to 2039.
+// The unit of times in seconds, if they are dates, or numbers of units since 1970 in the years from
+// 1989 to 2039.
 std::optional<double> known_unit(const Tracks_file& file) {
   if (!file.origin.empty()) return 1;
   constexpr double first = 6e8;
@@ -293,7 +292,7 @@ void Signs_of_degrees::expect_none(const Tracks_file& file, const std::string& n
                                    Tracks_projection projection, const std::string& of_x,
                                    const std::string& of_y) const {
   if (projection != Tracks_projection::refused) return;
-  // Others say that there is no place, as 181 and 91, or -999.
+  // Others stand for unknown positions, as 181 and 91, or -999.
   constexpr std::size_t in_ten = 9;
   if (rows_ == 0 || 10 * rows_in_range_ < in_ten * rows_) return;
   if (2 * rows_of_many_digits_ < rows_in_range_) return;
@@ -316,7 +315,7 @@ void Signs_of_degrees::expect_none(const Tracks_file& file, const std::string& n
     }
     duration += unit.value_or(1) * (seen.back().time - seen.front().time);
   }
-  // In metres 3 mm a second; in degrees 330 m.
+  // 3 mm a second if in meters, 330 m a second if in degrees.
   constexpr double greatest_speed = 0.003;
   if (!(way < greatest_speed * duration)) return;
   throw Input_error(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What tells that places are degrees of longitude and latitude: the names of columns, their units,
-// comments, and the places themselves; and what becomes of them then.
+// Detection of degrees of longitude and latitude: by the names of columns, units, comments, and the
+// positions themselves.
 #ifndef KINETRI_SRC_IO_TRACKS_DEGREES_H
 #define KINETRI_SRC_IO_TRACKS_DEGREES_H
 
@@ -13,73 +13,71 @@
 
 namespace kinetri {
 
-/// What the name of a column says of its numbers.
+/// The kind of angle in the name of a column.
 enum class Angle {
-  none,       ///< nothing of angles
-  degrees,    ///< they are degrees, of longitude or latitude or another angle
-  longitude,  ///< they are degrees of longitude
-  latitude,   ///< they are degrees of latitude
-  radians,    ///< they are angles in radians
+  none,       ///< not an angle
+  degrees,    ///< degrees of longitude, latitude or another angle
+  longitude,  ///< degrees of longitude
+  latitude,   ///< degrees of latitude
+  radians,    ///< angles in radians
 };
 
 /// By the words of a name, which end at signs, blanks and capitals: lon, lat, long, longitude,
-/// latitude, their like in other languages, also behind or before words such as gps and deg
-/// (`location-long`, `decimalLatitude`, `GPSLongitude`, `stoplat`); deg and degrees (`x_deg`,
-/// `X (deg)`). Not where the name ends in a unit of length, as `lat_m` does; nor are `lateral` and
-/// `longitudinal` such words. Names of the reference system WGS 84 (`x_wgs84`, `X_4326`) say
-/// degrees.
+/// latitude, their translations, also joined with words such as gps and deg (`location-long`,
+/// `decimalLatitude`, `GPSLongitude`, `stoplat`); deg and degrees (`x_deg`, `X (deg)`); names of
+/// the reference system WGS 84 (`x_wgs84`, `X_4326`). Not if the name ends in a unit of length, as
+/// `lat_m`, and not `lateral` and `longitudinal`.
 Angle angle_in_name(std::string_view name);
 
-/// Whether a comment says that places are longitude and latitude: it names the two, without
+/// Whether a comment says that positions are longitude and latitude: it names the two, without
 /// numbers, or x or y in degrees (x/deg), or the reference system WGS 84 (EPSG:4326) without a
 /// projection such as UTM.
 bool says_degrees(std::string_view comment);
 
-/// Throws Input_error unless the options say what becomes of degrees. `name` is that of the file,
-/// and `what` is in degrees, "the comment says that places are".
+/// Throws Input_error unless the options choose a treatment of degrees. `name` is that of the file,
+/// and `what` the beginning of "... in degrees".
 void expect_projection(const std::string& name, std::size_t line, Tracks_projection projection,
                        std::string_view what);
 
-/// What names say of the places of a table.
+/// The evidence in names of columns of a table.
 struct Named_degrees {
-  bool are_degrees = false;  ///< whether places are degrees that a projection makes metres
-  std::string remark = {};   ///< what was concluded, and from what; empty if names say nothing
+  bool are_degrees = false;  ///< whether positions are degrees to be projected
+  std::string remark = {};   ///< the conclusion and its reason; empty without evidence
 };
 
-/// What the names of the columns x and y, or their units, say. `what` has these words, "columns" or
-/// "units", and stands in `line` of the file `name`, if that is not 0. Throws Input_error if they
-/// say two units of length; and unless the projection is Tracks_projection::none, which takes
-/// angles as they are, if they say radians, or the latitude as x, or degrees without a projection.
+/// The evidence in the names of the columns x and y, or in their units. `what` is "columns" or
+/// "units", in `line` of the file `name`, if that is not 0. Throws Input_error for two different
+/// units of length; and unless the projection is Tracks_projection::none, which keeps angles, for
+/// radians, for the latitude as x, and for degrees without a projection.
 Named_degrees degrees_in_names(const std::string& name, std::size_t line,
                                Tracks_projection projection, std::string_view what,
                                const std::string& of_x, const std::string& of_y);
 
-/// Whether a place in degrees says that there is none: the longitude 181, or the latitude 91, of
-/// AIS (ITU-R M.1371).
+/// Whether degrees stand for an unknown position: the longitude 181, or the latitude 91, of AIS
+/// (ITU-R M.1371).
 bool is_no_place(const Vector_2& degrees);
 
-/// Whether a place may be one in degrees: at most 180 and 90.
+/// Whether degrees are in their range: at most 180 and 90.
 bool is_on_earth(const Vector_2& degrees);
 
-/// Whether a place is the longitude 0 and the latitude 0, in the sea, which is what many programs
-/// write that do not know a place.
+/// Whether a position is the longitude 0 and the latitude 0, in the sea, which many programs write
+/// for an unknown position.
 inline bool is_null_island(const Vector_2& degrees) {
   return degrees == Vector_2{0, 0};
 }
 
-/// What in the rows of a table shows degrees, where no name says what places are: numbers of which
-/// nine in ten or more are in the range of degrees, and of these at least half have four decimals
-/// or more; motion that would be slow in metres, and not too fast in degrees; and, so that slow is
-/// known, dates as times, or seconds since 1970 or thousandths of them or smaller parts, or else
-/// names of columns that are often of degrees. The place (0, 0) says nothing.
+/// The evidence of degrees in the rows of a table, without evidence in names: at least nine in ten
+/// positions are in the range of degrees, and at least half of these have four decimals or more;
+/// motion would be slow in meters, and is not too fast in degrees; and the unit of time is known,
+/// from dates, or seconds since 1970 or decimal fractions of them, or else names of columns are
+/// often used for degrees. The position (0, 0) is ignored.
 class Signs_of_degrees {
  public:
-  /// Notes a place, and its numbers as texts: the fields that it was read from.
+  /// Adds a position, and the texts of its numbers.
   void note(const Vector_2& place, std::string_view x, std::string_view y);
 
-  /// Throws Input_error if the file of this name, which has all rows that were noted, shows these
-  /// signs, and no projection says what becomes of degrees. `of_x` and `of_y` are the names of the
-  /// columns.
+  /// Throws Input_error if the added rows, those of `file`, have this evidence, and no projection
+  /// is chosen. `of_x` and `of_y` are the names of the columns.
   void expect_none(const Tracks_file& file, const std::string& name, Tracks_projection projection,
                    const std::string& of_x, const std::string& of_y) const;
 

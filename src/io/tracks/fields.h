@@ -15,7 +15,7 @@
 
 namespace kinetri {
 
-/// The fields of a record. They refer to its text, or to texts here.
+/// The fields of a record. They refer to its text, or to texts of this object.
 class Fields {
  public:
   std::size_t size() const { return fields_.size(); }
@@ -25,8 +25,8 @@ class Fields {
 
   enum class Result { complete, quotation_is_open, text_behind_quotation };
 
-  /// Takes the fields of `record`, which is not blank; a blank as separator stands for tabs as
-  /// well, and for several.
+  /// Splits `record`, which is not blank. A blank as separator stands for one or more blanks and
+  /// tabs.
   Result split(std::string_view record, char separator) {
     fields_.clear();
     unquoted_.clear();
@@ -34,7 +34,7 @@ class Fields {
     const auto separates = [&](char c) {
       return is_blank_separated ? is_blank(c) : c == separator;
     };
-    // Tabs are blanks, but not where they separate fields.
+    // Tabs are blanks, unless they separate fields.
     const auto skip_blanks = [&](std::size_t from) {
       while (from < record.size() && is_blank(record[from]) &&
              (is_blank_separated || record[from] != separator)) {
@@ -67,7 +67,7 @@ class Fields {
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  // Takes the field that begins with the quotation mark at `begin`; the position behind it.
+  // Reads the field that begins with the quotation mark at `begin`. Returns the position after it.
   std::size_t take_quoted(std::string_view record, std::size_t begin) {
     std::string& text = unquoted_.emplace_back();
     std::size_t from = begin + 1;
@@ -85,7 +85,7 @@ class Fields {
   }
 
   std::vector<std::string_view> fields_;
-  std::deque<std::string> unquoted_;  // whose texts stay where they are
+  std::deque<std::string> unquoted_;  // a deque, so that texts are not moved
 };
 
 }  // namespace kinetri

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What dumps of LAMMPS and files of XYZ have in common: frames that say how many atoms follow.
+// The common part of dumps of LAMMPS and files of XYZ: frames with numbers of atoms.
 #ifndef KINETRI_SRC_IO_TRACKS_FRAMES_OF_ATOMS_H
 #define KINETRI_SRC_IO_TRACKS_FRAMES_OF_ATOMS_H
 
@@ -14,7 +14,7 @@
 
 namespace kinetri {
 
-/// Reads lines with the errors of such files. Blank lines and comments are lines.
+/// Reads lines, including blank ones and comments.
 class Atom_lines {
  public:
   explicit Atom_lines(const Tracks_input& input)
@@ -32,7 +32,7 @@ class Atom_lines {
     return table_.number(field, column);
   }
 
-  /// The number of atoms that `field` is.
+  /// The number of atoms in `field`.
   std::size_t count(std::string_view field) const;
 
   /// Splits the line of one atom; valid until the next call. Throws Input_error unless it has at

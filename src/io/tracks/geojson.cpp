@@ -31,7 +31,7 @@ constexpr std::array<const char*, 5> names_of_ids = {"id", "track_id", "trackId"
 
 struct Too_deep {};
 
-// The line that a message of the parser names; 0 if it names none.
+// The line in a message of the parser; 0 if there is none.
 std::size_t line_in(std::string_view message) {
   constexpr std::string_view before = "at line ";
   const std::size_t at = message.find(before);
@@ -42,7 +42,7 @@ std::size_t line_in(std::string_view message) {
   return line.problem.empty() ? static_cast<std::size_t>(line.value) : 0;
 }
 
-// Some programs write NaN, which is no JSON, for a number that they do not know: null instead.
+// Replaces NaN, which is not JSON but written by some programs, by null.
 std::string without_nan(const std::string& text) {
   constexpr std::string_view nan = "NaN";
   std::string result;
@@ -93,7 +93,7 @@ json parsed(const Tracks_input& input) {
 }
 
 // Whether the name ends in the number of a geographic system of EPSG, whose coordinates are
-// degrees: those from 4001 to 4999, but for the geocentric 4978, and newer ones of WGS 84, of
+// degrees: those from 4001 to 4999, except the geocentric 4978, and newer ones of WGS 84, of
 // Australia, North America, Italy and Japan.
 bool is_geographic(std::string_view name) {
   const std::size_t colon = name.rfind(':');
@@ -153,7 +153,7 @@ class Geojson_reader {
   }
 
  private:
-  // `pointer` says where, by a JSON pointer (RFC 6901).
+  // `pointer` is the position, a JSON pointer (RFC 6901).
   [[noreturn]] void fail(const std::string& pointer, const std::string& message) const {
     throw Input_error(input_.name, 0, pointer.empty() ? message : joined(pointer, ' ', message));
   }
@@ -193,7 +193,7 @@ class Geojson_reader {
 
   void add_feature(const json& feature, const std::string& pointer) {
     ++feature_;
-    // Without a place (RFC 7946, section 3.2).
+    // Without a position (RFC 7946, section 3.2).
     if (feature.is_object() && feature.contains("geometry") && feature["geometry"].is_null()) {
       ++features_without_place_;
       return;
@@ -252,7 +252,7 @@ class Geojson_reader {
     }
   }
 
-  // The only one of the names that there is.
+  // The only one of the names that occurs.
   std::string the_one(const json& properties, std::span<const char* const> names,
                       std::string_view what, const std::string& pointer) const {
     std::string found;
@@ -332,7 +332,7 @@ class Geojson_reader {
   Dates_of_digits dates_;
   std::string time_name_;
   std::string id_name_;
-  std::size_t feature_ = 0;  // its number, from 1 on, while it is read
+  std::size_t feature_ = 0;  // the number of the present one, from 1 on
   std::size_t features_without_place_ = 0;
   bool has_third_ = false;
 };

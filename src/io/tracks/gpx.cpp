@@ -57,7 +57,7 @@ class Gpx_reader : public Xml_tracks {
   void end(std::string_view name, const std::string& text, std::size_t depth) override {
     const std::string_view value = trimmed_lines(text);
     if (depth == 3 && name == "name" && track_ > 0 && !value.empty()) {
-      // Below the points they would have had another id.
+      // The points above it would have got another id.
       if (has_points_) fail("the name of a track stands below its points; expected it above");
       id_ = value;
     }
@@ -74,7 +74,7 @@ class Gpx_reader : public Xml_tracks {
     add_to_span();
   }
 
-  // When the points of an element <trk> were.
+  // The times of the points of an element <trk>.
   struct Span {
     std::string id;
     Row_time first;
@@ -97,7 +97,7 @@ class Gpx_reader : public Xml_tracks {
     if (is_before(span.last, row_.time)) span.last = row_.time;
   }
 
-  // Tracks of one name are one thing, which is not in two of them at one time.
+  // Tracks of one name are one thing, so their times must not overlap.
   void expect_spans_apart() {
     std::ranges::stable_sort(spans_, [](const Span& a, const Span& b) {
       return a.id != b.id ? a.id < b.id : is_before(a.first, b.first);
@@ -150,9 +150,8 @@ std::string_view first_element(std::string_view head) {
   return {};
 }
 
-// Tracks that TrackMate writes by its action "Export tracks to XML file": <Tracks
-// frameInterval=".."> of elements <particle> with a <detection t=".." x=".." y=".." z=".."/> for
-// each frame t.
+// Files of TrackMate's action "Export tracks to XML file": <Tracks frameInterval=".."> of elements
+// <particle> with a <detection t=".." x=".." y=".." z=".."/> for each frame t.
 class Trackmate_reader : public Xml_tracks {
  public:
   explicit Trackmate_reader(const Tracks_input& input)

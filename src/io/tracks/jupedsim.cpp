@@ -46,7 +46,7 @@ constexpr std::size_t header_size = 100;
 constexpr int longest_value = 1 << 26;  // of a walkable area, in bytes
 constexpr int instructions_between_checks = 1000;
 
-// The whole database, as far as its header says that it goes.
+// The whole database, with the size in its header.
 std::string bytes_of(const Tracks_input& input) {
   const auto fail = [&](const std::string& message) { throw Input_error(input.name, 0, message); };
   const auto append_up_to = [&](std::string& bytes, std::uint64_t size) {
@@ -94,7 +94,7 @@ class Database {
     const int code = sqlite3_open_v2(":memory:", &opened, SQLITE_OPEN_READWRITE, nullptr);
     database_.reset(opened);
     if (code != SQLITE_OK) fail("SQLite cannot be started; expected enough memory");
-    // What a file could bring with it that computes for ever, or reads other files.
+    // Disables content of files that could compute endlessly, or read other files.
     sqlite3_db_config(opened, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(opened, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     sqlite3_db_config(opened, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
@@ -169,7 +169,7 @@ class Query {
   bool is_number(int column) const {
     return type(column) == SQLITE_INTEGER || type(column) == SQLITE_FLOAT;
   }
-  // Whole numbers are rounded to nearest, as SQLite does where a column is REAL.
+  // Whole numbers are rounded to nearest, as SQLite does for columns of the type REAL.
   double number(int column) const {
     return type(column) == SQLITE_INTEGER
                ? static_cast<double>(sqlite3_column_int64(statement_.get(), column))
@@ -215,7 +215,7 @@ class Jupedsim_reader {
   }
 
  private:
-  // A real one, which is no view and no virtual table.
+  // Not a view, nor a virtual table.
   bool has_table(const std::string& name) const {
     Query query(database_,
                 "SELECT 1 FROM sqlite_master WHERE type = 'table' AND rootpage > 0 AND name = '" +
@@ -265,7 +265,7 @@ class Jupedsim_reader {
     std::size_t row = 0;
     while (query.next()) {
       ++row;
-      // A row takes several bytes: a damaged database may lead through its pages again and again.
+      // A row has several bytes: pages of a damaged database may form a cycle.
       if (row > bytes_.size()) {
         database_.fail(
             "is damaged: it has more rows than bytes; expected a database as JuPedSim "
@@ -317,7 +317,7 @@ class Jupedsim_reader {
     }
   }
 
-  // Names in SQLite have no case.
+  // Names in SQLite are case-insensitive.
   void note_unused(Tracks_file& file) const {
     constexpr std::array<std::string_view, 4> used = {"frame", "id", "pos_x", "pos_y"};
     Unused_names unused;

@@ -22,17 +22,17 @@ constexpr std::string_view expected_columns =
     "; expected id, and x y, xu yu, xs ys or xsu ysu, in ITEM: ATOMS";
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// How the columns of a section give places.
+// The columns of a section.
 struct Columns {
   std::size_t id = none;
-  // Of x, y and z, which is needed where the box is tilted toward z.
+  // x, y and z, which is needed if the box is tilted toward z.
   std::array<std::size_t, 3> place = {none, none, none};
   std::array<std::size_t, 3> image = {none, none, none};
   bool is_scaled = false;
   bool is_unwrapped = false;
   std::size_t least_fields = 0;
 
-  // Whether images lead from wrapped places to the path.
+  // Whether images convert wrapped positions to unwrapped ones.
   bool adds_images() const { return image[0] != none && image[1] != none && !is_unwrapped; }
 };
 
@@ -88,7 +88,7 @@ class Lammps_reader {
     }
   }
 
-  // A frame begins behind the atoms of the one before, with its time or its timestep.
+  // A frame begins after the atoms of the previous one, with its time or its timestep.
   void expect_first(bool is_there, const std::string& section) const {
     if (!is_there) return;
     lines_.fail(joined("the frame has ITEM: ", section, " twice; expected its atoms between"));
@@ -204,10 +204,10 @@ class Lammps_reader {
     atoms_.reset();
   }
 
-  // Whether the third edge of the box leads aside.
+  // Whether the third edge of the box is tilted.
   bool leads_toward_z() const { return box_ && !(box_->edges[2] == Vector_2{}); }
 
-  // The box, and the third coordinates, that places need.
+  // Positions may need the box, and third coordinates.
   void expect_box(const Columns& columns) const {
     if (!columns.is_scaled && !columns.adds_images()) return;
     if (!box_) {

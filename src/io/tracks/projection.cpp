@@ -17,7 +17,7 @@ namespace kinetri {
 namespace {
 
 constexpr double greatest_error = 0.001;
-constexpr double widest = 170;  // in degrees of longitude, of what any projection here could take
+constexpr double widest = 170;  // in degrees of longitude, for all projections
 
 struct Range {
   double least = std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ struct Range {
   double middle() const { return least + size() / 2; }
 };
 
-// Where the places are, in degrees. Longitudes may go beyond 180, around the antimeridian.
+// The ranges of positions, in degrees. Longitudes may exceed 180, beyond the antimeridian.
 struct Extent {
   Range longitudes;
   Range latitudes;
@@ -44,7 +44,7 @@ void for_each_observation(File& file, Function function) {
   }
 }
 
-// With longitudes from 0 to 360 if that makes them less far apart.
+// With longitudes from 0 to 360 if their range is smaller then.
 Extent extent_of(Tracks_file& file, const std::string& name) {
   Extent result;
   Range turned;
@@ -69,12 +69,11 @@ Extent extent_of(Tracks_file& file, const std::string& name) {
   return result;
 }
 
-// By how much distances on the ellipsoid can be wrong in the equirectangular projection about the
-// middle of the extent, as a part of them: by as much as lengths along a meridian or a parallel
-// that shortest paths reach.
+// Bound of the relative error of distances in the equirectangular projection about the center of
+// the extent: that of lengths along the meridians and parallels that shortest paths reach.
 double error_of_local(const Extent& extent) {
   if (extent.longitudes.size() > widest) return std::numeric_limits<double>::infinity();
-  // A shortest path between places of one latitude goes nearer to the pole than they are. By
+  // A shortest path between positions of one latitude is nearer to the pole than they are. By
   // Clairaut's relation it is a great circle in reduced latitudes, whose longitudes are longer by
   // at most 1 / (1 - flattening).
   const double half =
@@ -97,21 +96,21 @@ double error_of_local(const Extent& extent) {
   return result;
 }
 
-// The zone of UTM that the middle of the extent is in, from 1 to 60.
+// The zone of UTM of the center of the extent, from 1 to 60.
 int zone_of(const Extent& extent) {
   const double middle = extent.longitudes.middle();
   const double from_zero = middle >= 180 ? middle - 180 : middle + 180;
   return std::min(60, static_cast<int>(std::floor(from_zero / 6)) + 1);
 }
 
-// Of the longitude from the central meridian of the zone.
+// The longitude relative to the central meridian of the zone.
 double from_meridian(double longitude, int zone) {
   const double meridian = 6. * zone - 183;
   return std::remainder(longitude - meridian, 360);
 }
 
-// By how much lengths are wrong in the zone: the scale grows away from the central meridian, and
-// toward the equator.
+// Bound of the relative error of lengths in the zone: the scale grows away from the central
+// meridian, and toward the equator.
 double error_of_utm(const Extent& extent) {
   if (extent.longitudes.size() > widest) return std::numeric_limits<double>::infinity();
   const int zone = zone_of(extent);

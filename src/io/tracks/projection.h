@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Degrees of longitude and latitude as metres in the plane.
+// Projections from degrees of longitude and latitude to meters.
 #ifndef KINETRI_SRC_IO_TRACKS_PROJECTION_H
 #define KINETRI_SRC_IO_TRACKS_PROJECTION_H
 
@@ -10,9 +10,9 @@
 
 namespace kinetri {
 
-/// Replaces the places, which are degrees, by those of the projection, and adds a remark on how far
-/// distances are off. Throws Input_error if one of them is no place on earth, or if distances can
-/// be off by more than 0.1 %. Precondition: the projection is local or utm.
+/// Projects the positions, which are degrees, and adds a remark with the bound of the error of
+/// distances. Throws Input_error if a position is not on earth, or if the bound exceeds 0.1 %.
+/// Precondition: the projection is local or utm.
 void project(Tracks_file& file, const std::string& name, Tracks_projection projection);
 
 }  // namespace kinetri

@@ -44,7 +44,7 @@ class Rows_reader {
     columns_ = table_.read_header(
         columns_of_rows, required_columns,
         is_automatic ? joined(expected_columns, or_other_table) : std::string(expected_columns));
-    // Another header needs other options than a projection alone.
+    // Checked after the header, since another header needs other options as well.
     if (line_of_degrees_ > 0) expect_no_degrees();
     table_.watch_rows([this](std::string_view line) { return is_row(line); });
     std::size_t rows_of_words = 0;
@@ -76,7 +76,7 @@ class Rows_reader {
     return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
   }
 
-  // The fields in the order of Column; false if there is not one for each column.
+  // Splits into the order of Column. False if the number of fields is wrong.
   bool split(std::string_view line) {
     fields_.fill({});
     std::size_t fields = 0;
@@ -87,7 +87,7 @@ class Rows_reader {
     return fields == columns_.size();
   }
 
-  // Whether the line below the header has units where times and places would be.
+  // Whether the line below the header has units instead of times and positions.
   bool is_of_words(std::string_view line) {
     if (!split(line) || !is_word(fields_[t]) || !is_word(fields_[x]) || !is_word(fields_[y])) {
       return false;
@@ -95,7 +95,7 @@ class Rows_reader {
     return !(fields_[t].empty() && fields_[x].empty() && fields_[y].empty());
   }
 
-  // Whether the line, which begins with #, is no comment: the # is of an id.
+  // Whether a line that begins with # is a row, whose id begins with #.
   bool is_row(std::string_view line) {
     if (columns_.front() != id || !split(line)) return false;
     const auto is_number = [&](Column column) {
@@ -112,7 +112,7 @@ class Rows_reader {
     }
     std::size_t fields = 0;
     for_each_field_between_commas(line, [&](std::string_view /*field*/) { ++fields; });
-    // Of fewer, what is no number says more.
+    // With fewer fields, an invalid number gives the better message.
     if (fields > columns_.size()) {
       table_.fail(line.find('"') == std::string_view::npos
                       ? problem_of_row(fields, columns_.size(), true)
@@ -170,7 +170,7 @@ class Rows_reader {
   Tracks_builder builder_;
   std::vector<std::size_t> columns_;
   std::array<std::string_view, column_count> fields_;  // of the row
-  std::size_t line_of_degrees_ = 0;  // of a comment that says it; 0 if there is none
+  std::size_t line_of_degrees_ = 0;  // of the comment about degrees; 0 if there is none
   std::size_t rows_without_place_ = 0;
   Signs_of_degrees signs_;
   Dates_of_digits dates_;

@@ -90,7 +90,7 @@ class Sumo_reader : public Xml_tracks {
     builder_.add(row);
   }
 
-  // In degrees, things hardly move at the speed that they have in metres.
+  // In degrees, distances are much less than speeds, which are in meters, imply.
   void note_motion(const Tracks_row& row, const Xml_attributes& attributes) {
     std::optional<double> speed;
     bool has_decimals = true;
@@ -118,7 +118,7 @@ class Sumo_reader : public Xml_tracks {
     known.place = row.place;
   }
 
-  // SUMO writes metres with two decimals, and degrees with six, unless it is told otherwise.
+  // By default SUMO writes meters with two decimals, and degrees with six.
   static bool has_many_decimals(std::string_view number) {
     constexpr std::size_t many = 4;
     const std::size_t point = number.find('.');
@@ -164,7 +164,7 @@ class Sumo_reader : public Xml_tracks {
   struct Kind {
     std::string name;
     std::size_t line;
-    bool has_place = false;  // the last one
+    bool has_place = false;  // whether `place` is set
     double time = 0;
     Vector_2 place = {};
   };
@@ -179,9 +179,9 @@ class Sumo_reader : public Xml_tracks {
   std::size_t rows_ = 0;
   std::size_t rows_of_many_decimals_ = 0;
   double way_ = 0;             // of all things
-  double duration_ = 0;        // in which they went it
+  double duration_ = 0;        // of `way_`
   double way_with_speed_ = 0;  // of those with a speed
-  double way_by_speed_ = 0;    // as their speeds say
+  double way_by_speed_ = 0;    // according to their speeds
   double time_ = 0;
   std::map<std::string, Kind, std::less<>> kinds_;  // of each id
 };

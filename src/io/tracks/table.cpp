@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Tracks as a table whose columns the user names, or gives by number where there is no header.
-// Fields are separated by commas, semicolons, tabs or blanks, by the first of them for which there
-// are all of the columns. Fields in quotation marks may have separators and line ends in them; two
-// of the marks stand for one (RFC 4180). Times may be in several columns, such as dates and times
-// of day, which are read as one text with blanks between.
+// Tracks as a table whose columns the user names, or numbers if there is no header. The separator
+// is the first of comma, semicolon, tab and blank with which all columns exist. Quoted fields may
+// contain separators and line ends; two quotation marks stand for one (RFC 4180). Times may be in
+// several columns, such as dates and times of day, which are joined by blanks.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -27,7 +25,7 @@ constexpr std::size_t required_columns = radius;
 constexpr std::string_view expected_option = "expected --columns t=NAME,id=NAME,x=NAME,y=NAME";
 constexpr std::array<char, 4> separators = {',', ';', '\t', ' '};
 constexpr std::size_t longest_record = std::size_t{1} << 20U;
-constexpr std::size_t most_lines = 1000;  // of a record, which is split anew for each
+constexpr std::size_t most_lines = 1000;  // of a record, which is split again for each
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 class Named_columns_reader {
@@ -83,7 +81,7 @@ class Named_columns_reader {
 
   // ---- degrees ----
 
-  // `what` has the words of x and y, and stands in `line`, if that is not 0.
+  // `what` is the source of `of_x` and `of_y`, in `line`, if that is not 0.
   void take_degrees(const std::string& of_x, const std::string& of_y, std::string_view what,
                     std::size_t line) {
     const Named_degrees named =
@@ -93,7 +91,7 @@ class Named_columns_reader {
     degrees_remark_ = named.remark;
   }
 
-  // Where the names of the columns do not say it.
+  // Used if the names of the columns have no evidence.
   void expect_no_degrees_in_comment(std::size_t line) {
     if (line == 0 || !degrees_remark_.empty()) return;
     expect_projection(input_.name, line, input_.options.projection,
@@ -181,14 +179,14 @@ class Named_columns_reader {
     fail_for_header(*line, last_comment);
   }
 
-  // The name in the header, which may be given with the # before it.
+  // Whether the name is that in the header, perhaps with a leading #.
   bool is_named(std::size_t field, const std::string& name) const {
     if (fields_[field] == name) return true;
     return is_header_comment_ && field == 0 && name.starts_with('#') &&
            trimmed(std::string_view(name).substr(1)) == fields_[0];
   }
 
-  // The field of the header, which is in fields_, that has the name; none if none has it.
+  // The field of the header in fields_ with the name; `none` if there is none.
   std::size_t field_named(const std::string& name) const {
     std::size_t result = none;
     for (std::size_t field = 0; field < fields_.size(); ++field) {
@@ -202,7 +200,7 @@ class Named_columns_reader {
     return result;
   }
 
-  // Finds the columns in the header, which is in fields_; whether all are there.
+  // Finds the columns in the header in fields_. Returns whether all exist.
   bool find_columns() {
     bool has_all = true;
     for (std::size_t i = 0; i < column_count; ++i) {
@@ -218,7 +216,7 @@ class Named_columns_reader {
            std::find(fields_of_time_.begin(), fields_of_time_.end(), none) == fields_of_time_.end();
   }
 
-  // Whether the line has all names.
+  // Reads the line as the header, if it has all names.
   bool take_header(std::string_view line) {
     for (const char separator : separators) {
       if (fields_.split(line, separator) != Fields::Result::complete) continue;
@@ -231,8 +229,7 @@ class Named_columns_reader {
     return false;
   }
 
-  // Tables that R's write.table writes have a first column that the header does not name: names of
-  // rows, in quotation marks.
+  // R's write.table writes a first column without a name in the header: quoted names of rows.
   void take_names_of_rows(std::string_view row) {
     if (trimmed(row).front() != '"') return;
     if (fields_.split(row, separator_) != Fields::Result::complete) return;
@@ -244,7 +241,7 @@ class Named_columns_reader {
     has_names_of_rows_ = true;
   }
 
-  // The fields, separated so that there are the most.
+  // The fields, with the separator that gives the most.
   std::vector<std::string> most_fields(std::string_view line) {
     std::vector<std::string> result;
     for (const char separator : separators) {
@@ -257,7 +254,7 @@ class Named_columns_reader {
   [[noreturn]] void fail_for_header(std::string_view line, const std::string& comment) {
     const std::vector<std::string> first = most_fields(line);
     const std::vector<std::string> of_comment = most_fields(comment);
-    // The row that was taken for the header may be one of data below a comment that is.
+    // The header may be the comment above the row.
     const bool is_comment = of_comment.size() > 1 && of_comment.size() == first.size();
     const std::vector<std::string>& there = is_comment ? of_comment : first;
     std::vector<std::string> names = names_of_time_;
@@ -282,7 +279,7 @@ class Named_columns_reader {
 
   // ---- rows ----
 
-  // Whether the line below the header has words where times and places would be.
+  // Whether the line below the header has words instead of times and positions.
   bool is_of_words(std::string_view line) {
     if (fields_.split(line, separator_) != Fields::Result::complete) return false;
     if (fields_.size() != number_of_fields_) return false;
@@ -292,7 +289,7 @@ class Named_columns_reader {
            std::any_of(fields.begin(), fields.end(), [&](auto i) { return !fields_[i].empty(); });
   }
 
-  // Of the row in fields_, which names units, or columns once more.
+  // Reads the row in fields_, which names units, or repeats columns.
   void take_units() {
     const std::string of_x(fields_[columns_[x]]);
     const std::string of_y(fields_[columns_[y]]);
@@ -307,7 +304,7 @@ class Named_columns_reader {
     ++rows_of_words_;
   }
 
-  // Whether the line, which begins with #, is no comment: the # is of an id or another text.
+  // Whether a line that begins with # is a row: the # belongs to an id or another text.
   bool is_row(std::string_view line) {
     if (fields_.split(line, separator_) != Fields::Result::complete) return false;
     if (fields_.size() != number_of_fields_) return false;
@@ -356,7 +353,7 @@ class Named_columns_reader {
     builder_.add(row);
   }
 
-  // A record goes on in the next line where a quotation is open.
+  // A record continues in the next line if a quotation is open.
   void split(std::string_view line, std::size_t first_line) {
     Fields::Result result = fields_.split(line, separator_);
     if (result == Fields::Result::quotation_is_open) record_ = line;
@@ -378,7 +375,7 @@ class Named_columns_reader {
     }
   }
 
-  // Of several fields of the time, the index of one that is empty.
+  // The index of an empty field among several fields of the time.
   std::optional<std::size_t> empty_field_of_time() const {
     if (fields_of_time_.size() == 1) return std::nullopt;
     for (std::size_t i = 0; i < fields_of_time_.size(); ++i) {
@@ -387,7 +384,7 @@ class Named_columns_reader {
     return std::nullopt;
   }
 
-  // What the row in fields_ has as its time; valid until the next call.
+  // The time of the row in fields_; valid until the next call.
   std::string_view time_text() {
     if (fields_of_time_.size() == 1) return fields_[fields_of_time_.front()];
     time_text_.clear();
@@ -429,7 +426,7 @@ class Named_columns_reader {
                       of_comma.empty() ? std::string(parsed.problem) : of_comma));
   }
 
-  // ---- what the summary says ----
+  // ---- the summary ----
 
   void add_remarks(Tracks_file& file) const {
     if (!degrees_remark_.empty()) file.remarks.push_back(degrees_remark_);
@@ -472,7 +469,7 @@ class Named_columns_reader {
   std::string time_text_;                               // of several fields
   std::size_t number_of_fields_ = 0;
   char separator_ = ',';
-  bool has_numbers_ = false;         // the user gives numbers of columns, not names
+  bool has_numbers_ = false;         // the user numbers the columns
   bool is_header_comment_ = false;   // the header is a comment
   std::vector<std::string> header_;  // its fields, if there is one
   bool has_names_of_rows_ = false;   // in the first column

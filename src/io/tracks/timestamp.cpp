@@ -25,7 +25,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Takes pieces from the beginning of a text.
+// Reads a text from its beginning.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : rest_(text) {}
@@ -44,7 +44,7 @@ class Scanner {
       rest_.remove_prefix(1);
   }
 
-  // At most that many digits, and at least one, as a number.
+  // A number of at least one and at most `digits` digits.
   std::optional<int> number_up_to(std::size_t digits) {
     std::size_t size = 0;
     while (size < digits && size < rest_.size() && is_digit(rest_[size])) ++size;
@@ -67,7 +67,7 @@ class Scanner {
 
   bool next_is_digit() const { return !rest_.empty() && is_digit(rest_.front()); }
 
-  // That many digits as a number.
+  // A number of exactly `digits` digits.
   std::optional<int> number(std::size_t digits) {
     if (rest_.size() < digits) return std::nullopt;
     int result = 0;
@@ -79,7 +79,7 @@ class Scanner {
     return result;
   }
 
-  // One or more digits behind a point, in units of 10^-18; none if there are too many.
+  // One or more decimals, in units of 10^-18; none if there are too many.
   std::optional<std::int64_t> fraction() {
     std::int64_t result = 0;
     std::size_t digits = 0;
@@ -128,7 +128,7 @@ std::optional<std::int64_t> seconds_of_day(int year, int month, int day) {
   return seconds_in_day * std::chrono::sys_days(date).time_since_epoch().count();
 }
 
-// In decimal digits, with zeros before it up to that many.
+// Appends a number, padded with zeros to `digits` digits.
 void append_digits(std::string& text, std::int64_t number, std::size_t digits) {
   const std::string plain = joined(number);
   if (plain.size() < digits) text.append(digits - plain.size(), '0');
@@ -231,7 +231,7 @@ std::string without_short_forms(std::string_view format) {
   return result;
 }
 
-// Takes the part that the directive names; false if it does not stand there.
+// Reads the part of the directive. False if the text does not match.
 bool take_part(Scanner& scanner, char directive, bool has_own_fraction, Date_parts& parts) {
   const auto take = [&](int& part, std::size_t digits, int least, int most) {
     const auto number = scanner.number_up_to(digits);
@@ -408,7 +408,7 @@ double seconds_between(const Timestamp& a, const Timestamp& b) {
     attoseconds += attoseconds_in_second;
     --seconds;
   }
-  // The exact difference in decimal digits, which is rounded as every number in a file is.
+  // The exact difference in decimal digits, rounded like every number in a file.
   std::string digits = joined(seconds, '.');
   append_digits(digits, attoseconds, most_digits);
   return parse_number(digits).value;

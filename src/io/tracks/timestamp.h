@@ -12,36 +12,35 @@
 
 namespace kinetri {
 
-/// An instant in the calendar, exact to 10^-18 s. Without a zone it is local time, of which nobody
-/// knows where; such instants compare with others of the kind only.
+/// A date and time, exact to 10^-18 s. Without a zone it is local time of an unknown zone; such
+/// times compare with each other only.
 struct Timestamp {
   std::int64_t seconds = 0;      ///< since 1970-01-01T00:00:00; in UTC if there is a zone
-  std::int64_t attoseconds = 0;  ///< behind that, from 0 to below 10^18
+  std::int64_t attoseconds = 0;  ///< after that, from 0 to below 10^18
   bool has_zone = false;
 
   friend auto operator<=>(const Timestamp&, const Timestamp&) = default;
 };
 
-/// A timestamp read from text, or what is wrong with the text.
+/// A timestamp read from text, or the error.
 struct Parsed_timestamp {
   Timestamp value;
-  /// Empty if `value` is the instant. Else the second half of a message that begins with the text.
+  /// Empty if `value` is valid. Else the second half of a message that begins with the text.
   std::string_view problem;
 };
 
-/// Whether the text begins as a date does, with a year and a month: `2024-05-`.
+/// Whether the text begins with a year and a month: `2024-05-`.
 bool looks_like_timestamp(std::string_view text);
 
-/// The instant that `text` is: YYYY-MM-DD, optionally followed by T or a blank and hh:mm, :ss, a
-/// point or comma with up to 18 digits, and Z, +hh:mm, +hhmm or +hh (or -). Leap seconds are
-/// problems.
+/// Reads YYYY-MM-DD, optionally followed by T or a blank and hh:mm, :ss, a point or comma with up
+/// to 18 digits, and Z, +hh:mm, +hhmm or +hh (or -). Leap seconds are problems.
 Parsed_timestamp parse_timestamp(std::string_view text);
 
-/// The instant that `text` is in the form `format`, as Tracks_file_options::date_format. The
-/// problem ends without an expectation. Precondition: problem_of_date_format(format) is empty.
+/// Reads `text` in the form `format`, as in Tracks_file_options::date_format. The problem does not
+/// say what was expected. Precondition: problem_of_date_format(format) is empty.
 Parsed_timestamp parse_timestamp(std::string_view text, std::string_view format);
 
-/// Forms of dates that are often met, for messages.
+/// Frequent forms of dates, for messages.
 inline constexpr std::array<std::string_view, 33> likely_date_formats = {"%Y-%m-%d %H:%M:%S",
                                                                          "%Y-%m-%d %H:%M",
                                                                          "%Y-%m-%d %I:%M:%S %p",
@@ -76,12 +75,12 @@ inline constexpr std::array<std::string_view, 33> likely_date_formats = {"%Y-%m-
                                                                          "%d-%b-%Y %H:%M:%S",
                                                                          "%a %b %d %H:%M:%S %Y"};
 
-/// Those of times of day.
+/// The same for times of day.
 inline constexpr std::array<std::string_view, 4> likely_forms_of_day = {"%H:%M:%S", "%H:%M",
                                                                         "%I:%M:%S %p", "%I:%M %p"};
 
-/// Whether a form has hours and no day: what has it is the time since midnight, on 1970-01-01.
-/// Precondition: problem_of_date_format(format) is empty.
+/// Whether a form has hours and no day: it is a time since midnight, on 1970-01-01. Precondition:
+/// problem_of_date_format(format) is empty.
 bool is_form_of_day(std::string_view format);
 
 /// The binary64 number nearest to the seconds from `a` to `b`. Precondition: a <= b, and both have

@@ -113,7 +113,7 @@ void Tracks_builder::count_rows_out_of_order(const std::vector<Track_observation
   }
 }
 
-// Makes one observation of those at one time.
+// Merges observations at one time.
 void Tracks_builder::merge_times(const std::string& id,
                                  std::vector<Track_observation>& observations) {
   std::size_t times = 0;
@@ -133,7 +133,7 @@ void Tracks_builder::merge_times(const std::string& id,
     begin = end;
   }
   observations.resize(times);
-  // Few may come of rounded times; many, of several things with one id.
+  // Few may be due to rounded times; many to several things with one id.
   const bool is_refused = duplicates_ == Tracks_duplicates::refuse ||
                           (duplicates_ == Tracks_duplicates::automatic && 2 * conflicts >= times);
   if (!first || !is_refused) return;
@@ -145,7 +145,7 @@ void Tracks_builder::merge_times(const std::string& id,
 Track_observation Tracks_builder::merged(std::span<const Track_observation> at_one_time,
                                          std::optional<Conflict>& conflict) {
   Track_observation result = at_one_time.front();
-  // A tree, so that no input makes the search slow.
+  // A tree, so that no input is slow.
   std::set<std::pair<double, double>> places;
   for (const Track_observation& seen : at_one_time) {
     if (!places.insert({seen.place.x, seen.place.y}).second) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rows come in, in any order; tracks go out. What every reader of tracks feeds: it gathers the rows
-// of each id, sorts them, leaves out those that are there twice, and finds those that contradict
-// each other.
+// Builds tracks from rows in any order, for all readers: collects the rows of each id, sorts them,
+// drops duplicates, and finds contradictions.
 #ifndef KINETRI_SRC_IO_TRACKS_TRACKS_BUILDER_H
 #define KINETRI_SRC_IO_TRACKS_TRACKS_BUILDER_H
 
@@ -26,42 +25,42 @@ struct Row_time {
   std::optional<Timestamp> date = std::nullopt;
 };
 
-/// Something was seen.
+/// An observation.
 struct Tracks_row {
   std::string_view id;
   Row_time time;
   Vector_2 place;
-  std::size_t line = 0;  ///< where in the file
+  std::size_t line = 0;  ///< in the file
   double radius = 0;     ///< of a disc about it
 };
 
 class Tracks_builder {
  public:
-  /// `name` is that of the file in messages, and must outlive it; `place_name` is what
-  /// Tracks_row::line counts; `duplicates` is of the options.
+  /// `name` is that of the file in messages, and must outlive it; `place_name` is the unit of
+  /// Tracks_row::line; `duplicates` is that of the options.
   explicit Tracks_builder(const std::string& name, Tracks_duplicates duplicates,
                           std::string_view place_name = "line");
 
-  /// Takes a row. Its numbers are finite, its id is not empty. Throws Input_error if the id has had
-  /// another radius, or the time is a date where the first one was a number, or the reverse.
+  /// Adds a row. Throws Input_error if the id has another radius, or if the times of the file are
+  /// not all dates or all numbers. Precondition: its numbers are finite, its id is not empty.
   void add(const Tracks_row& row);
 
-  /// Throws Input_error: something is wrong with the row there.
+  /// Throws an Input_error about the row at `line`.
   [[noreturn]] void fail(std::size_t line, const std::string& message) const;
 
-  /// Sorts what has come. Nothing may come after that.
+  /// Sorts the rows. No row may be added afterwards.
   void settle();
 
   /// The tracks in their order. Precondition: settle() was called.
   const std::vector<Track>& tracks() const { return result_.tracks; }
 
-  /// What the file holds, as far as rows tell: the reader adds its format, radii and frame rate.
-  /// Throws Input_error if an id is at two places at one time, unless it is to merge them. May be
-  /// called once; settles.
+  /// The content of the file, to which the reader adds format, radii and frame rate. Throws
+  /// Input_error if an id is at two positions at one time that are not to be merged. May be called
+  /// once; calls settle().
   Tracks_file finish();
 
  private:
-  // One id at two places at one time.
+  // One id at two positions at one time.
   struct Conflict {
     std::string id;
     Track_observation first;
@@ -81,14 +80,14 @@ class Tracks_builder {
   const std::string& name_;
   Tracks_duplicates duplicates_;
   std::string_view place_name_;
-  // The rows of each id: a tree, and not a hash, so that no input makes the search slow.
+  // The rows of each id: a tree, not a hash, so that no input is slow.
   std::map<std::string, Track, std::less<>> rows_;  // the tracks without their ids
-  // Of all rows, if times are dates: then the time of an observation is the index of its date.
+  // Of all rows, if times are dates: the time of an observation is then the index of its date.
   std::vector<Timestamp> dates_;
   bool has_rows_ = false;
-  std::size_t first_line_ = 0;  // of the first row that came
+  std::size_t first_line_ = 0;  // of the first row
   bool is_settled_ = false;
-  std::optional<Conflict> conflict_;  // the one whose second line comes first
+  std::optional<Conflict> conflict_;  // that with the first second line
   Tracks_file result_;
 };
 

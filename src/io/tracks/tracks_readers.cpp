@@ -47,7 +47,7 @@ constexpr std::array<Tracks_reader, 12> readers = {{
      read_trackmate},
 }};
 
-// Files that hold other files, or tables that nothing here reads.
+// Archives, and tables without a reader.
 struct Foreign_format {
   std::string_view magic;
   std::string_view is;
@@ -120,14 +120,14 @@ bool is_word(std::string_view field) {
 
 namespace {
 
-// As 20230305235959, a number whose differences are no seconds.
+// As 20230305235959: differences are not seconds.
 bool is_date_of_digits(std::string_view field) {
   constexpr std::size_t digits = 14;
   return field.size() == digits && (field.starts_with("19") || field.starts_with("20")) &&
          parse_timestamp(field, "%Y%m%d%H%M%S").problem.empty();
 }
 
-// The form of a date of so many digits, or of a time of day; empty if there is none.
+// The form of a date or time of day with so many digits; empty if there is none.
 std::string_view form_of_digits(std::size_t digits) {
   switch (digits) {
     case 6:
@@ -143,7 +143,7 @@ std::string_view form_of_digits(std::size_t digits) {
   }
 }
 
-// "--date-format F or --date-format G", of those of the forms that the field has.
+// "--date-format F or --date-format G", for the forms that match the field.
 std::string formats_of(std::string_view field, std::span<const std::string_view> likely) {
   std::string formats;
   for (const std::string_view format : likely) {
@@ -153,7 +153,7 @@ std::string formats_of(std::string_view field, std::span<const std::string_view>
   return formats;
 }
 
-// Of a time in a form that is not asked for.
+// The message about a time in another form.
 std::string problem_of_time(std::string_view field) {
   const std::string of_day = formats_of(field, likely_forms_of_day);
   if (!of_day.empty()) {
@@ -210,7 +210,7 @@ void Dates_of_digits::note(std::string_view field) {
   are_all_ = !form.empty() && (is_of_day || field.starts_with("19") || field.starts_with("20")) &&
              (first_.empty() || first_.size() == field.size()) &&
              parse_timestamp(field, form).problem.empty();
-  // What shows a time of day; other numbers of six digits are too often numbers, also of frames.
+  // The evidence of a time of day; other numbers of six digits may be frames.
   has_zero_ = has_zero_ || (field.starts_with('0') && !field.starts_with("00"));
   if (first_.empty()) first_ = field;
 }

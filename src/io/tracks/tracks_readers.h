@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The readers of tracks, one for each format, and how the content of a file shows its format. A
-// reader is a function from the file to its tracks; the table of them is in tracks_readers.cpp.
+// The readers of tracks, one for each format, and the recognition of formats. The table of readers
+// is in tracks_readers.cpp.
 #ifndef KINETRI_SRC_IO_TRACKS_TRACKS_READERS_H
 #define KINETRI_SRC_IO_TRACKS_TRACKS_READERS_H
 
@@ -23,7 +23,7 @@ namespace kinetri {
 
 inline constexpr Table_kind tracks_kind = {"tracks", "observation"};
 
-/// What a reader reads.
+/// The input of a reader.
 struct Tracks_input {
   std::istream& in;
   const std::string& name;  ///< of the file, for messages
@@ -32,15 +32,15 @@ struct Tracks_input {
 
 struct Tracks_reader {
   Tracks_format_name name;
-  /// Whether a file that begins so is of the format. `head` is the whole file or its first 2^16
+  /// Whether a file with this beginning has the format. `head` is the whole file or its first 2^16
   /// bytes, without a byte order mark.
   bool (*recognizes)(std::string_view head);
   /// Reads the file. Throws Input_error.
   Tracks_file (*read)(const Tracks_input& input);
 };
 
-/// All readers, in the order of Tracks_format. The first one, `automatic`, recognizes rows of which
-/// only all of them tell whether they are frames or ids.
+/// All readers, in the order of Tracks_format. The first one, `automatic`, recognizes rows of
+/// frames or ids, which only the whole file distinguishes.
 std::span<const Tracks_reader> tracks_readers();
 
 /// @{
@@ -60,7 +60,7 @@ Tracks_file read_trackmate(const Tracks_input& input);
 /// @}
 
 /// @{
-/// What they recognize.
+/// The recognition of formats.
 bool has_columns_of_rows(std::string_view head);
 bool has_bare_columns(std::string_view head);
 bool is_sqlite(std::string_view head);
@@ -72,17 +72,17 @@ bool is_gpx(std::string_view head);
 bool is_trackmate(std::string_view head);
 /// @}
 
-/// What a file that begins so is, and what was expected, if it is of a known format that nothing
-/// here reads; else empty.
+/// A message about a file with this beginning, if it has a known format without a reader; else
+/// empty.
 std::string foreign_format(std::string_view head);
 
 /// The same of XML.
 std::string foreign_xml(std::string_view head);
 
-// ---- what readers have in common ----
+// ---- common functions of readers ----
 
 /// Calls function(line) for each line of `head` that is neither blank nor a comment, without its
-/// line end, until it returns false. The last line may be cut.
+/// line end, until it returns false. The last line may be truncated.
 template <class Function>
 void for_each_line_of_head(std::string_view head, Function function) {
   while (!head.empty()) {
@@ -95,27 +95,26 @@ void for_each_line_of_head(std::string_view head, Function function) {
   }
 }
 
-/// A time, or what is wrong: a whole message.
+/// A time, or the error: a whole message.
 struct Parsed_time {
   Row_time value;
   std::string problem;
 };
 
-/// The time of a field that is a number or a date, as the options say. `column` names it in
+/// The time in a field, a number or a date, according to the options. `column` is its name in
 /// messages.
 Parsed_time parse_time(std::string_view field, std::string_view column,
                        const Tracks_file_options& options);
 
-/// Times that are whole numbers of 8, 10 or 12 digits, which all are dates without signs between,
-/// as 20200131, or of 6 digits, which all are times of day, some with one 0 at the beginning, as
-/// 095950: their differences are no seconds.
+/// Detects times that are all dates written as whole numbers, as 20200131, or all times of day of 6
+/// digits, some with one leading 0, as 095950: their differences are not seconds.
 class Dates_of_digits {
  public:
-  /// Notes the field of a time.
+  /// Adds the field of a time.
   void note(std::string_view field);
 
-  /// Throws Input_error if all that were noted are such dates, unless the options say what form
-  /// dates have, or that times are frames.
+  /// Throws Input_error if all added fields are such dates, unless the options have a form of
+  /// dates, or say that times are frames.
   void expect_none(const std::string& name, const Tracks_file_options& options) const;
 
  private:
@@ -124,45 +123,46 @@ class Dates_of_digits {
   std::string first_;
 };
 
-/// What to say of a row with another number of fields than the header has columns, or without a
-/// header the first row has fields.
+/// The message about a row whose number of fields is not that of the header or, without one, of the
+/// first row.
 std::string problem_of_row(std::size_t fields, std::size_t columns, bool has_header);
 
-/// What to say of a field that is no number since it has a decimal comma, in a table of fields
-/// with this character between: "has a decimal comma; expected ..."; empty if it is another.
+/// The message about a number with a decimal comma, in a table with this separator: "has a decimal
+/// comma; expected ..."; empty for other fields.
 std::string problem_of_comma(std::string_view field, char separator);
 
-/// Whether the field says that there is no number: it is empty, NaN, NA, N/A, null, None or \N, in
-/// any case.
+/// Whether the field stands for a missing number: it is empty, NaN, NA, N/A, null, None or \N, in
+/// upper or lower case.
 bool is_missing(std::string_view field);
 
-/// Whether the coordinates of a row say that there is no place: both are missing, or one by a word,
-/// as NaN. One that is empty beside another may be a fault of the file.
+/// Whether the position of a row is missing: both coordinates are, or one by a word such as NaN. A
+/// single empty coordinate may be an error of the file.
 bool is_without_place(std::string_view x, std::string_view y);
 
-/// Whether the field may be a unit, or another word of a header: it begins with no digit, sign or
-/// point, has no control characters, and says not that a number is missing, unless it is empty.
+/// Whether the field may be a unit, or another word of a header: it does not begin with a digit,
+/// sign or point, has no control characters, and does not stand for a missing number, unless it is
+/// empty.
 bool is_word(std::string_view field);
 
 /// The time of a frame, frame / fps.
 Parsed_time time_of_frame(double frame, double fps);
 
-/// The names, quoted, as "'a', 'b'"; of many the first 20, "and 3 others".
+/// The quoted names, as "'a', 'b'"; at most the first 20, "and 3 others".
 std::string list_of(std::span<const std::string> names);
 
-/// The names of columns, or what takes their place, that a reader leaves out.
+/// The names of columns and the like that a reader ignores.
 class Unused_names {
  public:
-  /// Notes one; each name counts once. Cost: O(log n) comparisons for n names.
+  /// Adds a name, once. Cost: O(log n) comparisons for n names.
   void add(std::string_view name);
 
-  /// Notes columns without names; of several numbers the greatest counts.
+  /// Adds columns without names; the greatest number counts.
   void add_without_names(std::size_t columns) {
     without_names_ = std::max(without_names_, columns);
   }
 
-  /// Adds a remark with the names in the order in which they first came, unless there is none, and
-  /// one with the number of those without names. `what` begins it: "columns that are not used".
+  /// Adds a remark with the names in the order of addition, and one with the number of those
+  /// without names, unless there are none. `what` is its beginning.
   void add_remarks(Tracks_file& file, std::string_view what = "columns that are not used") const;
 
  private:
@@ -171,11 +171,11 @@ class Unused_names {
   std::size_t without_names_ = 0;
 };
 
-/// The rate that frames are divided by: that of the options, or of the file, or 1.
+/// The rate by which frames are divided: that of the options, or of the file, or 1.
 double frame_rate(const Tracks_file_options& options, std::optional<double> of_file);
 
-/// Notes in `file` the rate that its frames were divided by: from where it is (see frame_rate), and
-/// what `frames` are, such as "frames".
+/// Stores in `file` the rate by which its frames were divided, and adds a remark on its source.
+/// `frames` is their name, such as "frames".
 void note_frame_rate(Tracks_file& file, const Tracks_input& input, std::optional<double> of_file,
                      std::string_view frames);
 

@@ -59,7 +59,7 @@ constexpr std::size_t greatest_depth = 100;
 
 }  // namespace
 
-// Tells `tracks` of a file what stands in it.
+// Calls `tracks` for the parts of a file.
 class Xml_parser {
  public:
   explicit Xml_parser(Xml_tracks& tracks) : tracks_(tracks), parser_(XML_ParserCreate(nullptr)) {
@@ -85,7 +85,7 @@ class Xml_parser {
       const XML_Status status = XML_Parse(parser_.get(), piece.data(), size, is_last ? 1 : 0);
       if (problem_) std::rethrow_exception(problem_);
       if (status != XML_STATUS_OK) {
-        // What stands from the error on, of what was given last.
+        // The rest of the last piece from the error on.
         const auto behind = static_cast<std::size_t>(
             std::clamp<std::int64_t>(given - XML_GetCurrentByteIndex(parser_.get()), 0, size));
         fail_for_syntax(std::string_view(piece.data(), static_cast<std::size_t>(size))
@@ -103,7 +103,7 @@ class Xml_parser {
     void operator()(XML_Parser parser) const { XML_ParserFree(parser); }
   };
 
-  // Where XML is not well formed; the text begins there.
+  // Throws an error about invalid XML, at the beginning of the text.
   [[noreturn]] void fail_for_syntax(std::string_view text) {
     const XML_Error error = XML_GetErrorCode(parser_.get());
     if (error == XML_ERROR_UNKNOWN_ENCODING) {
@@ -122,8 +122,8 @@ class Xml_parser {
                 ", and all of the file"));
   }
 
-  // What the declaration calls UTF-16 is UTF-8 here: the stream has converted it, or it could not
-  // be read as far as that.
+  // A declared encoding UTF-16 is UTF-8 here: the stream has been converted, else the declaration
+  // could not be read.
   void heed_encoding(std::string_view head) {
     if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);  // the byte order mark
     if (!head.starts_with("<?xml")) return;
@@ -148,7 +148,7 @@ class Xml_parser {
 
   void set_line() { tracks_.line_ = XML_GetCurrentLineNumber(parser_.get()); }
 
-  // Exceptions must not pass through the parser, which is written in C.
+  // Exceptions must not pass through the parser, which is in C.
   template <class Function>
   static void guarded(void* self, Function function) noexcept {
     auto* const parser = static_cast<Xml_parser*>(self);
@@ -183,7 +183,7 @@ class Xml_parser {
   static void XMLCALL on_comment(void* self, const XML_Char* text) {
     guarded(self, [&](Xml_parser& parser) { parser.tracks_.comment(text); });
   }
-  // Entities may grow beyond all memory, and stand in doctypes alone.
+  // Entities, which only doctypes declare, may exhaust the memory.
   static void XMLCALL on_doctype(void* self, const XML_Char* /*name*/, const XML_Char* /*system*/,
                                  const XML_Char* /*public*/, int /*has_subset*/) {
     guarded(self, [](Xml_parser& parser) {
@@ -192,7 +192,7 @@ class Xml_parser {
   }
 
   void begin(std::string_view name, const XML_Char** attributes) {
-    // The blanks and line ends of an element with children are no text that anyone wants.
+    // Blanks and line ends between children are not wanted.
     if (!texts_.empty()) texts_.back().clear();
     texts_.emplace_back();
     if (texts_.size() > greatest_depth) {
@@ -209,8 +209,8 @@ class Xml_parser {
   Xml_tracks& tracks_;
   std::unique_ptr<XML_ParserStruct, Free> parser_;
   std::exception_ptr problem_;
-  std::string encoding_;            // that the declaration names; empty if it names none
-  std::vector<std::string> texts_;  // of the elements that are open
+  std::string encoding_;            // of the declaration, or empty
+  std::vector<std::string> texts_;  // of the open elements
   Xml_attributes attributes_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the readers of tracks as XML have in common: elements, attributes and texts, and the errors
-// that name a line.
+// The common part of readers of tracks as XML: elements, attributes and texts, and errors with
+// lines.
 #ifndef KINETRI_SRC_IO_TRACKS_XML_H
 #define KINETRI_SRC_IO_TRACKS_XML_H
 
@@ -17,30 +17,31 @@ namespace kinetri {
 /// Attributes of an element: names and values.
 using Xml_attributes = std::vector<std::pair<std::string_view, std::string_view>>;
 
-/// A kind of file of tracks as XML.
+/// The base of such readers.
 class Xml_tracks {
  public:
-  /// `content` is what is expected, as "floating-car data of SUMO". All must outlive it.
+  /// `content` is the expected content, as "floating-car data of SUMO". All arguments must outlive
+  /// it.
   Xml_tracks(const Tracks_input& input, std::string_view content)
       : input_(input), content_(content) {}
   virtual ~Xml_tracks() = default;
   Xml_tracks(const Xml_tracks&) = delete;
   Xml_tracks& operator=(const Xml_tracks&) = delete;
 
-  /// Reads the file. Throws Input_error, also if XML cannot be read here.
+  /// Reads the file. Throws Input_error, also if the library was built without expat.
   void parse();
 
  protected:
   /// @{
-  /// What stands in the file. `depth` is 1 for the first element.
+  /// Called for the parts of the file. `depth` is 1 for the first element.
   virtual void begin(std::string_view name, const Xml_attributes& attributes,
                      std::size_t depth) = 0;
-  /// `text` is that of the element, without its children.
+  /// `text` is that after the last child of the element.
   virtual void end(std::string_view /*name*/, const std::string& /*text*/, std::size_t /*depth*/) {}
   virtual void comment(std::string_view /*text*/) {}
   /// @}
 
-  /// Of what stands in the file at present.
+  /// The line of the present part.
   std::size_t line() const { return line_; }
   [[noreturn]] void fail(const std::string& message) const;
 
@@ -48,7 +49,7 @@ class Xml_tracks {
   std::string_view attribute(const Xml_attributes& attributes, std::string_view element,
                              std::string_view name) const;
 
-  /// The number that it is. `or_else` ends the message if it is none.
+  /// The number in the attribute. `or_else` is the end of the message if it is invalid.
   double number(const Xml_attributes& attributes, std::string_view element, std::string_view name,
                 std::string_view or_else = "") const;
 

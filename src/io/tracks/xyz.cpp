@@ -22,8 +22,7 @@
 namespace kinetri {
 namespace {
 
-// The value of `key=value` or of `key="value"` in a comment; keys are compared without regard to
-// case.
+// The value of `key=value` or of `key="value"` in a comment; keys are case-insensitive.
 std::optional<std::string_view> value_of(std::string_view comment, std::string_view key) {
   const std::string lower = in_lower_case(comment);
   for (std::size_t at = lower.find(key); at != std::string::npos; at = lower.find(key, at + 1)) {
@@ -40,9 +39,9 @@ std::optional<std::string_view> value_of(std::string_view comment, std::string_v
   return std::nullopt;
 }
 
-// The number behind one of the words, which end with a colon or an equals sign, that stands in the
-// same word or in the next: `Timestep: 5` and `Time: 0.5` of LAMMPS, `step=5`, `time = 0.5,` of
-// CP2K, `Step: 10` of i-PI.
+// The number after one of the words, which end with a colon or an equals sign, with or without
+// blanks between: `Timestep: 5` and `Time: 0.5` of LAMMPS, `step=5`, `time = 0.5,` of CP2K, `Step:
+// 10` of i-PI.
 std::optional<double> number_behind(std::string_view comment,
                                     std::initializer_list<std::string_view> names) {
   std::string text;
@@ -66,10 +65,10 @@ std::optional<double> number_behind(std::string_view comment,
   return std::nullopt;
 }
 
-// How the times of a file are given.
+// The kind of times of a file.
 enum class Times { times, steps, frames };
 
-// Where fields of an atom are.
+// The indices of the fields of an atom.
 struct Columns {
   std::size_t place = 1;
   std::optional<std::size_t> id;
@@ -104,7 +103,7 @@ class Xyz_reader {
 
  private:
   void read_frame(std::size_t atoms) {
-    // The line is gone with the next one.
+    // A copy, since reading the next line overwrites it.
     const std::string comment(lines_.expect("a comment"));
     const Columns columns = columns_of(comment);
     const double time = time_of(comment);
@@ -164,7 +163,7 @@ class Xyz_reader {
     return result;
   }
 
-  // Of the properties `parts`. The species tell atoms without ids apart.
+  // Records unused properties of `parts`. The species distinguish atoms without ids.
   void note_unused(const std::vector<std::string_view>& parts, const Columns& columns) {
     for (std::size_t i = 0; i + 3 <= parts.size(); i += 3) {
       const std::string name = in_lower_case(parts[i]);
@@ -274,7 +273,7 @@ class Xyz_reader {
 
   static double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-  // Units of the positions in one of the cell; none if that is not known.
+  // The unit of the cell in units of the positions; none if unknown.
   static std::optional<double> unit_of_cell(const std::string& comment) {
     constexpr double angstroms_in_bohr = 0.529177210903;  // CODATA 2018
     const auto unit_behind = [&](std::string_view name) -> std::string {
@@ -291,7 +290,7 @@ class Xyz_reader {
     return std::nullopt;
   }
 
-  // Only the order of atoms says which is which.
+  // Only their order identifies atoms.
   void expect_number_of_atoms(std::size_t atoms) {
     if (frame_ > 0 && atoms != atoms_) {
       lines_.fail(joined("the frame has ", atoms, " atoms, but the first one ", atoms_,
