@@ -23,7 +23,7 @@ namespace kinetri {
 struct Approach {
   Edge_ids points = {no_point, no_point};  ///< the ids, the smaller first
   Algebraic_number time;  ///< exact; rational if no motion changes at it and no radius grows
-  /// The distance of the centres at that time, rounded to the nearest binary64 number, ties to
+  /// The distance of the centers at that time, rounded to the nearest binary64 number, ties to
   /// even; infinite on overflow.
   double distance = 0;
   double gap = 0;  ///< the gap at that time, rounded in the same way; of points, the distance

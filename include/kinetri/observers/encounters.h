@@ -23,7 +23,7 @@ struct Encounter {
   Algebraic_number begin;                  ///< exact
   Algebraic_number end;                    ///< exact; the present time if it has not ended
   Algebraic_number closest;                ///< the first time at which their gap was least, exact
-  /// The distance of the centres at that time, rounded to the nearest binary64 number, ties to
+  /// The distance of the centers at that time, rounded to the nearest binary64 number, ties to
   /// even; infinite on overflow.
   double distance = 0;
   double gap = 0;  ///< the gap at that time, rounded in the same way; of points, the distance

@@ -17,7 +17,7 @@
 namespace kinetri {
 
 /// Whether the points a and b of `edge` are neighbors in the Gabriel graph just after the current
-/// time, exactly: no other point is inside of the circle whose diameter is ab, or on it. So |ac|^2
+/// time, exactly: no other point is inside the circle whose diameter is ab, or on it. So |ac|^2
 /// + |bc|^2 > |ab|^2 for each other point c. False for points without an edge.
 ///
 /// Cost: that of finding the edge, O(degree), and the signs of two polynomials. Precondition: the

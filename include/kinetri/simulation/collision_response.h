@@ -21,7 +21,7 @@ struct Contact_2 {
   double time = 0;              ///< time of the contact
   Point_id point_a = no_point;  ///< the smaller id
   Point_id point_b = no_point;  ///< the greater one
-  Vector_2 separation;          ///< centre of b minus centre of a; may be rounded to zero
+  Vector_2 separation;          ///< center of b minus center of a; may be rounded to zero
   Vector_2 velocity_a;          ///< of point_a just before the contact
   Vector_2 velocity_b;          ///< of point_b just before the contact
   double mass_a = 1;            ///< of point_a: positive

@@ -21,7 +21,7 @@ namespace kinetri {
 enum class Scenario {
   /// Random positions in the square [0, side)^2; random velocity components in [-speed, speed).
   uniform,
-  /// Like `uniform`, with coordinates normally distributed about the centre of the square, with
+  /// Like `uniform`, with coordinates normally distributed about the center of the square, with
   /// standard deviation side / 4.
   gaussian,
   /// Like `uniform`, with equal speeds and random directions: all squared speeds are exactly equal,

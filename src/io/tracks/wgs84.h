@@ -10,14 +10,14 @@
 
 namespace kinetri::wgs84 {
 
-inline constexpr double equatorial_radius = 6378137;  ///< in metres
+inline constexpr double equatorial_radius = 6378137;  ///< in meters
 inline constexpr double flattening = 1 / 298.257223563;
 /// The square of the eccentricity.
 inline constexpr double e2 = flattening * (2 - flattening);
 
 inline constexpr double radians_in_degree = std::numbers::pi / 180;
 
-/// The radii of curvature at a latitude, in metres (J. P. Snyder, Map projections: a working
+/// The radii of curvature at a latitude, in meters (J. P. Snyder, Map projections: a working
 /// manual, U.S. Geological Survey Professional Paper 1395, 1987, equations 4-18 and 4-20).
 struct Radii {
   double meridian = 0;  ///< of the meridian

@@ -34,7 +34,7 @@ class Gap_of_pair {
   const Algebraic_number& time() const { return time_; }
   /// Bounds of the gap.
   const Double_interval& bounds() const { return bounds_; }
-  /// The distance of the centres, rounded to the nearest binary64 number, ties to even; infinite on
+  /// The distance of the centers, rounded to the nearest binary64 number, ties to even; infinite on
   /// overflow.
   double rounded_distance() const;
   /// The gap, rounded in the same way.
