@@ -80,7 +80,7 @@ void Closest_approaches<Traits>::after_event(const Event& event) {
     begin(*event.added, event.time, true);
   }
   for (const std::optional<Point_id>& id : {event.point_a, event.point_b}) {
-    if (id) turn(*id, event.time);
+    if (id) change_motion(*id, event.time);
   }
   if (event.kind == Event_kind::collision) {
     begin_overlap(edge_ids(*event.point_a, *event.point_b), event.time);
@@ -107,7 +107,7 @@ Disc_motion_2 Closest_approaches<Traits>::disc(Point_id id) const {
 
 // Whether the motions of a piece have ended: a point has got another motion or has been erased.
 template <HasLinearMotion Traits>
-bool Closest_approaches<Traits>::has_turned(const Edge_ids& pair, const Piece& piece) const {
+bool Closest_approaches<Traits>::has_changed(const Edge_ids& pair, const Piece& piece) const {
   const auto& triangulation = simulation_.triangulation();
   return !triangulation.contains(pair[0]) || !triangulation.contains(pair[1]) ||
          disc(pair[0]) != piece.p || disc(pair[1]) != piece.q;
@@ -155,14 +155,14 @@ void Closest_approaches<Traits>::end(const Edge_ids& pair, const Algebraic_numbe
 // The motion may have changed: ends the pieces with their motions. Pieces of edges begin here,
 // those of overlaps after these have been updated.
 template <HasLinearMotion Traits>
-void Closest_approaches<Traits>::turn(Point_id id, const Algebraic_number& time) {
+void Closest_approaches<Traits>::change_motion(Point_id id, const Algebraic_number& time) {
   std::vector<Edge_ids> ended;
   const auto add_if_turned = [&](Point_id other, bool is_edge) {
     const Edge_ids pair = edge_ids(id, other);
     const auto piece = pieces_.find(pair);
     // An edge without a piece has not been reported yet.
     if (piece != pieces_.end() && piece->second.is_edge == is_edge &&
-        has_turned(pair, piece->second)) {
+        has_changed(pair, piece->second)) {
       ended.push_back(pair);
     }
   };

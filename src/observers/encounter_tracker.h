@@ -82,7 +82,7 @@ class Encounter_tracker {
 
   void change(const Time& time, std::span<const Edge_ids> added, const auto& points) {
     if (partners_.size() < graph_.next_id()) partners_.resize(graph_.next_id());
-    for (const auto& point : points) turn(point.id, time, points);
+    for (const auto& point : points) change_motion(point.id, time, points);
     departures_.change(time, points, graph_, range_, radius_,
                        [&](const auto& p, const auto& q) { meet_for_a_moment(p, q, time); });
     if constexpr (has_radii) {
@@ -366,7 +366,7 @@ class Encounter_tracker {
   }
 
   // The point has got another motion or has been erased, as the others in `changed`.
-  void turn(Point_id id, const Time& time, const auto& changed) {
+  void change_motion(Point_id id, const Time& time, const auto& changed) {
     const auto before = [&](Point_id other) -> const Point_2* {
       const auto point = place(changed, other);
       return point != changed.end() && point->id == other ? &*point->before : nullptr;

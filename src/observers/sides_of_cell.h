@@ -203,7 +203,7 @@ class Exact_cell_at_time final : public Exact_cell {
       const Exact_position_2 q = neighbor->position(t);
       const Rational a = slope(p) - slope(q);
       const Rational b = power(p, point_.weight(t)) - power(q, neighbor->weight(t));
-      // Inside where a s + b < 0.
+      // Inside if a s + b < 0.
       if (a == 0 && b >= 0) return false;
       if (a == 0) continue;
       const Rational s = -b / a;

@@ -23,7 +23,7 @@ Contact_response_2 collide_elastically(const Contact_2& contact) {
   Vector_2 n = contact.separation;
   const double length = std::max(std::abs(n.x), std::abs(n.y));
   if (length == 0) return {};
-  // Scaled by a power of two, which changes no result: else the square might underflow.
+  // Scaled by a power of two, which is exact: else the square might underflow.
   const int exponent = -std::ilogb(length);
   n = {std::scalbn(n.x, exponent), std::scalbn(n.y, exponent)};
   const auto size_of = [](const Vector_2& v) { return std::max(std::abs(v.x), std::abs(v.y)); };
@@ -35,10 +35,10 @@ Contact_response_2 collide_elastically(const Contact_2& contact) {
   const Vector_2 b = {contact.velocity_b.x / scale, contact.velocity_b.y / scale};
   const double growth = contact.growth_a / scale + contact.growth_b / scale;
   const double square = n.x * n.x + n.y * n.y;
-  // For unit masses, as are the changes below. Without growth nothing is subtracted, exactly.
+  // For unit masses, as are the changes below. Without growth exactly 0 is subtracted.
   const double impulse =
       ((b.x - a.x) * n.x + (b.y - a.y) * n.y - growth * std::sqrt(square)) / square;
-  // The parts of twice the impulse: 1 and 1, exactly, where the masses are equal.
+  // The parts of twice the impulse; exactly 1 and 1 if the masses are equal.
   const double part_a = 2 / (1 + contact.mass_a / contact.mass_b);
   const double part_b = 2 / (1 + contact.mass_b / contact.mass_a);
   const auto velocities = [&](double along) {

@@ -110,7 +110,7 @@ class Contact_events {
   }
   /// Adopts the processes of the division.
   void take_up(std::span<const Process> processes);
-  /// Checks certificates again whose entries have left their parts.
+  /// Checks the certificates of removed entries again.
   void recheck(Process& process, std::span<const Entry> entries);
   /// Records that an entry is deferred. This saves rollbacks, and does not change results.
   void note_blocked(Process& process, const Entry& entry);

@@ -83,7 +83,7 @@ void Contact_events<Traits>::take_all(Process& process, Points points, const Fun
 
 // ---- before a contact, or a flip ----
 
-// The exact time is kept in the queue too.
+// The exact time is computed once, by the queue.
 template <class Traits>
 auto Contact_events<Traits>::candidate(Process& process, const Entry& entry) -> Candidate {
   const Time& time = part(process).time(part(process).top());
@@ -185,7 +185,7 @@ bool Contact_events<Traits>::execute(Process& process, Candidate& candidate) {
   }
   const auto changes = watch_.changes(candidate.entry, *moment.exact);
   if (changes.empty()) return false;
-  const Velocity_change& change = *candidate.change;  // stays where it is in the log
+  const Velocity_change& change = *candidate.change;  // remains valid in the log
   try {
     if (set_points(*candidate.change, changes, moment) && certify(process, change, moment)) {
       record(process, std::move(candidate));

@@ -79,17 +79,17 @@ class Simulation_types<Traits>::Contact_loop {
   const Time& current_time() const { return geometry_.current_time(); }
   std::size_t execute_due_entries();
   void execute_due_entries(std::vector<Due_change>& postponed);
-  void execute_contact(const Entry& contact, std::uint64_t& turning);
-  std::vector<Change> changes_of(const Entry& contact, std::uint64_t& turning);
-  void check_limit(const Entry& entry, std::uint64_t turning) const;
+  void execute_contact(const Entry& contact, std::uint64_t& velocity_changes);
+  std::vector<Change> changes_of(const Entry& contact, std::uint64_t& velocity_changes);
+  void check_limit(const Entry& entry, std::uint64_t velocity_changes) const;
   void apply(const Entry& contact, std::span<const Change> changes);
   template <class Make_changes>
   void change(std::span<const Point_id> points, const Make_changes& make_changes);
   void execute_change(const Due_change& change);
   bool try_change(const Due_change& change);
-  std::vector<Due_change> pop_turns(const Entry& first);
-  bool try_turns(std::span<const Due_change> turns);
-  [[noreturn]] static void refuse_vanishing(Point_id id, const Time& time);
+  std::vector<Due_change> pop_new_motions(const Entry& first);
+  bool try_set_motions(std::span<const Due_change> new_motions);
+  [[noreturn]] static void refuse_negative_radius(Point_id id, const Time& time);
   void refuse_overlaps_of(const Point_2& p) const;
   void refuse(std::vector<Edge_ids> pairs) const;
 

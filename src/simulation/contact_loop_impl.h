@@ -38,7 +38,7 @@ std::size_t Simulation_types<Traits>::Contact_loop::step(const Time* until) {
   const std::size_t events = step_triangulation(is_due ? &first : until);
   if (events == 0) {
     if (!is_due) return 0;
-    if (is_end) refuse_vanishing(queue.top().point_a, first);
+    if (is_end) refuse_negative_radius(queue.top().point_a, first);
     core_.loop.run_to(first, nullptr);
   }
   const std::size_t due_events = execute_due_entries();
@@ -92,7 +92,7 @@ bool Simulation_types<Traits>::Contact_loop::run_triangulation(
 }
 
 template <class Traits>
-void Simulation_types<Traits>::Contact_loop::refuse_vanishing(Point_id id, const Time& time) {
+void Simulation_types<Traits>::Contact_loop::refuse_negative_radius(Point_id id, const Time& time) {
   throw Negative_radius_error(
       id, time.detached(),
       "the radius of disc " + std::to_string(id) + " shrinks to 0 at t = " + text(time) +
@@ -130,8 +130,8 @@ void Simulation_types<Traits>::Contact_loop::execute_due_entries(
     std::vector<Due_change>& postponed) {
   auto& queue = schedule_.queue();
   std::uint64_t contacts = 0;
-  std::uint64_t turning = 0;
-  bool may_turn_together = true;
+  std::uint64_t velocity_changes = 0;
+  bool may_set_together = true;
   const auto execute_due = [&] {
     const auto is_due = [&] {
       schedule_.settle();
@@ -140,12 +140,12 @@ void Simulation_types<Traits>::Contact_loop::execute_due_entries(
     };
     while (is_due()) {
       const Entry entry = schedule_.pop();
-      if (entry.kind == Contact_kind::trajectory && may_turn_together) {
-        std::vector<Due_change> turns = pop_turns(entry);
-        if (try_turns(turns)) continue;
+      if (entry.kind == Contact_kind::trajectory && may_set_together) {
+        std::vector<Due_change> new_motions = pop_new_motions(entry);
+        if (try_set_motions(new_motions)) continue;
         // One of them cannot be made, or not yet: make them one by one.
-        may_turn_together = false;
-        for (const Due_change& turn : turns) schedule_.put_back(turn);
+        may_set_together = false;
+        for (const Due_change& new_motion : new_motions) schedule_.put_back(new_motion);
         continue;
       }
       if (is_change(entry.kind)) {
@@ -156,7 +156,7 @@ void Simulation_types<Traits>::Contact_loop::execute_due_entries(
       if (entry.kind == Contact_kind::collision && tracker_.note_contact(entry)) continue;
       ++contacts;
       is_within_contact_ = true;
-      execute_contact(entry, turning);
+      execute_contact(entry, velocity_changes);
       is_within_contact_ = false;
     }
   };
@@ -182,8 +182,8 @@ void Simulation_types<Traits>::Contact_loop::execute_due_entries(
 // Executes a contact that has left the queue. Counts contacts at one time that change points.
 template <class Traits>
 void Simulation_types<Traits>::Contact_loop::execute_contact(const Entry& contact,
-                                                             std::uint64_t& turning) {
-  const std::vector<Change> changes = changes_of(contact, turning);
+                                                             std::uint64_t& velocity_changes) {
+  const std::vector<Change> changes = changes_of(contact, velocity_changes);
   const std::array<Point_id, 2> points = {contact.point_a, contact.point_b};
   if (contact.kind == Contact_kind::wall) {
     return change(std::span(points).first(1), [&] { apply(contact, changes); });
@@ -203,11 +203,11 @@ void Simulation_types<Traits>::Contact_loop::execute_contact(const Entry& contac
 // queue.
 template <class Traits>
 auto Simulation_types<Traits>::Contact_loop::changes_of(const Entry& contact,
-                                                        std::uint64_t& turning)
+                                                        std::uint64_t& velocity_changes)
     -> std::vector<Change> {
   try {
     std::vector<Change> result = outcomes_.changes(contact, current_time());
-    if (!result.empty()) check_limit(contact, ++turning);
+    if (!result.empty()) check_limit(contact, ++velocity_changes);
     return result;
   } catch (const Endless_contacts_error&) {
     schedule_.put_contact(contact);
@@ -218,9 +218,9 @@ auto Simulation_types<Traits>::Contact_loop::changes_of(const Entry& contact,
 
 template <class Traits>
 void Simulation_types<Traits>::Contact_loop::check_limit(const Entry& entry,
-                                                         std::uint64_t turning) const {
+                                                         std::uint64_t velocity_changes) const {
   const std::uint64_t most = setup_.options().max_contacts_per_instant;
-  if (turning <= most) return;
+  if (velocity_changes <= most) return;
   throw Endless_contacts_error(
       entry.point_a,
       "more than " + std::to_string(most) + " contacts at t = " + text(current_time()) +
@@ -355,7 +355,7 @@ bool Simulation_types<Traits>::Contact_loop::try_change(const Due_change& change
 // Removes the new motions from the queue that can be set together with the first one, which has
 // been removed.
 template <class Traits>
-auto Simulation_types<Traits>::Contact_loop::pop_turns(const Entry& first)
+auto Simulation_types<Traits>::Contact_loop::pop_new_motions(const Entry& first)
     -> std::vector<Due_change> {
   auto& queue = schedule_.queue();
   std::vector<Due_change> result = {schedule_.take_change(first)};
@@ -371,10 +371,11 @@ auto Simulation_types<Traits>::Contact_loop::pop_turns(const Entry& first)
 
 // Sets the new motions together. Returns false, and does nothing, if that is not possible.
 template <class Traits>
-bool Simulation_types<Traits>::Contact_loop::try_turns(std::span<const Due_change> turns) {
+bool Simulation_types<Traits>::Contact_loop::try_set_motions(
+    std::span<const Due_change> new_motions) {
   std::vector<Point_id> ids;
   std::vector<Motion> motions;
-  for (const auto& [entry, motion] : turns) {
+  for (const auto& [entry, motion] : new_motions) {
     ids.push_back(entry.point_a);
     motions.push_back(*motion);
   }

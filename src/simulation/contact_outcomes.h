@@ -42,8 +42,8 @@ class Simulation_types<Traits>::Contact_outcomes {
   Change reflection(Point_id id, std::size_t wall, const Time& now) const;
   std::vector<Change> collision(Point_id a, Point_id b, const Time& now) const;
   Motion usable(Point_id id, Motion motion, const Time& now) const;
-  [[noreturn]] static void refuse_press(Point_id id, const std::string& who,
-                                        const std::string& remedy, const Time& now);
+  [[noreturn]] static void refuse_resting_contact(Point_id id, const std::string& who,
+                                                  const std::string& remedy, const Time& now);
 
   const Disc_geometry& geometry_;
   const Simulation_setup& setup_;
@@ -54,10 +54,10 @@ auto Simulation_types<Traits>::Contact_outcomes::reflection(Point_id id, std::si
                                                             const Time& now) const -> Change {
   const Wall_2& side = setup_.walls()[wall];
   if (!setup_.traits().has_approach_speed(geometry_.point(id), side, now)) {
-    refuse_press(id,
-                 "point " + std::to_string(id) + " accelerates toward the " +
-                     std::string(name(side.side)) + " wall",
-                 "change the acceleration or the box, or end before that time", now);
+    refuse_resting_contact(id,
+                           "point " + std::to_string(id) + " accelerates toward the " +
+                               std::string(name(side.side)) + " wall",
+                           "change the acceleration or the box, or end before that time", now);
   }
   const double time = now.to_double();
   const Motion& motion = geometry_.motion(id);
@@ -126,12 +126,13 @@ auto Simulation_types<Traits>::Contact_outcomes::collision(Point_id a, Point_id 
   if (is_pressed && response.is_motion_given() &&
       traits.do_approach(Point_2(new_a.value_or(motion_a), a), Point_2(new_b.value_or(motion_b), b),
                          now)) {
-    refuse_press(a,
-                 "points " + std::to_string(a) + " and " + std::to_string(b) +
-                     " accelerate toward each other",
-                 "change the accelerations, end before that time, or take a response that stops or "
-                 "removes points or lets them pass",
-                 now);
+    refuse_resting_contact(
+        a,
+        "points " + std::to_string(a) + " and " + std::to_string(b) +
+            " accelerate toward each other",
+        "change the accelerations, end before that time, or take a response that stops or "
+        "removes points or lets them pass",
+        now);
   }
   std::vector<Change> changes;
   if (response.erases_a || new_a) {
@@ -164,9 +165,10 @@ auto Simulation_types<Traits>::Contact_outcomes::usable(Point_id id, Motion moti
 
 // `who` is in resting contact: without a speed, but with an acceleration toward what it touches.
 template <class Traits>
-void Simulation_types<Traits>::Contact_outcomes::refuse_press(Point_id id, const std::string& who,
-                                                              const std::string& remedy,
-                                                              const Time& now) {
+void Simulation_types<Traits>::Contact_outcomes::refuse_resting_contact(Point_id id,
+                                                                        const std::string& who,
+                                                                        const std::string& remedy,
+                                                                        const Time& now) {
   throw Endless_contacts_error(
       id, who + " at t = " + text(now) +
               ", in contact without any speed, so that no change of velocities separates them; "

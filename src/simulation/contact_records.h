@@ -38,14 +38,14 @@ struct Contact_record {
   std::vector<Point_id> corners;       ///< that the point is linked with (Disc_geometry)
 };
 
-/// The records by point id; none if a point has nothing, or has been erased.
+/// The records by point id. A point without entries and overlaps need not have one.
 ///
 /// Invariant: pairs are in both records, with the same values. Several threads may call functions
 /// for different points after make_room.
 class Contact_records {
  public:
   std::size_t size() const { return records_.size(); }
-  /// Makes room for the records of points whose ids are less than `ids`.
+  /// Resizes to points with ids less than `ids`.
   void make_room(std::size_t ids) {
     if (ids > records_.size()) records_.resize(ids);
   }

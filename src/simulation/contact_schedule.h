@@ -130,7 +130,7 @@ class Simulation_types<Traits>::Contact_schedule {
 
   Queue_handle push(Entry entry, Certificate certificate);
   void schedule_wall(Point_id id, const Time& after);
-  void schedule_vanishing(Point_id id);
+  void schedule_radius_end(Point_id id);
   void recheck(const Entry& entry);
   void forget(const Entry& entry);
   void discard(Queue_handle handle);

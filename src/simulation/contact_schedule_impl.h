@@ -148,12 +148,12 @@ bool Simulation_types<Traits>::Contact_schedule::is_contact_due() {
 template <class Traits>
 void Simulation_types<Traits>::Contact_schedule::schedule_single(Point_id id, const Time& after) {
   schedule_wall(id, after);
-  schedule_vanishing(id);
+  schedule_radius_end(id);
 }
 
 // Schedules the time at which a shrinking radius reaches zero. Precondition: it is not scheduled.
 template <class Traits>
-void Simulation_types<Traits>::Contact_schedule::schedule_vanishing(Point_id id) {
+void Simulation_types<Traits>::Contact_schedule::schedule_radius_end(Point_id id) {
   if constexpr (has_radii) {
     if (geometry_.motion(id).growth >= 0) return;
     const Time time = zero_of_radius(geometry_.motion(id));
@@ -243,7 +243,7 @@ void Simulation_types<Traits>::Contact_schedule::schedule_all_singles() {
       block = {};
     }
   }
-  for (const Point_id id : ids) schedule_vanishing(id);
+  for (const Point_id id : ids) schedule_radius_end(id);
 }
 
 // ---- pairs ----

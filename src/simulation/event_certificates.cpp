@@ -35,7 +35,7 @@ std::string_view reason_without(Event_kind kind) {
   }
 }
 
-// Of an event that nothing fails for.
+// The points of an event without a failure.
 std::vector<Point_id> points_named(const Event& event) {
   std::vector<Point_id> result;
   for (const auto& edge : {event.removed, event.added}) {
@@ -78,7 +78,7 @@ void Event_certificates<Traits>::set_now(const Algebraic_number& time) {
   if (time != now_.time) now_ = {now_.number + 1, time};
 }
 
-// The latest of the given moment and those at which the points got their motions.
+// The latest of the moment and those at which the points got their motions.
 template <class Traits>
 auto Event_certificates<Traits>::latest(const Moment& moment,
                                         std::span<const Point_id> points) const -> const Moment& {
@@ -90,7 +90,7 @@ auto Event_certificates<Traits>::latest(const Moment& moment,
   return *result;
 }
 
-// ---- what is beside edges and hidden points ----
+// ---- neighborhoods of edges and hidden points ----
 
 template <class Traits>
 Edge_ids Event_certificates<Traits>::ids_of(const Edge& edge) {
@@ -99,8 +99,8 @@ Edge_ids Event_certificates<Traits>::ids_of(const Edge& edge) {
                   face->vertex(Cgal::ccw(i))->point().id());
 }
 
-// The points opposite the edge: on the left of the way from its smaller id to its greater, and on
-// the right. So a triangle that turns over is another one.
+// The points opposite the edge: left and right of it, directed from the smaller id to the greater.
+// So an inverted triangle is a different one.
 template <class Traits>
 auto Event_certificates<Traits>::opposite(const Edge& edge) const -> Sides {
   const auto& [face, i] = edge;
@@ -181,7 +181,7 @@ void Event_certificates<Traits>::replace_beside(Point_id a, Point_id b, Point_id
   since = now_;
 }
 
-// A flip of an edge, of which one end may be infinite, as it is where the hull changes.
+// A flip of an edge; one end may be infinite, at hull events.
 template <class Traits>
 void Event_certificates<Traits>::follow_flip(const Event& event) {
   const Edge_ids to_infinity = {event.apex.value_or(no_point), no_point};
@@ -209,7 +209,7 @@ auto Event_certificates<Traits>::condition(std::vector<Point_id> points, const M
   return {std::move(points), std::move(polynomial), time};
 }
 
-// That the edge belongs to the triangulation, as Kinetic_triangulation_2 has it.
+// The condition that the edge belongs to the triangulation, as in Kinetic_triangulation_2.
 template <class Traits>
 auto Event_certificates<Traits>::condition_of_edge(const Edge_ids& ids) const -> Condition {
   const std::optional<Edge> edge = find_edge(ids);
@@ -236,8 +236,8 @@ auto Event_certificates<Traits>::condition_of_edge(const Edge_ids& ids) const ->
   return condition(std::move(points), edges_.at(ids).since);
 }
 
-// That the vertex is not hidden: the condition of any of its edges, since it has three neighbors,
-// of which one may be infinite.
+// The condition that the vertex is not hidden: that of any of its edges, since it has three
+// neighbors, of which one may be infinite.
 template <class Traits>
 auto Event_certificates<Traits>::condition_of_vertex(Point_id id) const -> Condition {
   Point_id neighbor = no_point;
@@ -246,7 +246,7 @@ auto Event_certificates<Traits>::condition_of_vertex(Point_id id) const -> Condi
   return condition_of_edge(edge_ids(id, neighbor));
 }
 
-// That the point is above the triangle that hides it, and does not leave the hull.
+// The conditions that the point is above the triangle that hides it, and does not leave it.
 template <class Traits>
 auto Event_certificates<Traits>::conditions_of_hidden(Point_id id) const -> std::vector<Condition> {
   const Triple triangle = hiding_triangle(id);
@@ -270,7 +270,8 @@ auto Event_certificates<Traits>::conditions_of_walls(Point_id id) const -> std::
   return result;
 }
 
-// That the discs are apart, since they last parted; or, where they overlap, that they part.
+// The conditions that the discs are apart, since they last separated; or, if they overlap, that
+// they separate.
 template <class Traits>
 auto Event_certificates<Traits>::conditions_of_pair(const Edge_ids& pair) const
     -> std::vector<Condition> {
@@ -300,7 +301,7 @@ auto Event_certificates<Traits>::conditions(const Event& event) const -> std::ve
     case Event_kind::hull_remove:
       return {condition_of_edge({*event.apex, no_point})};
     case Event_kind::hide:
-      // Where the triangulation has been built anew, what has come of it is reported.
+      // After a reconstruction, its results are reported.
       if (triangulation_.is_hidden(*event.point_a)) return {};
       return {condition_of_vertex(*event.point_a)};
     case Event_kind::reveal:
@@ -395,7 +396,7 @@ void Event_certificates<Traits>::after_rebuild(const Algebraic_number& time,
                                                std::span<const Edge_ids> edges) {
   set_now(time);
   if (triangulation_.triangulation().dimension() < 2) return edges_.clear();
-  // A triangle that is new has corners that have got or lost an edge.
+  // A new triangle has corners that have got or lost an edge.
   std::set<Point_id> ends;
   for (const Edge_ids& edge : edges) {
     if (!find_edge(edge)) edges_.erase(edge);

@@ -54,7 +54,7 @@ void Event_statistics::after_event(const Event& event) {
   }
 }
 
-// Of the interval that the time belongs to; none if it belongs to none.
+// The counts of the interval that contains the time; null if there is none.
 Event_counts* Event_statistics::counts_at(const Algebraic_number& time) {
   if (intervals_.empty() || time < Algebraic_number(intervals_.front().from)) return nullptr;
   const auto interval = std::ranges::partition_point(

@@ -28,7 +28,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The motion of each point over time: each of its motions, with the time from which on it holds.
+// The motions of each point, with the times at which they begin.
 template <class Traits>
 class Path_recorder : public Event_observer {
  public:
@@ -45,8 +45,7 @@ class Path_recorder : public Event_observer {
     simulation.add_observer(*this);
   }
 
-  // It does not but for the motions of points that reach a wall, which no event of a run by regions
-  // does.
+  // It reads only the motions of points that reach a wall, which are current then.
   bool looks_at_triangulation() const override { return false; }
   void after_event(const Event& event) override {
     if (event.removed) ++edge_changes_;
@@ -54,7 +53,7 @@ class Path_recorder : public Event_observer {
     if (event.kind == Event_kind::wall) add(*event.point_a, event.time.to_double());
   }
 
-  // Of each point in turn, at times that ascend.
+  // Precondition: the times for each point ascend.
   Vector_2 place(Point_id id, double time) {
     const auto& path = paths_[id];
     std::size_t& i = present_.at(id);
@@ -85,7 +84,7 @@ class Path_recorder : public Event_observer {
   std::uint64_t edge_changes_ = 0;
 };
 
-// The discrete approach: a triangulation of the places at one step after another.
+// The discrete approach: a triangulation of the positions at successive steps.
 template <class Traits>
 class Discrete_run {
  public:
@@ -104,7 +103,7 @@ class Discrete_run {
     const auto start = Clock::now();
     for (Point_id id = 0; id < paths_.size(); ++id) {
       if (!paths_.moves(id)) continue;
-      // Its new place is near to where it was.
+      // Its new position is near the old one.
       const auto face = vertices_[id]->face();
       const auto neighbor = is_hidden(vertices_[id])
                                 ? face->vertex(0)
@@ -154,7 +153,7 @@ class Discrete_run {
     places_[id] = point;
   }
 
-  // Compares edges and overlaps with those of the step before.
+  // Compares edges and overlaps with those of the previous step.
   void look() {
     std::set<Edge_ids> edges;
     std::set<Edge_ids> overlaps;
@@ -189,7 +188,7 @@ class Discrete_run {
   double seconds_ = 0;
 };
 
-// Discs that do not overlap, in the cells of a grid.
+// Discs without overlaps, in the cells of a grid.
 class Apart {
  public:
   Apart(double side, double greatest_radius, std::size_t discs) : side_(side) {
@@ -200,11 +199,11 @@ class Apart {
     cells_.resize(cells_in_row_ * cells_in_row_);
   }
 
-  // Adds the disc, unless it overlaps one of the others, or almost does.
+  // Adds the disc, unless it overlaps or almost overlaps another one.
   bool add(const Disc_motion_2& disc) {
     const std::size_t column = cell(disc.position.x);
     const std::size_t row = cell(disc.position.y);
-    // Those in other cells are at least the greatest diameter away.
+    // Discs in other cells are at least the greatest diameter away.
     for (std::size_t r = row - (row > 0 ? 1 : 0); r < std::min(row + 2, cells_in_row_); ++r) {
       for (std::size_t c = column - (column > 0 ? 1 : 0); c < std::min(column + 2, cells_in_row_);
            ++c) {
@@ -223,7 +222,7 @@ class Apart {
     return std::min(static_cast<std::size_t>(index), cells_in_row_ - 1);
   }
 
-  // The factor is more than all roundings.
+  // The factor exceeds all roundings.
   static bool do_almost_overlap(const Disc_motion_2& a, const Disc_motion_2& b) {
     const double x = a.position.x - b.position.x;
     const double y = a.position.y - b.position.y;
@@ -271,7 +270,7 @@ std::vector<Discrete_comparison> compare(const std::vector<typename Traits::Moti
   kinetic.kinetic_seconds = run<Traits>(motions, passing).seconds;
 
   Simulation_2<Traits> simulation(motions, experiment_options(passing));
-  simulation.advance_to(0.0);  // discs that overlap at the start are no contacts to be missed
+  simulation.advance_to(0.0);  // overlaps at the start do not count as contacts
   Path_recorder<Traits> paths(simulation);
   const Triangulation_counters before = simulation.triangulation().counters();
   simulation.advance_to(passing.duration);
@@ -334,8 +333,8 @@ std::vector<Linear_motion_2> experiment_motions(const Experiment_setting& settin
   return motions;
 }
 
-// The large discs get their places first. The discs of twice their radii about those that have
-// places cover less than the box, as long as the share is at most a quarter: there is always room.
+// Large discs are placed first. Discs of twice the radii about the placed ones cover less than the
+// box, while the area fraction is at most a quarter: so there is always a free position.
 std::vector<Disc_motion_2> experiment_discs(const Experiment_setting& setting) {
   KINETRI_PRECONDITION(setting.size_ratio >= 1, "the size ratio of an experiment is less than 1");
   KINETRI_PRECONDITION(setting.covered_share() <= greatest_covered_share,

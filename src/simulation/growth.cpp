@@ -26,7 +26,7 @@ const Box_2& box_of(const Simulation_2<Traits>& simulation) {
   return *simulation.options().box;
 }
 
-// Whether the areas are at least `area`: certainly if true, and but for the rounding of pi if not.
+// Whether the sum of the areas is at least `area`; may be false by the rounding of pi only.
 template <class Traits>
 bool do_cover(const Simulation_2<Traits>& simulation, const Rational& area, double time) {
   static_assert(std::numbers::pi == 0x1.921fb54442d18p+1);  // which is less than pi
@@ -40,11 +40,11 @@ bool do_cover(const Simulation_2<Traits>& simulation, const Rational& area, doub
   return squares * to_rational(std::numbers::pi) >= area;
 }
 
-// About the time in which the squares of the radii increase by `more`, where they are
-// squares + 2 mixed t + rates t^2. May be infinite, or no number.
+// About the time in which the sum of the squared radii, squares + 2 mixed t + rates t^2, increases
+// by `more`. May be infinite, or NaN.
 double time_of_increase(double more, double mixed, double rates) {
   const double root = std::sqrt(mixed * mixed + rates * std::max(more, 0.0));
-  // Without a difference of nearly equal numbers.
+  // Avoids cancellation.
   return mixed < 0 ? (root - mixed) / rates : more / (mixed + root);
 }
 
@@ -81,7 +81,7 @@ std::optional<double> time_of_share(const Simulation_2<Traits>& simulation, doub
   });
   const double more = to_double(area) / std::numbers::pi - squares;
   double time = now + time_of_increase(more, mixed, rates);
-  // A time that is too early by roundings is put off by more and more of them.
+  // A time that is too early by roundings is increased by more and more of them.
   constexpr double rounding = std::numeric_limits<double>::epsilon();
   for (double step = rounding;; step *= 2) {
     if (!std::isfinite(time)) return std::nullopt;
@@ -138,7 +138,7 @@ void Jam_watch::find_jammed_discs() {
   std::ranges::fill(contacts_of_discs_, std::uint64_t{0});
 }
 
-// Of all radii, on average.
+// The mean growth of the radii that is still missing.
 template <class Traits>
 double Jam_watch::growth_to_come(const Simulation_2<Traits>& simulation) const {
   const double now = simulation.current_time().to_double();
@@ -155,7 +155,7 @@ double Jam_watch::growth_to_come(const Simulation_2<Traits>& simulation) const {
 template <class Traits>
 bool Jam_watch::look(const Simulation_2<Traits>& simulation, std::uint64_t contacts) {
   constexpr std::uint64_t contacts_of_each = 32;
-  // Few discs may touch often in turn, as a light one between heavy ones does.
+  // A few discs may touch often without being jammed, as a light one between heavy ones.
   constexpr std::uint64_t fewest = 10'000;
   constexpr double part = 0.25;
   const double now = simulation.current_time().to_double();
@@ -167,7 +167,7 @@ bool Jam_watch::look(const Simulation_2<Traits>& simulation, std::uint64_t conta
     ++number;
   });
   const bool is_first = !time_;
-  // The mean speed, over the mean rate of contacts of a disc.
+  // The mean path: the mean speed over the mean rate of contacts of a disc.
   const double path =
       is_first ? 0 : speeds * (now - *time_) / static_cast<double>(contacts - contacts_);
   contacts_ = contacts;

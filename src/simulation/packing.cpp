@@ -22,10 +22,10 @@ namespace {
 
 using Simulation = Simulation_2<Disc_kinetic_traits_2>;
 
-// A part of the growth: up to this part of the final radii, in so many steps between which the
-// velocities are scaled back, with a growth of the mean radius that is this part of the mean speed.
-// The denser the discs, the slower: so they can make room for each other. The numbers are a choice
-// that reaches the shares that packing.h names, not the best one.
+// A stage of the growth: up to the fraction `part` of the final radii, in `steps` steps between
+// which velocities are rescaled; the growth of the mean radius is `growth` times the mean speed.
+// Dense discs must grow slowly. The numbers were chosen to reach the area fractions in packing.h;
+// they are not optimal.
 struct Stage {
   double part;
   int steps;
@@ -33,7 +33,7 @@ struct Stage {
 };
 constexpr std::array<Stage, 3> stages = {{{0.75, 3, 0.2}, {0.9, 5, 0.04}, {1, 20, 0.015}}};
 
-// Somewhat larger than asked for at the end, so that the discs of the result are apart.
+// Slightly larger radii at the end, so that the discs of the result are apart.
 constexpr double enough = 1 + 0x1p-30;
 
 class Packer {
@@ -92,7 +92,7 @@ class Packer {
     result.box = box();
     result.rim_touches = true;
     result.response = collide_elastically;
-    // The larger, the heavier, as discs are.
+    // Masses are proportional to areas.
     for (const double radius : radii_) {
       const double size = radius / radii_.front();
       result.masses.push_back(size * size);
@@ -102,8 +102,7 @@ class Packer {
 
   Box_2 box() const { return {0, 0, side_, side_}; }
 
-  // Lets the radii grow by a part of the final ones, with a growth of the mean radius that is
-  // `growth` times the mean speed.
+  // Lets the radii grow by the fraction `part` of the final ones.
   void grow(double part, double growth) {
     const double now = simulation_.current_time().to_double();
     std::vector<Point_id> ids(options_.points);
@@ -113,7 +112,7 @@ class Packer {
       const Vector_2 v = simulation_.triangulation().motion(id).velocity;
       squares += simulation_.mass(id) * (v.x * v.x + v.y * v.y);
     }
-    // To the mean energy of a disc of the mass 1 with the speed 1.
+    // Scales to the mean energy of a disc of mass 1 and speed 1.
     const double scale = 1 / std::sqrt(squares / static_cast<double>(options_.points));
     std::vector<Disc_motion_2> motions;
     for (const Point_id id : ids) {
@@ -148,7 +147,7 @@ class Packer {
     return packing;
   }
 
-  // Exactly: all pairs, but for those whose boxes are apart.
+  // Exactly, for all pairs whose bounding boxes intersect.
   static void check(const Packing& packing) {
     std::vector<detail::Disc_box> boxes;
     for (Point_id id = 0; id < packing.discs.size(); ++id) {

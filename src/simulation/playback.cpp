@@ -105,14 +105,14 @@ std::vector<Recorded_place> Playback::places() const {
     const auto* there = motion(static_cast<Point_id>(id));
     if (there != nullptr) result[id] = place_of(*there, time_);
   }
-  if (recording_.is_thinned) place_turning_points(result);
+  if (recording_.is_thinned) interpolate_changing_points(result);
   if (has_weights(recording_)) find_hidden(result);
   return result;
 }
 
-// Where events are left out, it is unknown where a point turned that has another motion from the
-// next instant on. It is shown on the straight line between its places at the two instants.
-void Playback::place_turning_points(std::vector<Recorded_place>& places) const {
+// In a thinned recording, points that get another motion at the next instant are interpolated
+// linearly between their positions at the two instants, since their events are missing.
+void Playback::interpolate_changing_points(std::vector<Recorded_place>& places) const {
   const auto& events = recording_.events;
   if (rows_ == events.size()) return;
   const double before = rows_ == 0 ? recording_.from : events[rows_ - 1].time.nearest;
@@ -130,8 +130,8 @@ void Playback::place_turning_points(std::vector<Recorded_place>& places) const {
   }
 }
 
-// Hidden is what has no edge. Where there is no edge at all, one point is the only vertex: that of
-// least power anywhere.
+// Points without edges are hidden. If there are no edges, one point is the only vertex: that of
+// least power.
 void Playback::find_hidden(std::vector<Recorded_place>& places) const {
   for (Recorded_place& place : places) place.is_hidden = place.is_there;
   for (const auto& [a, b] : edges_) places[a].is_hidden = places[b].is_hidden = false;

@@ -53,7 +53,7 @@ class Merged_events {
     triangles_[triangle.corners] += triangle.is_added ? 1 : -1;
   }
 
-  // Appends it as rows with the number and the time of `last`, the last of the events.
+  // Appends the net effect as rows with the number and time of `last`, the last event.
   void write(const Recorded_event& last, Recording& out) const {
     const std::size_t first_row = out.events.size();
     Recorded_event row;
@@ -104,8 +104,8 @@ class Merged_events {
   std::map<Point_id, Point_change> points_;
 };
 
-// Merges the events of each of the intervals of time that follow each other from the start on; all,
-// if one interval is as long as the recording.
+// Merges the events of each of the successive intervals of time; all, if the interval is as long as
+// the recording.
 Recording merged(const Recording& recording, double interval) {
   const bool is_divided = interval < recording.until - recording.from;
   const auto number_of_interval = [&](const Recorded_event& event) {
@@ -192,8 +192,8 @@ void Recorder<Traits>::after_event(const Event& event) {
   thin_if_needed();
 }
 
-// Records the triangles that a flip removes and adds. Those at the removed edge are known; at the
-// hull there is one triangle more or less. The triangulation may have changed further.
+// Records the triangles that a flip removes and adds, without the triangulation, which may have
+// changed further. At the hull there is one triangle more or less.
 template <class Traits>
 void Recorder<Traits>::record_flip(const Event& event) {
   std::vector<Recorded_triangle> changes;
@@ -213,7 +213,7 @@ void Recorder<Traits>::record_flip(const Event& event) {
     const bool is_added = event.kind == Event_kind::hull_remove;
     const auto [p, q] = is_added ? *event.added : *event.removed;
     const Point_id apex = *event.apex;
-    // A triangle that comes is where there is none yet.
+    // The new triangle is on the free side.
     const bool is_left =
         is_added ? triangles_.apex(q, apex) == no_point : triangles_.apex(p, q) == apex;
     if (is_left) {
@@ -228,8 +228,7 @@ void Recorder<Traits>::record_flip(const Event& event) {
   record_triangles(changes);
 }
 
-// The other kinds of event are reported when the triangulation has already changed further, up to
-// the state in which this is called.
+// Other kinds of events are reported when the triangulation is already in the state of this call.
 template <class Traits>
 void Recorder<Traits>::after_rebuild(const Time& time, std::span<const Edge_ids> edges) {
   const std::vector<Recorded_triangle> changes = changed_triangles(edges);
@@ -266,8 +265,8 @@ Point_id Recorder<Traits>::apex_now(Point_id p, Point_id q) const {
   return no_point;
 }
 
-// The triangles that have changed since the last recorded ones, removed ones first: those at the
-// given edges, and those that are reached from these by way of triangles that have changed.
+// The triangles that have changed since they were recorded, removed ones first, found by a search
+// from the edges over changed triangles.
 template <class Traits>
 std::vector<Recorded_triangle> Recorder<Traits>::changed_triangles(
     std::span<const Edge_ids> edges) const {
@@ -308,8 +307,8 @@ void Recorder<Traits>::record_triangles(std::span<const Recorded_triangle> chang
   }
 }
 
-// Thins to half of the limit, so that the next thinning is some way off. Where even the net effect
-// of all events has more rows, the limit grows.
+// Thins to half of the limit, to amortize the cost. If even the net effect of all events has more
+// rows, the limit grows.
 template <class Traits>
 void Recorder<Traits>::thin_if_needed() {
   if (recording_.events.size() <= limit_) return;

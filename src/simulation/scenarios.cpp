@@ -88,7 +88,7 @@ struct Gaussian_integer {
 // Velocities of exactly one speed. The radius r = 5 13 17 29 37 41 53 < 2^32 is a product of primes
 // p = q q' that split in Z[i], so the lattice points on the circle of radius r are the products of
 // a unit and of one of q^2, q q', q'^2 for each prime: 4 * 3^7 of them. They are scaled by a number
-// with 21 bits, which loses nothing: r 2^21 < 2^53.
+// with 21 bits, which is exact: r 2^21 < 2^53.
 class Directions {
  public:
   explicit Directions(double speed) {
@@ -138,7 +138,7 @@ Vector_2 whole_velocity(std::uint64_t speed, Generator& random) {
   return {x, y};
 }
 
-// The places of a lattice are numbered row by row.
+// Lattice points are numbered row by row.
 class Lattice {
  public:
   explicit Lattice(const Scenario_options& options)
@@ -209,7 +209,7 @@ std::vector<Linear_motion_2> each_point(const Scenario_options& options, Motion 
   return motions;
 }
 
-// Calls velocity(id) for each point, after its place was drawn.
+// Calls velocity(id) for each point, after drawing its position.
 template <class Velocity>
 std::vector<Linear_motion_2> in_square(const Scenario_options& options, Generator& random,
                                        Velocity velocity) {

@@ -23,12 +23,12 @@ namespace kinetri::detail {
 /// |---|---|---|
 /// | setup | options, masses | points |
 /// | triangulation | the motions of points, the present time | discs |
-/// | geometry | | the queue; it changes nothing |
-/// | records | handles and overlaps of each point | places, times |
+/// | geometry (const) | | the queue |
+/// | records | handles and overlaps of each point | positions, times |
 /// | schedule | the queue of contacts and changes | why a pair is watched |
 /// | tracker | discs that grow from 0 | what a contact does |
-/// | outcomes | | the queue; it changes nothing |
-/// | loop | what is left within an instant | |
+/// | outcomes (const) | | the queue |
+/// | loop | whether an instant is incomplete | |
 template <class Traits>
 struct Simulation_core {
   using Types = Simulation_types<Traits>;

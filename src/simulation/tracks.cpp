@@ -44,13 +44,13 @@ Linear_motion_2 motion_after(const std::vector<Observation_2>& track, std::size_
 
 namespace {
 
-// The simulation of the tracks, whose motions motion_of(stay, i) gives, from observation i on.
+// The simulation of the tracks. motion_of(stay, i) is the motion from observation i on.
 template <class Traits, class Motion_of>
 std::unique_ptr<Simulation_2<Traits>> simulate(std::span<const std::vector<Observation_2>> tracks,
                                                std::span<const Stay> stays, double start,
                                                const Simulation_options& options,
                                                const Traits& traits, const Motion_of& motion_of) {
-  // The first stays are those that are there at the start.
+  // The first stays are those that exist at the start.
   std::vector<typename Traits::Motion> motions;
   for (const Stay& stay : stays) {
     const std::vector<Observation_2>& track = tracks[stay.track];

@@ -8,9 +8,9 @@
 //            without commas; quotation marks belong to it; all rows of an id have the same radius
 //   frames   no header; four fields `frame id x y` separated by tabs or blanks, the form of some
 //            public data sets of pedestrians; a frame is a finite number, an id any text
-//   ids      no header; fields `id frame x y`, and others behind them that are ignored (z),
+// ids      no header; fields `id frame x y`, and further ones that are ignored (z),
 //            separated by tabs or blanks, the form of other public data sets of pedestrians
-//   table    any table whose columns Track_columns names, by their names in its header or, where it
+//   table    any table whose columns Track_columns names, by their names in its header or, if it
 //            has none, by their numbers; separated by commas, semicolons, tabs or blanks; fields
 //            may be quoted (RFC 4180)
 //   jupedsim a database of SQLite as JuPedSim writes it, of version 1, 2 or 3
@@ -18,7 +18,7 @@
 //   gpx      XML with tracks of GPS receivers: gpx
 //   trackmate XML with tracks of TrackMate: Tracks
 //   lammps   a text dump of LAMMPS with the columns id and x y, xu yu, xs ys or xsu ysu
-//   xyz      XYZ, plain or extended, several frames one behind the other
+// xyz      XYZ, plain or extended, with several frames
 //   geojson  GeoJSON: points with properties for id and time, lines with a time for each position
 //
 // In rows, frames, ids and table, blank lines and lines that begin with # are skipped; but a line
@@ -174,8 +174,9 @@ struct Tracks_file_options {
   /// for one or more. %S takes a fraction. Two digits of a year are from 1969 to 2068. Names are
   /// English. See problem_of_date_format.
   std::string date_format = {};
-  Tracks_duplicates duplicates = Tracks_duplicates::automatic;  ///< of several places at one time
-  Tracks_unwrap unwrap = Tracks_unwrap::refused;                ///< of the formats lammps and xyz
+  Tracks_duplicates duplicates =
+      Tracks_duplicates::automatic;               ///< of several positions at one time
+  Tracks_unwrap unwrap = Tracks_unwrap::refused;  ///< of the formats lammps and xyz
 };
 
 /// What is wrong with a format of dates, as the second half of a message; empty if nothing is.
@@ -246,12 +247,12 @@ std::vector<std::string> remarks_on_rows(const Tracks_file& file, Tracks_duplica
 /// Throws Input_error `name:line: ...`, or with another unit if there are no lines, for everything
 /// else, such as: a format that is not recognized, is ambiguous, or needs a library that Kinetri
 /// was built without (SQLite, expat); no header; a column that is unknown, missing or named twice;
-/// a row with too few or too many fields; a field that is empty, or not a number where one is
-/// needed (as in a points file); a time that is out of the range of binary64; a negative radius, or
-/// two radii of one id, naming both lines; one id at two positions at one time, naming both lines,
-/// unless the options allow it; a frame rate, unit or order of columns in the file that contradicts
-/// the options, or another in it; degrees, unless a projection is chosen that keeps distances;
-/// atoms that jump through the boundary of a periodic box, unless they are unwrapped; a stream that
+/// a row with too few or too many fields; a field that is empty, or an invalid number (as in a
+/// points file); a time that is out of the range of binary64; a negative radius, or two radii of
+/// one id, naming both lines; one id at two positions at one time, naming both lines, unless the
+/// options allow it; a frame rate, unit or order of columns in the file that contradicts the
+/// options, or another in it; degrees, unless a projection is chosen that keeps distances; atoms
+/// that jump through the boundary of a periodic box, unless they are unwrapped; a stream that
 /// fails; a file that ends too early. Of several ids at two positions, the one whose second
 /// position comes first in the file is named.
 ///

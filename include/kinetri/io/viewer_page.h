@@ -22,9 +22,9 @@
 //   of the ids, two an encounter; begin and end: base64 of
 //                 binary64, the first and the last number among the times of the encounter (begin >
 //                 end if no number is); in_all: the number of encounters, count: that of those in
-//                 the page, which is 0 where there are too many
+//                 the page, which is 0 if there are too many
 //   initial_edges base64 of the ids of the ends, two an edge: the edges at the start that are sides
-//                 of no triangle, sorted. There are such edges only where all points are collinear
+//                 of no triangle, sorted. There are such edges only if all points are collinear
 //   triangles     {initial, count, event, removed, added, ids}: initial: base64 of the ids of the
 //                 corners of the triangles at the start, three a triangle, counterclockwise; their
 //                 sides are the other edges at the start. A flip removes the two triangles at its
@@ -39,7 +39,7 @@
 //                 gone from then on; data: base64 of binary64, each trajectory (0 of points that
 //                 are gone) the epoch e, x, y, vx, vy, and, as far as `degree` (1 to 3) asks for
 //                 them, ax, ay, jx, jy: x + vx s + ax s^2/2 + jx s^3/6 with s = t - e; sizes:
-//                 absent where points have no weights, else base64 of binary64, each trajectory r,
+//                 absent if points have no weights, else base64 of binary64, each trajectory r,
 //                 g and w: the disc has the radius r + g s, the point the weight (r + g s)^2 + w
 //   events        {count, first, kinds, colors, kind, fields, time, ids}: first: the number of
 //                 the first one in the run, 0 if some are left out; kinds: the names of the kinds;

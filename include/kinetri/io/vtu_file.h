@@ -17,7 +17,7 @@ namespace kinetri {
 ///
 ///   points      x, y, 0, in the order of ids
 ///   cells       the triangles, counterclockwise
-///   point data  id; velocity (three components, the last one 0); where there are discs, radius and
+///   point data  id; velocity (three components, the last one 0); if there are discs, radius and
 ///               hidden, which is 1 for points that others hide, else 0
 ///   field data  TimeValue; events, how many there have been so far; and of each kind events_KIND
 ///

@@ -41,8 +41,7 @@ struct Cell_area {
 /// contains the point counts: the positions in the cell, the walkable area and the cutoff that a
 /// path through such positions connects with the point (no path leads through a position in which
 /// walls meet). (B. Steffen and A. Seyfried, Methods for measuring pedestrian density, flow, speed
-/// and direction with minimal scatter, Physica A 389, 2010, measure the density of a person in this
-/// way.)
+/// and direction with minimal scatter, Physica A 389, 2010, measure densities so.)
 ///
 /// The area is 0 if the point is outside of the walkable area, decided exactly; walls belong to it.
 /// Of coinciding points of equal weights, the one with the smallest id has the area of the common
@@ -54,8 +53,8 @@ struct Cell_area {
 /// coordinate of a clipped corner relative to the point, l the perimeter of a part of the cell, and
 /// n its number of sides: the bound is (80 + 18 n) u h l, and with a cutoff r 32 u r^2 more for
 /// each side (docs/MATH.md, section 13). Whether walls leave an opening is also decided exactly,
-/// unless the time is irrational and the opening narrower than these errors. The bound holds if
-/// nothing underflows, as is certain for lengths beyond 1e-150.
+/// unless the time is irrational and the opening narrower than these errors. The bound holds
+/// without underflow, as is certain for lengths beyond 1e-150.
 ///
 /// Cost: some 100 floating-point operations for each neighbor, and a search in a tree of the walls;
 /// near walls, as much for each triangle of the walkable area that the cell meets. Exact arithmetic

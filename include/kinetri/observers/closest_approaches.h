@@ -95,7 +95,7 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
     detail::Gap_of_pair<Disc_motion_2> least;
   };
 
-  // A point that comes or goes, with its motion at that time.
+  // A point that is inserted or erased, with its motion at that time.
   struct Passing {
     Point_id id;
     Disc_motion_2 disc;
@@ -105,11 +105,11 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
 
   void after_change(std::span<const Point_id> points) override;
   Disc_motion_2 disc(Point_id id) const;
-  bool has_turned(const Edge_ids& pair, const Piece& piece) const;
+  bool has_changed(const Edge_ids& pair, const Piece& piece) const;
   void begin(const Edge_ids& pair, const Algebraic_number& time, bool is_edge);
   void begin_overlap(const Edge_ids& pair, const Algebraic_number& time);
   void end(const Edge_ids& pair, const Algebraic_number& time);
-  void turn(Point_id id, const Algebraic_number& time);
+  void change_motion(Point_id id, const Algebraic_number& time);
   void examine(const Edge_ids& pair, const Piece& piece, const Algebraic_number& until);
   void note_passing(const Event& event);
   void examine_moment();
@@ -124,8 +124,8 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
   std::map<Edge_ids, Piece> pieces_;
   // Of each piece without an edge both points, each with the other one.
   std::set<std::pair<Point_id, Point_id>> overlaps_;
-  // The points of the present event that were there before it; and of one time, those that have
-  // gone and those that have come.
+  // The points of the present event that existed before it; and the points that have been erased
+  // and inserted at one time.
   std::vector<Passing> named_;
   Algebraic_number moment_;
   std::vector<Passing> gone_;

@@ -108,9 +108,9 @@ class Encounters final : public Edge_follower<Traits> {
   void remove_encounter_observer(Encounter_observer& observer);
   /// @}
 
-  /// Counts of the certificates made here.
+  /// Counts of certificates.
   const Certificate_counters& certificate_counters() const;
-  /// Counts of the entries of the queue.
+  /// Counts of entries of the queue.
   const Queue_counters& queue_counters() const;
 
  private:

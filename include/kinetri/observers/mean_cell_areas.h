@@ -59,8 +59,7 @@ class Mean_cell_areas : private Edge_follower<Traits> {
   /// @}
   ~Mean_cell_areas() override;
 
-  /// The mean up to now, or up to when the point left, of each point that has been there for a
-  /// time, by ascending id.
+  /// The mean of each point that has existed for a time, up to now or its erasure, by ascending id.
   std::vector<Mean_cell_area> means();
 
  private:

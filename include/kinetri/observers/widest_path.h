@@ -30,8 +30,8 @@ namespace kinetri {
 
 /// The widest path from one position to another.
 struct Widest_path {
-  Vector_2 from;  ///< where it begins
-  Vector_2 to;    ///< where it ends
+  Vector_2 from;  ///< the begin
+  Vector_2 to;    ///< the end
   /// The pairs of points between which it passes, in this order. None if both positions are in one
   /// triangle, or outside of the convex hull.
   std::vector<Edge_ids> gaps;

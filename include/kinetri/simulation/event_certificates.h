@@ -135,8 +135,8 @@ class Event_certificates : public Event_observer {
   // the id no_point.
   std::map<Edge_ids, Watched<Sides>> edges_;
   std::map<Point_id, Watched<Triple>> hidden_;
-  std::map<Point_id, Moment> motions_;  // since when points have theirs, if not since the start
-  std::map<Edge_ids, Moment> touched_;  // discs that have touched and kept their motions
+  std::map<Point_id, Moment> motions_;  // the begin of motions, if not the start
+  std::map<Edge_ids, Moment> touched_;  // the last contacts at which discs kept their motions
   Event_certificate certificate_;       // of the event that is about to happen
   std::vector<Motion> motions_before_;  // of the discs that are about to touch
 };

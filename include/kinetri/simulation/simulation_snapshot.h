@@ -20,7 +20,7 @@ struct Simulation_snapshot {
   using Motion = typename Traits::Motion;  ///< of the traits
   using Time = Algebraic_number;           ///< of events
 
-  /// A scheduled change of a point that has not been made yet.
+  /// A scheduled change of a point that is still to be made.
   struct Change {
     Time time;                                    ///< time of the change
     Event_kind kind = Event_kind::trajectory;     ///< insert, erase or trajectory

@@ -38,7 +38,7 @@ class Output_file {
   /// Removes the temporary if there is one.
   ~Output_file();
 
-  /// Takes the other one's place; that one can only be destroyed.
+  /// The other object can only be destroyed afterwards.
   Output_file(Output_file&&) noexcept;
   Output_file& operator=(Output_file&&) = delete;
 

@@ -27,9 +27,9 @@ namespace kinetri::detail {
 /// Row, or a function of one; std::invoke(value, row) is the value in the row:
 /// - Algebraic_number: an exact time, which files give as its tight_interval() in two columns,
 ///   name_lo and name_hi;
-/// - Point_id: a point, or no_point where there is none;
+/// - Point_id: a point, or no_point;
 /// - std::size_t: a count; bool; a text;
-/// - double: a number, NaN where there is none.
+/// - double: a number, or NaN.
 ///
 /// A third argument, false, means that the column has no values, because they were not requested.
 struct Approach_columns {

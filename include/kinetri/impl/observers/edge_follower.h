@@ -96,7 +96,7 @@ class Edge_follower : private Event_observer {
   /// A point that has changed in an instant.
   struct Changed_point {
     Point_id id;                    ///< of the point
-    std::optional<Point_2> before;  ///< none if it has come
+    std::optional<Point_2> before;  ///< none if it has been inserted
   };
 
   /// @{

@@ -15,7 +15,7 @@ namespace kinetri {
 
 /// A point at a time, rounded.
 struct Recorded_place {
-  bool is_there = false;   ///< else the rest has no meaning
+  bool is_there = false;   ///< else the rest is meaningless
   bool is_hidden = false;  ///< without a power cell
   double x = 0;
   double y = 0;
@@ -70,7 +70,7 @@ class Playback {
  private:
   void start();
   void execute();
-  void place_turning_points(std::vector<Recorded_place>& places) const;
+  void interpolate_changing_points(std::vector<Recorded_place>& places) const;
   void find_hidden(std::vector<Recorded_place>& places) const;
 
   const Recording& recording_;
