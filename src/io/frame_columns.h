@@ -38,7 +38,7 @@ struct Comment_signs {
   std::size_t words_before = 0;      ///< words before the names, after the last colon
   std::size_t words = 0;             ///< all words after the last colon
   std::optional<double> frame_rate;  ///< after a word such as `framerate`
-  std::optional<Length_unit> unit;   ///< of places
+  std::optional<Length_unit> unit;   ///< of positions
   bool has_two_units = false;  ///< whether x and y have different ones, or the comment names two
 };
 

@@ -78,9 +78,10 @@ class Simulation_2 {
   /// Throws Precondition_error for invalid options: a box without area, or not finite; a radius
   /// that is negative or not finite; collisions of discs without a radius; a box that is not wider
   /// than a disc whose boundary circle touches it; masses that are not positive and finite, or not
-  /// as many as points. Throws Outside_box_error if a point is outside of the box at the start, and
-  /// as the constructor of the triangulation. Cost: that of the triangulation, and a contact
-  /// certificate for each edge and wall.
+  /// as many as points. Throws Outside_box_error, Negative_radius_error or Overlapping_discs_error
+  /// if a point, radius or pair of discs is invalid at the start, and as the constructor of the
+  /// triangulation. Cost: that of the triangulation, and a contact certificate for each edge and
+  /// wall.
   Simulation_2(const std::vector<Motion>& motions, const Simulation_options& options,
                const Time& start = Time(), const Traits& traits = Traits());
 
@@ -151,7 +152,8 @@ class Simulation_2 {
 
   /// @{
   /// Changes a point at current_time(), as the functions of the triangulation of these names do.
-  /// Throws Outside_box_error if the point would be outside of the box now. Precondition:
+  /// Throws Outside_box_error or Negative_radius_error if the new motion is invalid now, and
+  /// insert() Overlapping_discs_error if the options refuse overlaps. Precondition:
   /// triangulation().contains(id); the mass is positive and finite.
   Point_id insert(const Motion& motion, double mass = 1);
   void set_motion(Point_id id, const Motion& motion);

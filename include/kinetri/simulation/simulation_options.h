@@ -48,7 +48,7 @@ struct Contact_counters {
   Queue_counters queue;                    ///< of contacts and scheduled changes
   std::uint64_t discarded_walls = 0;       ///< discarded because the point got a new motion
   std::uint64_t discarded_collisions = 0;  ///< the same for either point; or the edge was removed
-  std::uint64_t instants = 0;              ///< times with contacts but without other events
+  std::uint64_t instants = 0;              ///< times with contacts or changes, but without failures
   std::uint64_t most_at_one_time = 0;      ///< greatest number of contacts at one time
 };
 

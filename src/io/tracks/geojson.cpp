@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tracks as GeoJSON (RFC 7946): a FeatureCollection of points, each with properties for what was
-// seen and when, or of lines with one time for each place, in the property coordTimes, times, or
-// times in coordinateProperties. Places are degrees, unless the file names another reference system
-// by the member crs of older files.
+// seen and when, or of lines with one time for each position, in the property coordTimes, times, or
+// times in coordinateProperties. Positions are degrees, unless the member crs of older files names
+// another reference system.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tracks as text dumps of LAMMPS: sections ITEM: UNITS once and ITEM: TIME, if asked for, before
-// ITEM: TIMESTEP (write_header in src/dump_custom.cpp of LAMMPS) or behind it, ITEM: NUMBER OF
+// ITEM: TIMESTEP (write_header in src/dump_custom.cpp of LAMMPS) or after it, ITEM: NUMBER OF
 // ATOMS, ITEM: BOX BOUNDS and ITEM: ATOMS with the names of columns, of which id and x y, xu yu, xs
-// ys or xsu ysu are read; ix iy iz say how often an atom has gone around the box.
+// ys or xsu ysu are read; ix iy iz are numbers of images.
 #include <algorithm>
 #include <array>
 #include <cmath>

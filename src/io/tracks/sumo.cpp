@@ -2,7 +2,7 @@
 //
 // Tracks as floating-car data of SUMO (--fcd-output): <fcd-export> with elements <timestep
 // time="..">, and in these <vehicle id=".." x=".." y=".."/>, <person> and <container>. A comment
-// above shows the configuration of SUMO; with fcd-output.geo in it, places are degrees.
+// above shows the configuration of SUMO; with fcd-output.geo in it, positions are degrees.
 #include <cmath>
 #include <map>
 #include <optional>

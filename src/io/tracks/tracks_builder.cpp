@@ -141,7 +141,7 @@ void Tracks_builder::merge_times(const std::string& id,
   if (!conflict_ || first->second.line < conflict_->second.line) conflict_ = std::move(first);
 }
 
-// In the order of the file. A conflict has no id yet.
+// The observations are in the order of the file. A conflict has no id yet.
 Track_observation Tracks_builder::merged(std::span<const Track_observation> at_one_time,
                                          std::optional<Conflict>& conflict) {
   Track_observation result = at_one_time.front();
