@@ -16,8 +16,7 @@ namespace kinetri::detail {
 /// The base of entries: when a certificate fails, or until when it certainly holds. A derived class
 /// adds the subject of the certificate.
 struct Failure : Scheduled {
-  bool is_recheck =
-      false;  ///< the certificate holds until bounds.lower, when it is to be checked again
+  bool is_recheck = false;    ///< holds until bounds.lower, when it is to be checked again
   bool changes_sign = false;  ///< whether its polynomial certainly changes sign at the failure
 };
 

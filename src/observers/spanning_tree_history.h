@@ -84,8 +84,7 @@ class Spanning_tree_history {
   }
 
  private:
-  std::map<Edge_ids, int>
-      changed_;  // how often an edge has entered the tree minus how often it has left
+  std::map<Edge_ids, int> changed_;  // entries to the tree minus removals
   std::vector<Spanning_tree_change> changes_;
   std::vector<Longest_piece> longest_;
 };

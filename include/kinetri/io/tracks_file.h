@@ -166,17 +166,16 @@ struct Tracks_file_options {
   /// table, a timestep of LAMMPS). Finite and greater than 0. Without it the rate is that of the
   /// file, or else 1.
   std::optional<double> fps = std::nullopt;
-  Track_columns columns =
-      {};  ///< for the formats table and geojson; makes `automatic` one of the two
+  /// For the formats table and geojson; makes `automatic` one of the two.
+  Track_columns columns = {};
   Tracks_projection projection = Tracks_projection::refused;  ///< of degrees
   /// The form of dates, if it is not ISO 8601, as of strptime: %Y %y %m %b %B %d %j %H %I %M %S %f
   /// %p %z %Z %a %A %T %D %F %R %% and other characters that stand for themselves; a blank stands
   /// for one or more. %S takes a fraction. Two digits of a year are from 1969 to 2068. Names are
   /// English. See problem_of_date_format.
   std::string date_format = {};
-  Tracks_duplicates duplicates =
-      Tracks_duplicates::automatic;               ///< of several positions at one time
-  Tracks_unwrap unwrap = Tracks_unwrap::refused;  ///< of the formats lammps and xyz
+  Tracks_duplicates duplicates = Tracks_duplicates::automatic;  ///< of positions at one time
+  Tracks_unwrap unwrap = Tracks_unwrap::refused;                ///< of the formats lammps and xyz
 };
 
 /// What is wrong with a format of dates, as the second half of a message; empty if nothing is.

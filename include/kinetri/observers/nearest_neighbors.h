@@ -23,8 +23,8 @@ namespace kinetri {
 struct Nearest_neighbor_change {
   Algebraic_number time;       ///< exact
   Point_id id = no_point;      ///< the point that has another nearest neighbor from then on
-  Point_id before = no_point;  ///< its nearest neighbor just before; no_point at the start, or if it is inserted or was alone
-  Point_id after = no_point;   ///< just after; no_point if the point is erased or is alone from then on
+  Point_id before = no_point;  ///< its nearest neighbor just before, or no_point
+  Point_id after = no_point;   ///< that just after, or no_point
 };
 
 namespace detail {

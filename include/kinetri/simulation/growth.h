@@ -90,10 +90,10 @@ class Jam_watch : public Event_observer {
   void find_jammed_discs();
 
   double mean_radius_;
-  std::optional<double> end_;   // of the run, if constructed by until()
-  std::uint64_t next_ = 0;      // the number of contacts at the next measurement
-  std::uint64_t contacts_ = 0;  // at the last one
-  std::optional<double> time_;  // of the last one
+  std::optional<double> end_;                     // of the run, if constructed by until()
+  std::uint64_t next_ = 0;                        // the number of contacts at the next measurement
+  std::uint64_t contacts_ = 0;                    // at the last one
+  std::optional<double> time_;                    // of the last one
   std::vector<std::uint64_t> contacts_of_discs_;  // since then
   std::vector<Point_id> jammed_discs_;
 };
