@@ -124,7 +124,7 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   /// counterclockwise.
   std::array<Vertex_handle, 3> hull_turn(const Two_sided_edge& infinite_edge) const;
   /// The finite triangle at a hull edge, seen from that edge.
-  const Edge& hull_triangle(const Two_sided_edge& hull_edge) const {
+  Edge hull_triangle(const Two_sided_edge& hull_edge) const {
     return triangulation_.is_infinite(hull_edge.here.first) ? hull_edge.there : hull_edge.here;
   }
   /// The edge that a flip removes and the one that it adds.
