@@ -49,7 +49,7 @@ def at_most(bound):
 
 # The targets: at most these, and for discs at least.
 EVENT_OVER_REBUILD_POINT = {1_000: 1.8, 10_000: 1.8, 100_000: 2.2, 1_000_000: 4.0}  # on uniform
-EVENT_OVER_RIVAL_EVENT = 0.9
+EVENT_OVER_BASELINE_EVENT = 0.9
 ROOT_SOLVES_PER_EVENT = 1.3  # on uniform
 EXACT_SHARE = 1e-4
 INITIAL_NANOSECONDS = {100_000: 150}
@@ -192,13 +192,13 @@ def event_rows(scenario, points, runs):
             at_most(EVENT_OVER_REBUILD_POINT.get(points)) if uniform else None,
         )
         yield (
-            "event / event of the uncertified rival",
-            each(lambda run: run["event_over_rival_event"]),
-            at_most(EVENT_OVER_RIVAL_EVENT),
+            "event / event of the uncertified baseline",
+            each(lambda run: run["event_over_baseline_event"]),
+            at_most(EVENT_OVER_BASELINE_EVENT),
         )
         yield (
-            "event / event of the eager rival",
-            each(lambda run: run["seconds_per_event"] / run["rival"]["eager"]["seconds_per_event"]),
+            "event / event of the eager baseline",
+            each(lambda run: run["seconds_per_event"] / run["baseline"]["eager"]["seconds_per_event"]),
             None,
         )
         yield (
@@ -433,17 +433,17 @@ def print_steps(results):
 
 
 def print_disagreements(results):
-    """Says where the uncertified rival and Kinetri do not end in the same triangulation."""
+    """Says where the uncertified baseline and Kinetri do not end in the same triangulation."""
     for (mode, scenario, points), runs in results.items():
         if mode != "events":
             continue
         for way in ("eager", "lazy"):
-            rival = runs[0]["rival"][way]
-            if not rival["same_edges_at_end"]:
-                events = (runs[0]["counters"]["events"], rival["counters"]["events"])
+            baseline = runs[0]["baseline"][way]
+            if not baseline["same_edges_at_end"]:
+                events = (runs[0]["counters"]["events"], baseline["counters"]["events"])
                 print(
-                    f"\n{scenario} n = {points}: the {way} uncertified rival ends in another "
-                    f"triangulation ({events[0]} events, the rival {events[1]})"
+                    f"\n{scenario} n = {points}: the {way} uncertified baseline ends in another "
+                    f"triangulation ({events[0]} events, the baseline {events[1]})"
                 )
 
 

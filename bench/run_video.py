@@ -50,10 +50,10 @@ class Programs:
         """The numbers that compare shows: (PSNR of brightness, that of x264 or None, its bytes per ours)"""
         text, _ = self.run("kinetri-video", "compare", clip, stream)
         own = re.search(r"^y +PSNR (\S+)", text, re.MULTILINE)[1]
-        rival = re.search(r"^x264 y +PSNR (\S+)", text, re.MULTILINE)
+        baseline = re.search(r"^x264 y +PSNR (\S+)", text, re.MULTILINE)
         bits = re.findall(r"bits +(\S+)", text)
-        return (float(own), float(rival[1]) if rival else None,
-                float(bits[1]) / float(bits[0]) if rival else None)
+        return (float(own), float(baseline[1]) if baseline else None,
+                float(bits[1]) / float(bits[0]) if baseline else None)
 
 
 def frames_of(path):
@@ -129,7 +129,7 @@ def measure_motion(programs, clip, name, settings, known):
         text, _ = programs.run("kinetri_video_clips", "errors", name, *settings.size, settings.frames,
                                "clip.kvd")
         errors = text.split()[1:]
-    own, rival, share = programs.psnr(clip, "clip.kvd")
+    own, baseline, share = programs.psnr(clip, "clip.kvd")
     second = rate[1] / rate[0]
     anew, _, _ = programs.encode(clip, "anew.kvd", "--points", settings.points, "--key-every", second)
     anew_psnr = psnr_between(programs, clip, "anew.kvd")
@@ -137,7 +137,7 @@ def measure_motion(programs, clip, name, settings, known):
     print(f"| {name} | {' | '.join(errors)} | {events} | {8 * size / pixels:.3f} | {own:.1f} | "
           f"{number(best_grid(programs, clip, settings.points, size))} | "
           f"{number(best_keys(programs, clip, size, second))} | {anew_psnr:.1f} at {8 * anew / pixels:.2f} | "
-          f"{number(rival)} at {number(share, 2)} |", flush=True)
+          f"{number(baseline)} at {number(share, 2)} |", flush=True)
 
 
 def psnr_between(programs, clip, stream):
@@ -184,10 +184,10 @@ def measure_curve(programs, clip):
         for turn in (8, 16):
             size, _, encode = programs.encode(clip, "clip.kvd", "--points", points, "--turn-every", turn,
                                               "--scene-cut")
-            psnr, rival, share = programs.psnr(clip, "clip.kvd")
+            psnr, baseline, share = programs.psnr(clip, "clip.kvd")
             _, decode = programs.run("kinetri-video", "decode", "clip.kvd", "decoded.y4m")
             bits = 8 * size / luma.size
-            x264 = ("", "") if rival is None else (f"{bits * share:.4f}", f"{rival:.2f}")
+            x264 = ("", "") if baseline is None else (f"{bits * share:.4f}", f"{baseline:.2f}")
             print(f"{points},{turn},{bits:.4f},{psnr:.2f},{x264[0]},{x264[1]},{encode / len(luma):.4f},"
                   f"{decode / len(luma):.4f}", flush=True)
 

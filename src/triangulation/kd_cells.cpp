@@ -12,11 +12,11 @@ namespace kinetri::detail {
 Kd_cells::Kd_cells(std::vector<Vector_2> sample, std::size_t count) {
   KINETRI_PRECONDITION(count > 0, "a plane without cells");
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  cut(sample, count, {{-infinity, -infinity}, {infinity, infinity}});
+  split(sample, count, {{-infinity, -infinity}, {infinity, infinity}});
 }
 
 // Cuts a part of the plane, with these places of the sample, into so many cells.
-void Kd_cells::cut(std::span<Vector_2> places, std::size_t count, const Cell& part) {
+void Kd_cells::split(std::span<Vector_2> places, std::size_t count, const Cell& part) {
   const std::size_t number = nodes_.size();
   nodes_.push_back({count, cells_.size()});
   if (count == 1) return cells_.push_back(part);
@@ -39,11 +39,11 @@ void Kd_cells::cut(std::span<Vector_2> places, std::size_t count, const Cell& pa
   nodes_[number].at = at;
   Cell part_below = part;
   part_below.greatest.*axis = at;
-  cut(places.first(middle), below, part_below);
+  split(places.first(middle), below, part_below);
   nodes_[number].above = nodes_.size();
   Cell part_above = part;
   part_above.least.*axis = at;
-  cut(places.subspan(middle), count - below, part_above);
+  split(places.subspan(middle), count - below, part_above);
 }
 
 std::size_t Kd_cells::cell_of(const Vector_2& place) const {

@@ -51,7 +51,7 @@ class Kd_cells {
     std::size_t above = 0;  // the node of the part from the cut on
   };
 
-  void cut(std::span<Vector_2> places, std::size_t count, const Cell& part);
+  void split(std::span<Vector_2> places, std::size_t count, const Cell& part);
 
   std::vector<Node> nodes_;
   std::vector<Cell> cells_;

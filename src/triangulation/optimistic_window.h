@@ -84,7 +84,7 @@ class Optimistic_window {
   /// Calls work(), which makes a window or the parts of queues. If that throws, which is for want
   /// of memory, the state is that before the window.
   template <class Work>
-  void or_go_back(const Work& work);
+  void or_roll_back(const Work& work);
   /// Counts the certificates that a process has made, and those discarded.
   void count_certificates(Process& process);
   /// To be called before several threads change parts of the queues.

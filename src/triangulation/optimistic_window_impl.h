@@ -35,7 +35,7 @@ Optimistic_window<Traits, Contacts>::Optimistic_window(typename Contacts::Core& 
 
 template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::take_up_division(double events) {
-  log_.go_on_with_division();
+  log_.take_up_division();
   processes_.resize(division().nodes());
   const auto most = static_cast<double>(options_.most_flips);
   for (std::size_t node = 0; node < processes_.size(); ++node) {
@@ -69,7 +69,7 @@ bool Optimistic_window<Traits, Contacts>::are_versions_spent() const {
 
 template <class Traits, class Contacts>
 template <class Work>
-void Optimistic_window<Traits, Contacts>::or_go_back(const Work& work) {
+void Optimistic_window<Traits, Contacts>::or_roll_back(const Work& work) {
   try {
     work();
   } catch (...) {
@@ -98,7 +98,7 @@ bool Optimistic_window<Traits, Contacts>::run(double end) {
   truncated_.reset();
   double reached = end;
   const std::uint64_t cut_off_before = counters_.cut_off;
-  or_go_back([&] {
+  or_roll_back([&] {
     reached = execute(end);
     put_in_order();
   });

@@ -167,11 +167,11 @@ bool Region_run<Traits, Contacts>::begin_window([[maybe_unused]] double begin) {
   }
   const double most = options_.events_per_division * number_of_points();
   if (!is_divided() || division().regions != regions_ || division().events > most) {
-    window_.or_go_back([this] { divide(); });
+    window_.or_roll_back([this] { divide(); });
     division().effort.spend(cost_of_division());
   }
   if (window_.are_versions_spent()) {
-    window_.or_go_back([this] { clear_versions<Traits>(topology_, options_); });
+    window_.or_roll_back([this] { clear_versions(topology_, options_); });
     window_.start_versions();
   }
   return true;
@@ -219,7 +219,7 @@ void Region_run<Traits, Contacts>::divide() {
 
 template <class Traits, class Contacts>
 void Region_run<Traits, Contacts>::join() {
-  window_.or_go_back([this] { call_with_threads(options_.threads, [this] { distribute(1); }); });
+  window_.or_roll_back([this] { call_with_threads(options_.threads, [this] { distribute(1); }); });
   division().clear();
 }
 

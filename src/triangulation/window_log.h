@@ -117,7 +117,7 @@ class Window_log {
   // ---- nodes ----
 
   /// Takes up the nodes of the division. Stamps of its windows are in the faces.
-  void go_on_with_division();
+  void take_up_division();
   Node& node(std::size_t number) { return nodes_[number]; }
   std::vector<Node>& nodes() { return nodes_; }
   /// Makes room for velocity changes of points whose ids are less than `ids`.

@@ -16,7 +16,7 @@ namespace kinetri::detail {
 // ---- nodes ----
 
 template <class Traits, bool has_contacts>
-void Window_log<Traits, has_contacts>::go_on_with_division() {
+void Window_log<Traits, has_contacts>::take_up_division() {
   nodes_.resize(division_.nodes());
   for (std::size_t number = 0; number < nodes_.size(); ++number) {
     Node& node = nodes_[number];

@@ -99,7 +99,7 @@ MUTATIONS = (
      "return d.in_circle_units * unit_roundoff * d.lift_size() * (d.size() * d.total());", "return 0.0;"),
     ("error bound 0: orientation certificate", FILTER + "certificates.h",
      "return d.product_units * unit_roundoff * (d.size() * d.total());", "return 0.0;"),
-    ("error bound 0: signs over an interval", FILTER + "judge.h",
+    ("error bound 0: signs over an interval", FILTER + "classify.h",
      "bernstein(certificate(d));\n  const double error = certificate.error(d);", "bernstein(certificate(d));\n  const double error = 0;"),
     ("growth ignored in the filter", FILTER + "weighted_differences.h", "return {p.radius + grown, p.growth, std", "return {p.radius + grown, 0.0, std"),
     ("in-circle certificate in the filter: sign of the last coefficient", FILTER + "in_circle_coefficients.h",

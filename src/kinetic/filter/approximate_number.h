@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "frame.h"
+#include "error_bounds.h"
 #include "kinetri/algebra/sign.h"
 
 namespace kinetri {

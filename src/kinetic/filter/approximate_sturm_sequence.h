@@ -12,7 +12,7 @@
 
 #include "algebra/sturm_terms.h"
 #include "approximate_number.h"
-#include "frame.h"
+#include "error_bounds.h"
 #include "kinetri/algebra/sign.h"
 
 namespace kinetri {

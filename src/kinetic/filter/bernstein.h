@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "frame.h"
+#include "error_bounds.h"
 
 namespace kinetri {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The certificates and predicates as judge.h takes them. The units of their errors belong to the
+// The certificates and predicates as classify.h takes them. The units of their errors belong to the
 // motion. An error is infinite where the values cannot be computed.
 #ifndef KINETRI_SRC_KINETIC_FILTER_CERTIFICATES_H
 #define KINETRI_SRC_KINETIC_FILTER_CERTIFICATES_H
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "differences.h"
-#include "frame.h"
+#include "error_bounds.h"
 
 namespace kinetri {
 

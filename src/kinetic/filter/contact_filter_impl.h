@@ -15,9 +15,9 @@
 
 #include "bernstein.h"
 #include "certificates.h"
+#include "classify.h"
 #include "differences.h"
 #include "filter.h"
-#include "judge.h"
 #include "reach.h"
 
 namespace kinetri {
@@ -235,7 +235,7 @@ Filter_result first_contact(Differences& d, const Certificate& distance, double 
   if (!d.is_in_range()) return {};
   const auto c = distance(d);
   const double error = distance.error(d);
-  if (c[0] > error) return in_time(judge(c, error), *window, after);
+  if (c[0] > error) return in_time(classify(c, error), *window, after);
   // It may touch or overlap: nothing happens as long as it rises.
   const auto slope = slope_of(c);
   if (least(slope) > slope_errors(slope) * error) return {Kind::never_fails, {}, false, true};

@@ -129,10 +129,10 @@ inline bool is_positive_from_now_on(const Coefficients<2>& c, double error, bool
 }
 
 // The result on a certificate of points in linear motion, a quadratic in time, after a time in
-// `after`; as judge_ahead, but with one window for all time. Scales the differences.
+// `after`; as classify_ahead, but with one window for all time. Scales the differences.
 template <class Differences, class Certificate>
-inline Filter_result judge_quadratic(Differences& d, const Certificate& certificate,
-                                     const Double_interval& after, bool vanishes_at) {
+inline Filter_result classify_quadratic(Differences& d, const Certificate& certificate,
+                                        const Double_interval& after, bool vanishes_at) {
   if (are_constant(d)) {
     d.scale(0);
     if (vanishes_at || !(certificate(d)[0] > certificate.error(d))) return {};
@@ -168,23 +168,23 @@ inline Filter_result judge_quadratic(Differences& d, const Certificate& certific
 template <class Reach>
 inline Filter_result near(Linear_contact<Reach>& d, const Double_interval& after,
                           bool vanishes_at) {
-  return judge_quadratic(d, Nearness(), after, vanishes_at);
+  return classify_quadratic(d, Nearness(), after, vanishes_at);
 }
 template <std::size_t K, class Reach>
 inline Filter_result near(const Differences_and_reach<Polynomial_differences<1, K>, Reach>& d,
                           const Double_interval& after, bool vanishes_at) {
   Difference_within_reach<Differences_and_reach<Polynomial_differences<1, K>, Reach>> within = {d};
-  return judge_ahead(within, Nearness(), after, vanishes_at);
+  return classify_ahead(within, Nearness(), after, vanishes_at);
 }
 
 inline Filter_result closer(Two_differences<Linear_differences<1>>& d, const Double_interval& after,
                             bool vanishes_at) {
-  return judge_quadratic(d, Distance_comparison(), after, vanishes_at);
+  return classify_quadratic(d, Distance_comparison(), after, vanishes_at);
 }
 template <std::size_t K>
 inline Filter_result closer(Two_differences<Polynomial_differences<1, K>>& d,
                             const Double_interval& after, bool vanishes_at) {
-  return judge_ahead(d, Distance_comparison(), after, vanishes_at);
+  return classify_ahead(d, Distance_comparison(), after, vanishes_at);
 }
 
 // Whether the two are certainly apart at the origin and part from then on: so it is with half of
@@ -216,7 +216,7 @@ inline Filter_result apart(Linear_contact<Reach>& d, const Double_interval& afte
 template <std::size_t K, class Reach>
 inline Filter_result apart(Differences_and_reach<Polynomial_differences<1, K>, Reach>& d,
                            const Double_interval& after, bool vanishes_at) {
-  return judge_ahead(d, Distance(), after, vanishes_at);
+  return classify_ahead(d, Distance(), after, vanishes_at);
 }
 
 }  // namespace

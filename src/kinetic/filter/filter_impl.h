@@ -11,9 +11,9 @@
 #include <cmath>
 
 #include "certificates.h"
+#include "classify.h"
 #include "differences.h"
 #include "filter.h"
-#include "judge.h"
 #include "kinetri/impl/kinetic/certain_signs.h"
 
 namespace kinetri {
@@ -75,15 +75,16 @@ Filter_result filter_in_circle(const Motion& p, const Motion& q, const Motion& r
       return filter_in_circle(centre(p), centre(q), centre(r), centre(s), after, vanishes_at);
     }
   }
-  return with_differences(std::array{&p, &q, &r}, s, after.lower,
-                          [&](auto& d) { return judge_ahead(d, In_circle(), after, vanishes_at); });
+  return with_differences(std::array{&p, &q, &r}, s, after.lower, [&](auto& d) {
+    return classify_ahead(d, In_circle(), after, vanishes_at);
+  });
 }
 
 template <class Motion>
 Filter_result filter_orientation(const Motion& p, const Motion& q, const Motion& r,
                                  const Double_interval& after, bool vanishes_at) {
   return with_differences(std::array{&q, &r}, p, after.lower, [&](auto& d) {
-    return judge_ahead(d, Orientation(), after, vanishes_at);
+    return classify_ahead(d, Orientation(), after, vanishes_at);
   });
 }
 

@@ -17,7 +17,7 @@ namespace kinetri {
 
 // A failure later than this share of the window is not looked for yet: probably the certificate is
 // replaced before it comes.
-inline constexpr double worthwhile = 0.18;
+inline constexpr double search_limit = 0.18;
 
 // How often the interval is halved: before the counts of the Sturm sequence are asked, by these
 // counts, and in all.
@@ -35,7 +35,7 @@ std::optional<Filter_result> first_failure_in_piece(const std::array<double, M>&
   using Kind = Filter_result::Kind;
   const double share = positive_share(b, error);
   const double until = lower + share * width;
-  if (until >= worthwhile) return Filter_result{Kind::holds, {until, until}, width < 1};
+  if (until >= search_limit) return Filter_result{Kind::holds, {until, until}, width < 1};
   if (share == 0) return Filter_result{};
   const std::size_t i = before_only_change(b, error);
   if (i == 0) return std::nullopt;
@@ -70,7 +70,7 @@ std::optional<Filter_result> first_failure_by_counts(const std::array<double, M>
   if (at_upper && *at_upper == *at_start) return Filter_result{Kind::holds, {1, 1}, true};
   // There is no root in (0, lower], and there is one in (lower, upper].
   for (int i = 0; i < most_halvings && at_upper; ++i) {
-    if (lower >= worthwhile) return Filter_result{Kind::holds, {lower, lower}, true};
+    if (lower >= search_limit) return Filter_result{Kind::holds, {lower, lower}, true};
     if (*at_start - *at_upper == 1) {
       if (!bracket_root(c, error, 0.5 * (lower + upper), lower, upper)) break;
       return Filter_result{Kind::fails, {lower, upper}, true};

@@ -12,7 +12,7 @@
 
 #include "bernstein.h"
 #include "coordinate_pair.h"
-#include "frame.h"
+#include "error_bounds.h"
 #include "in_circle_coefficients.h"
 #include "kinetri/impl/base/double_interval.h"
 #include "kinetri/kinetic/linear_motion_2.h"
@@ -44,7 +44,7 @@ inline Difference difference(const Linear_motion_2& p, const Linear_motion_2& q,
 // The differences of the points `from` to `to`, and what bounds them: first in powers of the time
 // from the origin, and once they are scaled in powers of w.
 template <std::size_t N>
-class Linear_differences : public Frame {
+class Linear_differences : public Error_bounds {
  public:
   // The errors, in units of 2^-53 * size^(degree - 1) * total: docs/MATH.md, section 7.
   static constexpr double in_circle_units = 2048;

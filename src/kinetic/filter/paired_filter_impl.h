@@ -11,12 +11,12 @@
 
 #include "bernstein.h"
 #include "certificates.h"
+#include "classify.h"
 #include "coordinate_pair.h"
 #include "differences.h"
 #include "filter.h"
 #include "first_failure.h"
 #include "in_circle_coefficients.h"
-#include "judge.h"
 
 namespace kinetri {
 namespace {
@@ -40,7 +40,7 @@ struct Two_certificates {
     return result;
   }
 
-  // As `judge`.
+  // As `classify`.
   Filter_result result(std::size_t i, double error) const {
     if (!(least_b[i] > error)) return first_failure(lane(c, i), lane(b, i), error);
     if (least_c[i] > error) return {Filter_result::Kind::never_fails, {}};
@@ -89,8 +89,8 @@ std::array<Filter_result, 5> after_flip(Differences d, const Double_interval& af
   const auto result = [&](const Filter_result& in_w) { return in_time(in_w, *window, after); };
   return {result(of_first.result(0, error)), result(of_first.result(1, error)),
           result(of_second.result(0, error)), result(of_second.result(1, error)),
-          result(judge_after_known_root(in_circle_coefficients(first, left), error,
-                                        In_circle().norm(d), greatest_root(after, *window)))};
+          result(classify_after_known_root(in_circle_coefficients(first, left), error,
+                                           In_circle().norm(d), greatest_root(after, *window)))};
 }
 
 template <class Motion>

@@ -14,7 +14,7 @@
 
 #include "bernstein.h"
 #include "coordinate_pair.h"
-#include "frame.h"
+#include "error_bounds.h"
 #include "in_circle_coefficients.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 
@@ -60,7 +60,7 @@ inline Powers<3> later(const Powers<3>& c, double elapsed) {
 
 // The differences of motions of degree K at most.
 template <std::size_t N, std::size_t K = 3>
-class Polynomial_differences : public Frame {
+class Polynomial_differences : public Error_bounds {
  public:
   // docs/MATH.md, section 9.
   static constexpr double in_circle_units = 8192;

@@ -14,7 +14,7 @@
 #include <optional>
 
 #include "double_double.h"
-#include "frame.h"
+#include "error_bounds.h"
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"

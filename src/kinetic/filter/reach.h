@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-#include "frame.h"
+#include "error_bounds.h"
 #include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/kinetic/wall_2.h"
 #include "weighted_differences.h"

@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "coordinate_pair.h"
-#include "frame.h"
+#include "error_bounds.h"
 #include "kinetri/kinetic/disc_motion_2.h"
 #include "linear_differences.h"
 #include "polynomial_differences.h"

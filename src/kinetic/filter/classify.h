@@ -7,8 +7,8 @@
 // sum of its coefficients' magnitudes (`norm`).
 //
 // Templates are declared inline where this is the hot path: the compiler inlines them with it only.
-#ifndef KINETRI_SRC_KINETIC_FILTER_JUDGE_H
-#define KINETRI_SRC_KINETIC_FILTER_JUDGE_H
+#ifndef KINETRI_SRC_KINETIC_FILTER_CLASSIFY_H
+#define KINETRI_SRC_KINETIC_FILTER_CLASSIFY_H
 
 #include <algorithm>
 #include <array>
@@ -17,9 +17,9 @@
 #include <optional>
 
 #include "bernstein.h"
+#include "error_bounds.h"
 #include "filter_result.h"
 #include "first_failure.h"
-#include "frame.h"
 #include "kinetri/algebra/sign.h"
 
 namespace kinetri {
@@ -43,7 +43,7 @@ inline Filter_result in_time(const Filter_result& v, double window, const Double
 
 // The result, in w, on the polynomial with coefficients `c`, whose values are known up to `error`.
 template <std::size_t M>
-Filter_result judge(const std::array<double, M>& c, double error) {
+Filter_result classify(const std::array<double, M>& c, double error) {
   const std::array<double, M> b = bernstein(c);
   if (!(least(b) > error)) return first_failure(c, b, error);
   if (least(c) > error) return {Filter_result::Kind::never_fails, {}};
@@ -58,14 +58,14 @@ inline double greatest_root(const Double_interval& after, double window) {
 // The same for a polynomial with a known root in [0, root]: about the next root. `norm` bounds the
 // sum of the coefficients' magnitudes.
 template <std::size_t M>
-Filter_result judge_after_known_root(const std::array<double, M>& c, double error, double norm,
-                                     double root) {
+Filter_result classify_after_known_root(const std::array<double, M>& c, double error, double norm,
+                                        double root) {
   // c(w) = (w - r) g(w): g has the coefficients c_1, c_2, ... up to an error that r makes, and the
   // next root of c after r is that of g.
   if (!(root < 0x1p-10)) return {};
   std::array<double, M - 1> g;
   std::copy(c.begin() + 1, c.end(), g.begin());
-  Filter_result result = judge(g, error + 2 * norm * root);
+  Filter_result result = classify(g, error + 2 * norm * root);
   if (result.kind == Filter_result::Kind::fails) {
     // c itself gives the narrower bracket, and the next certificate starts from there.
     auto& [lower, upper] = result.bounds;
@@ -77,8 +77,8 @@ Filter_result judge_after_known_root(const std::array<double, M>& c, double erro
 // The result on a certificate after a time in `after`: of which nothing is known there, or which
 // `vanishes_at` the time. Scales the differences.
 template <class Differences, class Certificate>
-inline Filter_result judge_ahead(Differences& d, const Certificate& certificate,
-                                 const Double_interval& after, bool vanishes_at) {
+inline Filter_result classify_ahead(Differences& d, const Certificate& certificate,
+                                    const Double_interval& after, bool vanishes_at) {
   const std::optional<double> window = d.window_ahead(window_share);
   d.scale(window.value_or(0));
   const double error = certificate.error(d);
@@ -88,10 +88,10 @@ inline Filter_result judge_ahead(Differences& d, const Certificate& certificate,
     if (!(c[0] > error)) return {};
     return {Filter_result::Kind::never_fails, {}};
   }
-  if (!vanishes_at) return in_time(judge(c, error), *window, after);
+  if (!vanishes_at) return in_time(classify(c, error), *window, after);
   return in_time(
-      judge_after_known_root(c, error, certificate.norm(d), greatest_root(after, *window)), *window,
-      after);
+      classify_after_known_root(c, error, certificate.norm(d), greatest_root(after, *window)),
+      *window, after);
 }
 
 // The sign of all values over [0, 1], where it is certain, else zero.
@@ -115,4 +115,4 @@ inline Sign sign_throughout(Differences& d, const Certificate& certificate,
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SRC_KINETIC_FILTER_JUDGE_H
+#endif  // KINETRI_SRC_KINETIC_FILTER_CLASSIFY_H

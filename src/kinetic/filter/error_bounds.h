@@ -2,8 +2,8 @@
 //
 // The window of time over which certificates are looked at, and what bounds the errors of their
 // polynomials there. The time is origin + w * window with 0 <= w <= 1.
-#ifndef KINETRI_SRC_KINETIC_FILTER_FRAME_H
-#define KINETRI_SRC_KINETIC_FILTER_FRAME_H
+#ifndef KINETRI_SRC_KINETIC_FILTER_ERROR_BOUNDS_H
+#define KINETRI_SRC_KINETIC_FILTER_ERROR_BOUNDS_H
 
 namespace kinetri {
 
@@ -25,7 +25,7 @@ inline constexpr double window_share = 0.5;
 
 // The sizes of differences over a window. An overflow on the way shows in the sizes, which are out
 // of range then.
-class Frame {
+class Error_bounds {
  public:
   // Bounds the sum of the magnitudes of the coefficients of any difference in either coordinate,
   // and with it the difference throughout the window.
@@ -52,4 +52,4 @@ class Frame {
 
 }  // namespace kinetri
 
-#endif  // KINETRI_SRC_KINETIC_FILTER_FRAME_H
+#endif  // KINETRI_SRC_KINETIC_FILTER_ERROR_BOUNDS_H
