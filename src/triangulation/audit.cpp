@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The audits are compiled on their own: their static triangulation is most of the compile time.
+// The audits have a source of their own, since their static triangulation takes long to compile.
 #include "kinetri/triangulation/audit.h"
 
 #include <iostream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The failures of edges in a window of time: which of them a node executes, a flip, and how it is
-// rolled back. docs/PARALLEL.md has the contract.
+// The events of edges in a time window: which ones a node may execute, flips, and their rollback.
+// docs/PARALLEL.md has the contract.
 #ifndef KINETRI_SRC_TRIANGULATION_EDGE_EVENTS_H
 #define KINETRI_SRC_TRIANGULATION_EDGE_EVENTS_H
 
@@ -13,12 +13,12 @@
 
 namespace kinetri::detail {
 
-/// The entries of edges and hidden points. Functions that are given a process may be called by
-/// several threads, for different nodes of one level.
+/// The entries of edges and hidden points. Several threads may call functions that take a process,
+/// for different nodes of one level.
 ///
 /// Owns nothing: the queue is that of the triangulation, the records are in the log, counts in the
-/// process. Invariant, of the window: an edge has the handle of its entry in its two faces, in
-/// whatever part that is; `execute` and `roll_back` leave entries for the five edges of a flip.
+/// process. Invariant: both faces of an edge have the handle of its entry; after `execute` and
+/// `roll_back` the five edges of a flip have entries, if they may fail.
 template <class Traits, bool has_contacts>
 class Edge_events {
  public:
@@ -57,21 +57,22 @@ class Edge_events {
     return schedule_.policy().handle(entry.subject());
   }
   static bool is_recheck(const Entry& entry) { return entry.kind == Entry_kind::recheck; }
-  /// Whether what an entry says is for the sequential loop.
+  /// Whether only the sequential loop executes such entries.
   static bool is_for_loop(const Entry& entry) {
     return entry.kind == Entry_kind::coincidence || entry.is_hidden();
   }
-  /// Certifies the edges of entries that have left their part anew, from the time of the first on.
+  /// Certifies again the edges of entries that have left their part, from the time of the first one
+  /// on.
   void recheck(Process& process, std::span<const Entry> entries);
   /// Certifies edges that have no entries from `after` on, and schedules them.
   void certify(Process& process, std::span<const Two_sided_edge> edges, const Time& after);
-  /// Schedules an edge that has no entry.
+  /// Schedules an edge that has no entry yet.
   KINETRI_ALWAYS_INLINE void put(const Process& process, const Two_sided_edge& edge,
                                  Entry_kind kind, Certificate&& known);
-  /// Takes the entry of an edge out of the queue, if there is one.
+  /// Removes and counts the entry of an edge, if it has one.
   void discard(Process& process, Queue_handle handle);
-  /// Whether an entry at an edge of a face waits in another part than that of the process, one of a
-  /// window, and is not later than what has these bounds, and the time exact().
+  /// Whether an edge of a face has an entry in a window's part other than that of the process, not
+  /// later than the time exact(), which is within `bounds`.
   template <class Exact>
   bool waits_before(Face_handle face, const Process& process, const Double_interval& bounds,
                     const Exact& exact);
@@ -80,25 +81,26 @@ class Edge_events {
 
   /// Precondition: !is_for_loop(entry).
   Candidate candidate(Process& process, const Entry& entry) const;
-  /// Whether the process, whose first entry it is, may flip the edge, if it flips any.
+  /// Whether the contract allows the process to execute the candidate, its first entry.
   bool may_execute(const Process& process, const Candidate& candidate);
-  /// Calls `function` with the faces beside those of the edge.
+  /// Calls `function` with the four faces beside the two of the edge.
   template <class Function>
   void for_each_surrounding_face(const Candidate& candidate, const Function& function) const;
-  /// Whether the sequential loop flips the edge, and does nothing else.
+  /// Whether the sequential loop would flip the edge and do nothing else.
   bool is_flip(Candidate& candidate) const;
-  /// Flips the edge of the first entry of the process, as Updates::flip does, and keeps what is
-  /// needed to roll it back; the exact time only after keep_time.
+  /// Flips the edge of the first entry of the process, as Updates::flip does, and returns the
+  /// record for a rollback. keep_time adds the exact time.
   Record& execute(Process& process, Candidate& candidate);
-  /// Keeps the exact time of a flip that has been executed, if it has been made.
+  /// Stores the exact time of an executed flip, if it has been computed.
   void keep_time(Record& record, Candidate& candidate) const;
-  /// Rolls a flip back that is the last one of its faces, and makes its entries anew.
+  /// Rolls a flip back and computes the entries of its edges again. Precondition: it is the last
+  /// event of its faces.
   void roll_back(Process& process, Record& record);
-  /// Schedules edges whose quadrilaterals are there again.
+  /// Schedules edges whose quadrilaterals a rollback has restored.
   void certify_again(Process& process, std::span<const Two_sided_edge> edges);
 
-  /// Whether a point and all its neighbors are in the node of a process, so that it is not at the
-  /// hull.
+  /// Whether a point and all its neighbors are in the node of a process. Then the point is not on
+  /// the hull.
   bool owns_star(const Process& process, Point_id id) const;
   /// Whether points are hidden in a face.
   static bool hides_points(Face_handle face) {
@@ -110,7 +112,7 @@ class Edge_events {
   using Triangulation = typename Types::Triangulation;
   using Point_2 = typename Types::Point_2;
 
-  // Puts what Certification::certify makes.
+  // Schedules the certificates that Certification::certify makes.
   struct Put_certificate {
     Edge_events& events;
     const Process& process;

@@ -23,7 +23,7 @@ void Edge_events<Traits, has_contacts>::recheck(Process& process, std::span<cons
   process.counters.rechecks += entries.size();
   const Entry& first = entries.front();
   if constexpr (Types::is_weighted) {
-    // In the part of the root, whose entries are taken one by one.
+    // Only the root has these, and it settles entries one by one.
     if (first.is_hidden()) {
       return schedule_.schedule_hidden(first.hidden, Time(first.bounds.lower));
     }
@@ -103,7 +103,7 @@ auto Edge_events<Traits, has_contacts>::candidate(Process& process, const Entry&
   return result;
 }
 
-// The ends of the edge are in the node, since the entry is one of its own.
+// Both ends of the edge are in the node, since the entry is in its part.
 template <class Traits, bool has_contacts>
 bool Edge_events<Traits, has_contacts>::may_execute(const Process& process,
                                                     const Candidate& candidate) {
@@ -117,9 +117,9 @@ bool Edge_events<Traits, has_contacts>::may_execute(const Process& process,
          !is_blocked(process, candidate);
 }
 
-// Whether another entry in the surroundings waits and is not later. (Entries of the process come
-// after this one, those of nodes' parts after the window. What waits there was deferred by this
-// node, or is due in a node above.)
+// Whether an entry in the surroundings was deferred by this node, or is due in a node above, and is
+// not later. (Other entries are later: those of the process come after its first one, those outside
+// of windows' parts after the window.)
 template <class Traits, bool has_contacts>
 bool Edge_events<Traits, has_contacts>::is_blocked(const Process& process,
                                                    const Candidate& candidate) {
@@ -161,8 +161,8 @@ bool Edge_events<Traits, has_contacts>::owns_star(const Process& process, Point_
   return result;
 }
 
-// Of points with weights some are hidden instead, and of the flat triangles at the hull some only
-// touch it, and some take a reconstruction; see Decisions.
+// With weights a point may be hidden instead. A flat triangle at the hull may only touch, or may
+// require a reconstruction (Decisions).
 template <class Traits, bool has_contacts>
 bool Edge_events<Traits, has_contacts>::is_flip(Candidate& candidate) const {
   auto& [entry, edge, moment] = candidate;
@@ -178,7 +178,7 @@ bool Edge_events<Traits, has_contacts>::is_flip(Candidate& candidate) const {
 }
 
 // Whether the quadrilateral of an edge is certainly strictly convex just before and just after its
-// in-circle certificate fails. Without weights it always is.
+// in-circle certificate fails. Without weights it is.
 template <class Traits, bool has_contacts>
 bool Edge_events<Traits, has_contacts>::is_convex(const Candidate& candidate) const {
   if constexpr (Types::is_weighted) {
@@ -229,7 +229,7 @@ void Edge_events<Traits, has_contacts>::keep_time(Record& record, Candidate& can
   if (moment.exact) record.exact = std::make_unique<Time>(std::move(*moment.exact));
 }
 
-// Then the surroundings are what they were just before it.
+// Afterwards the surroundings are those just before the flip.
 template <class Traits, bool has_contacts>
 void Edge_events<Traits, has_contacts>::roll_back(Process& process, Record& record) {
   const auto erase = [this](Face_handle face, int k) {
@@ -246,15 +246,16 @@ void Edge_events<Traits, has_contacts>::roll_back(Process& process, Record& reco
   certify_again(process, std::array{edge, outer[0], outer[1], outer[2], outer[3]});
 }
 
-// What fails first after a quadrilateral was born does so whenever one looks. From a later time on
-// one would not see what fails at that time.
+// The first failure after a quadrilateral was created does not depend on when it is computed; but
+// one at a time t is not found from t on, so the computation starts at the creation.
 template <class Traits, bool has_contacts>
 void Edge_events<Traits, has_contacts>::certify_again(Process& process,
                                                       std::span<const Two_sided_edge> edges) {
   for (const Two_sided_edge& edge : edges) certify(process, {&edge, 1}, birth(edge));
 }
 
-// When a quadrilateral was born, or the present time, at which the window begins, if that is later.
+// When a quadrilateral was created, or the present time, which is the begin of the window, if that
+// is later.
 template <class Traits, bool has_contacts>
 auto Edge_events<Traits, has_contacts>::birth(const Two_sided_edge& edge) -> const Time& {
   const Time* result = &schedule_.current_time();

@@ -32,7 +32,7 @@ void check_place(const Vector_2& place) {
                        "a position has a coordinate that is not finite or beyond 1e300");
 }
 
-// Returns the number of positions.
+// Checks a grid, and returns the number of its positions.
 std::size_t check_grid(const Grid_2& grid, std::size_t channels) {
   const auto is_step = [](double step) { return std::isfinite(step) && step != 0; };
   KINETRI_PRECONDITION(is_step(grid.step.x) && is_step(grid.step.y),
@@ -86,7 +86,7 @@ class Combination {
   const std::vector<double>& weights() const { return weights_; }
 
  private:
-  // The order of vertices within faces must not matter.
+  // The result must not depend on the order of vertices in a face.
   void begin_with_least_id() {
     const auto least = std::ranges::min_element(
         vertices_, {}, [](Vertex_handle v) { return Present<Traits>::id(v); });
@@ -97,8 +97,8 @@ class Combination {
                    const Vector_2& position) {
     present.find_neighbors(triangle, position, vertices_);
     begin_with_least_id();
-    // Of neighbors at one rounded place, which share one side of the cell, the first stands for
-    // all.
+    // Of neighbors with the same rounded position, which share one side of the cell, only the first
+    // is kept.
     places_.clear();
     std::size_t kept = 0;
     for (const Vertex_handle v : vertices_) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The triangulation at its current time, as a field sees it: rounded places of points, the triangle
-// of a position, and the natural neighbors of a position.
+// What a field asks of a triangulation at its current time: rounded positions of points, the
+// triangle of a position, and its natural neighbors.
 #ifndef KINETRI_SRC_TRIANGULATION_FIELD_PRESENT_H
 #define KINETRI_SRC_TRIANGULATION_FIELD_PRESENT_H
 
@@ -22,10 +22,10 @@
 
 namespace kinetri::detail {
 
-// Beyond it differences of coordinates might overflow.
+// Differences of larger coordinates might overflow.
 inline constexpr double largest_coordinate = 1e300;
 
-// The triangulation at its current time, as a field sees it.
+// See the beginning of this file.
 template <class Traits>
 class Present {
  public:
@@ -41,7 +41,7 @@ class Present {
         at_(kinetic.traits().instantaneous_traits({kinetic.current_time(), Time_side::at})),
         after_(kinetic.traits().instantaneous_traits({kinetic.current_time(), Time_side::after})) {}
 
-  // Rounds the places of all points, so that most signs need no exact arithmetic.
+  // Rounds the positions of all points: then most signs need no exact arithmetic.
   void round_all() {
     places_.resize(kinetic_.next_id());
     balls_.resize(kinetic_.next_id());
@@ -53,13 +53,13 @@ class Present {
     error_ += std::numeric_limits<double>::denorm_min();
   }
 
-  // The error of each coordinate, at most. After round_all.
+  // A bound for the error of each coordinate. Precondition: round_all was called.
   double error() const { return error_; }
 
   const Topology& topology() const { return kinetic_.triangulation(); }
   static Point_id id(Vertex_handle v) { return v->point().id(); }
 
-  // Each coordinate is the nearest binary64 number.
+  // The position with each coordinate rounded to nearest.
   Vector_2 place(Vertex_handle v) const {
     return places_.empty() ? rounded(v, ball_place(v->point().motion(), time_)) : places_[id(v)];
   }
@@ -95,7 +95,7 @@ class Present {
     return true;
   }
 
-  // The triangle of the position; none if it has none.
+  // The triangle of the position; the default handle if there is none.
   Face_handle triangle_at(const Vector_2& position) const {
     if (topology().dimension() < 2) return Face_handle();
     const Location_2 location = Kinetic_queries_2(kinetic_).locate(position);
@@ -145,14 +145,14 @@ class Present {
     return result;
   }
 
-  // On which side of the edge opposite corner i the position is: positive inside.
+  // The side of the edge opposite corner i on which the position is: positive inside.
   Sign turn(Face_handle face, int i, const Vector_2& position) const {
     const Vertex_handle p = face->vertex(Topology::ccw(i));
     const Vertex_handle q = face->vertex(Topology::cw(i));
     if (!places_.empty()) {
       const Sign sign = certain_orientation(place(p), place(q), position, error_);
       if (sign != CGAL::ZERO) return sign;
-      // Certainly zero, too, where coordinates have few bits, as those of pixels mostly have.
+      // Also decides zero, if coordinates have few bits, as those of pixels usually have.
       const Ball_2& from = balls_[id(p)];
       const Ball_2& to = balls_[id(q)];
       const Ball area = (to.x - from.x) * (Ball(position.y) - from.y) -
@@ -163,7 +163,7 @@ class Present {
     return at_.orientation_2_object()(p->point(), q->point(), query(position));
   }
 
-  // What is certainly so at the time is so just after it.
+  // A sign that is certain at the time is also that just after it.
   bool is_in_circle(Face_handle face, const Vector_2& position) const {
     const Vertex_handle p = face->vertex(0);
     const Vertex_handle q = face->vertex(1);
@@ -183,14 +183,15 @@ class Present {
     const Point_2& q = face->vertex(Topology::cw(i))->point();
     const Point_2 here = query(position);
     const auto compare = at_.compare_xy_2_object();
-    // In the order of one line.
+    // All three are collinear.
     const auto from_p = compare(p, here);
     const auto to_q = compare(here, q);
     return from_p == CGAL::EQUAL || to_q == CGAL::EQUAL || from_p == to_q;
   }
 
-  // Of the triangles with an area that contain the position, the one with the least ids; `start`
-  // contains it. They are connected across edges that contain it (docs/MATH.md, section 10).
+  // Of the triangles with a positive area that contain the position, the one with the least ids.
+  // Precondition: `start` contains it. Such triangles are connected across edges that contain it
+  // (docs/MATH.md, section 10).
   Face_handle least_around(Face_handle start, const Vector_2& position) const {
     std::vector<Face_handle> faces = {start};
     std::unordered_set<Face_handle> seen = {start};
@@ -214,7 +215,7 @@ class Present {
   typename Kinetic::Instantaneous_traits at_;
   typename Kinetic::Instantaneous_traits after_;
   std::vector<Vector_2> places_;  // by id; empty before round_all
-  std::vector<Ball_2> balls_;     // the same, with more digits
+  std::vector<Ball_2> balls_;     // the same with more digits
   double error_ = 0;
   std::vector<std::pair<Face_handle, int>> stack_;  // edges of find_neighbors
 };

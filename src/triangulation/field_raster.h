@@ -34,21 +34,21 @@ struct Indices_between {
   Index_range certain;
 };
 
-// Positions on an axis: origin + index * step, for indices below `count`, rounded as Grid_2::place
-// does.
+// Positions on an axis: origin + index * step for indices below `count`, rounded as by
+// Grid_2::place.
 class Grid_axis {
  public:
   Grid_axis(double origin, double step, std::size_t count)
       : origin_(origin), step_(step), count_(count) {}
 
-  // Of which indices the positions may be in [lower, upper], and of which they certainly are in
-  // [inner_lower, inner_upper]. The computed index is off by the roundings of the quotient and of
-  // the positions: by less than 2^-51 times the size below.
+  // The indices whose positions may be in [lower, upper], and those whose positions are certainly
+  // in [inner_lower, inner_upper]. The error of a computed index, from rounding the quotient and
+  // the positions, is less than 2^-51 (size / |step| + count).
   Indices_between between(double lower, double upper, double inner_lower,
                           double inner_upper) const {
     const double size = std::abs(origin_) + std::max(std::abs(lower), std::abs(upper));
     const double slack = 0x1p-48 * (size / std::abs(step_) + static_cast<double>(count_));
-    // Beyond that, indices say nothing; and no sum is infinite minus infinite.
+    // Otherwise indices say nothing, or a difference could be infinite minus infinite.
     if (!(slack < 1)) return {{0, count_}, {}};
     return {range(lower, upper, slack), range(inner_lower, inner_upper, -slack)};
   }
@@ -61,7 +61,7 @@ class Grid_axis {
     from = std::max(from - slack, 0.0);
     to = std::min(to + slack, static_cast<double>(count_) - 1);
     if (!(from <= to)) return {};
-    // Both are at least zero and at most count - 1: truncated is rounded down.
+    // Both are in [0, count - 1], so truncation rounds down.
     const auto first = static_cast<std::int64_t>(from);
     const bool is_whole = static_cast<double>(first) == from;
     return {static_cast<std::size_t>(is_whole ? first : first + 1),
@@ -79,7 +79,7 @@ class Raster {
  public:
   using Face_handle = typename Present<Traits>::Face_handle;
 
-  // Keeps references to `present`, in which all places are rounded, and to the grid.
+  // Keeps references to both. Precondition: present.round_all() was called.
   Raster(const Present<Traits>& present, const Grid_2& grid)
       : present_(present),
         grid_(grid),
@@ -94,8 +94,8 @@ class Raster {
     }
   }
 
-  // Calls function(triangle, row, columns) for the triangles that the positions of each row have,
-  // with the columns of each, from left to right.
+  // Calls function(triangle, row, columns) for each run of columns of a row that are in one
+  // triangle, from left to right.
   template <class Function>
   void for_each_run(Function function) const {
     for (std::size_t row = 0; row < grid_.rows; ++row) {
@@ -120,8 +120,8 @@ class Raster {
     });
   }
 
-  // Calls on_triangle(corners) for the triangles that the positions of each row have, the least id
-  // first, and after each function(position, weights) for its positions in the row.
+  // For each such run, calls on_triangle(corners), the least id first, and then function(position,
+  // weights) for its positions.
   template <class On_triangle, class Function>
   void for_each_corner_weights(On_triangle on_triangle, Function function) const {
     for_each_run([&](Face_handle face, std::size_t row, const Index_range& columns) {
@@ -142,7 +142,7 @@ class Raster {
   }
 
  private:
-  // The order of corners within faces must not matter.
+  // The result must not depend on the order of corners in a face.
   static int index_of_least(Face_handle face) {
     int result = 0;
     for (int i = 1; i < 3; ++i) {
@@ -153,26 +153,26 @@ class Raster {
     return result;
   }
 
-  // A side of a triangle: where it meets a row.
+  // A side of a triangle, to be intersected with rows.
   struct Side {
     Vector_2 begin;
     double low = 0;  // the least and greatest y of its ends
     double high = 0;
     double slope = 0;  // dx / dy
-    double slack = 0;  // for x where it meets a row
+    double slack = 0;  // of x at a row
     bool is_flat = false;
-    double left = 0;  // of a flat one, the ends
+    double left = 0;  // the ends of a flat one
     double right = 0;
   };
 
-  // Marks the positions in the triangle. Those that others contain as well, on their boundary, are
-  // of the triangle with the least ids.
+  // Marks the positions in the triangle. A position on the boundary of several belongs to the
+  // triangle with the least ids.
   void fill(std::uint32_t index) {
     const Face_handle face = faces_[index];
     const std::array<Vector_2, 3> p = {present_.place(face->vertex(0)),
                                        present_.place(face->vertex(1)),
                                        present_.place(face->vertex(2))};
-    // Of each coordinate and difference.
+    // The error of each coordinate and difference.
     const double e =
         present_.error() + 0x1p-50 * std::max({size_of(p[0]), size_of(p[1]), size_of(p[2])});
     const std::array<Side, 3> sides = {side(p[0], p[1], e), side(p[1], p[2], e),
@@ -180,8 +180,8 @@ class Raster {
     const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
     const Index_range rows = rows_.between(low - 2 * e, high + 2 * e, low, high).possible;
     for (std::size_t row = rows.first; row < rows.last; ++row) {
-      // Those in the triangle follow one another: the positions of a row are on one line, in the
-      // order of the columns, rounded as they are.
+      // The positions in the triangle are consecutive: even rounded, those of a row are on one line
+      // in the order of the columns.
       auto [columns, certain] = columns_in(sides, grid_.place(0, row).y, e);
       const auto is_in = [&](std::size_t column) {
         return (column >= certain.first && column < certain.last) ||
@@ -199,9 +199,10 @@ class Raster {
     }
   }
 
-  // A side ab meets height y at a + (y - a.y) (b.x - a.x) / (b.y - a.y). Where each coordinate and
-  // difference is off by at most e, and the quotient of differences is at most 1.25, x is off by at
-  // most 4 e |b.x - a.x| / |b.y - a.y| + 4 e, roundings included; the slack is twice the first.
+  // A side ab meets height y at x = a.x + (y - a.y) (b.x - a.x) / (b.y - a.y). If each coordinate
+  // and difference is off by at most e, and the quotient of differences is at most 1.25, x is off
+  // by at most 4 e |b.x - a.x| / |b.y - a.y| + 4 e, roundings included; the slack is twice the
+  // first.
   static Side side(const Vector_2& a, const Vector_2& b, double e) {
     const double height = std::abs(b.y - a.y);
     const double width = std::abs(b.x - a.x);
@@ -219,8 +220,8 @@ class Raster {
             0};
   }
 
-  // The columns that may be in the triangle at height y, and those that certainly are: the row goes
-  // through two of its sides, and through no corner.
+  // The columns that may be in the triangle at height y, and those that certainly are, if the row
+  // certainly crosses two sides and no corner.
   Indices_between columns_in(const std::array<Side, 3>& sides, double y, double e) const {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     double left = infinite;

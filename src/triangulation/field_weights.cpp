@@ -14,8 +14,8 @@ double dot(const Vector_2& v, const Vector_2& w) {
   return v.x * w.x + v.y * w.y;
 }
 
-// A power of two that makes vectors of that size so long that no product of two coordinates is too
-// large or too small.
+// A power of two to scale vectors of that size by, so that products of coordinates neither overflow
+// nor underflow.
 double power_of_two_for(double size) {
   int exponent = 0;
   if (size > 0) std::frexp(size, &exponent);
@@ -26,8 +26,8 @@ Vector_2 scaled(const Vector_2& v, double factor) {
   return {factor * v.x, factor * v.y};
 }
 
-// The share that `q` has at the position of the segment pq that is nearest to the origin; zero
-// where p and q are equal.
+// The weight of `q` at the point of the segment pq nearest to the origin; zero if p and q are
+// equal.
 double share_on_segment(const Vector_2& p, const Vector_2& q) {
   const Vector_2 along = difference(q, p);
   const double length = square(along);
@@ -62,7 +62,7 @@ std::array<double, 3> barycentric_weights_of_any(const std::array<Vector_2, 3>& 
     divide_by_sum(std::span(weights));
     return weights;
   }
-  // Opposite of which corner the longest side is.
+  // The corner opposite the longest side.
   std::size_t opposite = 0;
   double longest = -1;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -119,7 +119,7 @@ void laplace_weights(std::span<const Vector_2> neighbors, const Vector_2& place,
     w = std::max(w, 0.0);
     sum += w;
   }
-  // A quotient by less might overflow.
+  // Division by a smaller area might overflow.
   if (!(least_area > 0x1p-500) || !(sum > 0)) return use_side(nearest_side);
   divide_by_sum(weights);
 }

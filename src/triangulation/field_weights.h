@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The weights with which values at points make the values at a position, in binary64 arithmetic:
-// additions, multiplications, divisions and powers of two, in a fixed order. All weights are at
-// least zero, and their sum is 1 up to rounding.
+// The weights of points for interpolation at a position, in binary64 arithmetic, with a fixed order
+// of operations. All weights are at least zero, and their sum is 1 up to rounding.
 #ifndef KINETRI_TRIANGULATION_FIELD_WEIGHTS_H
 #define KINETRI_TRIANGULATION_FIELD_WEIGHTS_H
 
@@ -17,7 +16,7 @@
 
 namespace kinetri::detail {
 
-/// As barycentric_weights, in any case.
+/// As barycentric_weights, also if coordinates are extreme or rounded corners leave no area.
 std::array<double, 3> barycentric_weights_of_any(const std::array<Vector_2, 3>& corners,
                                                  const Vector_2& place);
 
@@ -42,15 +41,15 @@ KINETRI_ALWAYS_INLINE std::array<double, 3> barycentric_weights(
   return {a / sum, b / sum, c / sum};
 }
 
-/// Laplace coordinates of a position, which is none of the neighbors, with regard to its natural
-/// neighbors, which come counterclockwise; no two successive ones are equal. If the rounded
-/// neighbors leave no area between the position and a side of their polygon, linear coordinates on
-/// that side. As many weights as neighbors. Precondition: there are at least two.
+/// Laplace coordinates of a position with respect to its natural neighbors, in counterclockwise
+/// order. If the rounded neighbors leave no area between the position and a side of their polygon,
+/// linear coordinates on that side. Preconditions: there are at least two neighbors and as many
+/// weights; the position is not a neighbor; successive neighbors differ.
 void laplace_weights(std::span<const Vector_2> neighbors, const Vector_2& place,
                      std::span<double> weights);
 
-/// The mean with the weights, moved between the least and the greatest of the values.
-/// Precondition: as many values as weights, at least one.
+/// The weighted mean, clamped to the range of the values. Precondition: as many values as weights,
+/// at least one.
 inline double weighted_mean(std::span<const double> values, std::span<const double> weights) {
   double sum = 0;
   double least = values[0];

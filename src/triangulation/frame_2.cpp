@@ -8,7 +8,7 @@
 namespace kinetri {
 namespace {
 
-// The positions of points, in ascending order of ids.
+// The index of each point in the ascending order of ids.
 class Positions {
  public:
   explicit Positions(const std::vector<Point_id>& ids) : ids_(ids) {}
@@ -17,7 +17,7 @@ class Positions {
     return static_cast<std::size_t>(std::ranges::lower_bound(ids_, id) - ids_.begin());
   }
 
-  // In the order of the ids, which is that of the positions.
+  // Sorted, as the ids are.
   std::array<std::size_t, 2> of(const Edge_ids& edge) const { return {of(edge[0]), of(edge[1])}; }
 
  private:

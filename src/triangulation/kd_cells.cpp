@@ -15,7 +15,7 @@ Kd_cells::Kd_cells(std::vector<Vector_2> sample, std::size_t count) {
   split(sample, count, {{-infinity, -infinity}, {infinity, infinity}});
 }
 
-// Cuts a part of the plane, with these places of the sample, into so many cells.
+// Splits a part of the plane, with these positions of the sample, into `count` cells.
 void Kd_cells::split(std::span<Vector_2> places, std::size_t count, const Cell& part) {
   const std::size_t number = nodes_.size();
   nodes_.push_back({count, cells_.size()});

@@ -11,7 +11,7 @@ std::uint64_t Triangulation_counters::number_of_events() const {
   return std::accumulate(events.begin(), events.end(), std::uint64_t{0});
 }
 
-// One cache line each, with pointers of 64 bits: a run waits for memory, mostly.
+// One cache line each, with pointers of 64 bits: memory access dominates the time of a run.
 using Faces_and_vertices = Kinetic_triangulation_2<Linear_kinetic_traits_2>::Triangulation;
 static_assert(sizeof(void*) != 8 || sizeof(Faces_and_vertices::Face) == 64);
 static_assert(sizeof(void*) != 8 || sizeof(Faces_and_vertices::Vertex) == 64);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What executes the events of a node of the tree of regions in a window of time.
+// A logical process: it executes the events of one subdomain, or merged subdomain, in a time
+// window.
 #ifndef KINETRI_SRC_TRIANGULATION_LOGICAL_PROCESS_H
 #define KINETRI_SRC_TRIANGULATION_LOGICAL_PROCESS_H
 
@@ -13,10 +14,10 @@
 
 namespace kinetri::detail {
 
-/// The state of one node, a region or a union of regions, which one thread writes: where its
-/// entries are, its log, and counts.
+/// The state of one node, a region or a union of regions. One thread at a time writes it.
 ///
-/// Invariant: what it executes is in the part `from` of each queue; its records are in `log`.
+/// Invariant: the entries that it executes are in the part `from` of each queue, its records in
+/// `log`.
 template <class Traits, bool has_contacts>
 struct alignas(64) Logical_process {
   std::size_t number = 0;  ///< of the node
@@ -24,24 +25,25 @@ struct alignas(64) Logical_process {
   bool is_root = false;
   std::size_t from = 0;                                     ///< the part of its entries
   typename Schedule<Traits>::Queue::Part* edges = nullptr;  ///< that part of the queue of edges
-  Queue_handle first_handle = 0;                            ///< of the part, as the queue names it
-  /// New entries whose bounds begin at or before this go to the part `from`; others to where they
-  /// belong between two windows. All of a region do; none of a union that does not execute now.
+  Queue_handle first_handle = 0;                            ///< the first handle of that part
+  /// New entries whose bounds begin at or before this time go to the part `from`, later ones to the
+  /// part in which they are between two windows. Infinite for a region; minus infinity for a union
+  /// that is not executing.
   double due_until = -std::numeric_limits<double>::infinity();
   typename Window_log<Traits, has_contacts>::Node* log = nullptr;  ///< of its events
-  std::size_t most_events = 0;  ///< that it may have in a window, if there are numbers
-  std::size_t capacity = 0;     ///< how many it may have in this window
+  std::size_t most_events = 0;  ///< per window, if enough numbers are left
+  std::size_t capacity = 0;     ///< the most events in this window
   Certificate_counters certificates = {};
   Triangulation_counters counters = {};
   std::uint64_t rolled_back = 0;  ///< events
 
   bool is_region() const { return level == 0; }
-  /// Whether it may execute another event in this window.
+  /// Whether the capacity allows another event in this window.
   bool has_room() const { return log->records.size() < capacity; }
 };
 
-/// Whether the entry of a handle waits in another part than `own`, and is not later than what has
-/// these bounds, and the time exact().
+/// Whether the entry of a handle is in a part other than `own`, and not later than the time
+/// exact(), which is within `bounds`.
 template <class Queue, class Exact>
 bool waits_before(const Queue& queue, Queue_handle handle, const typename Queue::Part* own,
                   const Double_interval& bounds, const Exact& exact) {

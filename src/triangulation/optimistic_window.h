@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A window of time, executed by optimistic parallel discrete-event simulation: region by region,
-// each region in its own order, by several threads; then, in unions of two regions, of four, and so
-// on, the events that concern several regions; and then all are reported in the order of time. What
-// has come too early is rolled back. docs/PARALLEL.md has the terms, the contract and the
-// invariants; docs/MATH.md, section 17, proves that the result is that of the sequential loop.
+// A time window, executed by optimistic parallel discrete-event simulation. docs/PARALLEL.md has
+// the method, the terms, the contract and the invariants; docs/MATH.md, section 17, proves that the
+// result is that of the sequential loop.
 #ifndef KINETRI_SRC_TRIANGULATION_OPTIMISTIC_WINDOW_H
 #define KINETRI_SRC_TRIANGULATION_OPTIMISTIC_WINDOW_H
 
@@ -34,13 +32,14 @@ struct No_contacts {
   static Core& kinetic(Core& core) { return core; }
 };
 
-/// The processes of the nodes of the tree of regions, and the windows that they execute. Flips and
-/// contacts are *events* of one kind: Edge_events and Contact_events have the same functions, and
-/// their entries are executed, deferred and rolled back by the same code.
+/// The logical processes of the tree of regions, and the windows that they execute. Edge_events and
+/// Contact_events have the same functions: the same code executes, defers and rolls back flips and
+/// contacts.
 ///
-/// Owns the processes, their log, and where the window is truncated. Invariant: between two windows
-/// the log is empty, no entry is in a part of a window, and the triangulation, the queues and the
-/// present time are those of the sequential loop after the same events.
+/// Owns the processes, their log, and the time at which the window was truncated. Invariant:
+/// between two windows the log is empty, the parts that serve windows alone are empty, and the
+/// triangulation, the queues and the present time are those of the sequential loop after the same
+/// events.
 template <class Traits, class Contacts>
 class Optimistic_window {
  public:
@@ -62,36 +61,35 @@ class Optimistic_window {
   std::vector<Process>& processes() { return processes_; }
   const Region_counters& counters() const { return counters_; }
 
-  /// Takes up the nodes of the division, of which all execute about so many events in a window.
-  /// Versions of its windows are in the faces.
+  /// Makes the processes of the division. `events` is the expected number of events of a window.
   void take_up_division(double events);
-  /// Whether the versions of a node may not be enough for a window.
+  /// Whether the versions of a node may not suffice for a window.
   bool are_versions_spent() const;
   /// All versions have been cleared.
   void start_versions() { log_.start_numbers(); }
 
-  /// Executes the events up to `end`, up to a tie, or up to an event that is for the sequential
-  /// loop, and reports them. Returns whether it has reached the end. If an observer throws, all has
-  /// been executed and counted. If memory is missing, the state is that before the window, or after
-  /// its events if they have been reported. Precondition: there are versions.
+  /// Executes and reports the events up to `end`, or before a tie or an event for the sequential
+  /// loop. Returns whether it reached `end`. If an observer throws, all events have been executed
+  /// and counted. If memory runs out, the state is that before the window, or after its events if
+  /// they have been reported. Precondition: !are_versions_spent().
   bool run(double end);
-  /// Where the last window was truncated, if it was.
+  /// The time at which the last window was truncated, if it was.
   const std::optional<Time>& truncated() const { return truncated_; }
-  /// How many events the last window has reported, and its work but for what is serial.
+  /// The number of events that the last window reported, and its work without Window_work::serial.
   std::size_t reported() const { return reported_; }
   const Window_work& work() const { return work_; }
 
-  /// Calls work(), which makes a window or the parts of queues. If that throws, which is for want
-  /// of memory, the state is that before the window.
+  /// Calls work(), which executes a window or partitions queues. If it throws (memory ran out),
+  /// restores the state before the window.
   template <class Work>
   void or_roll_back(const Work& work);
-  /// Counts the certificates that a process has made, and those discarded.
+  /// Adds the counts of a process to those of the triangulation.
   void count_certificates(Process& process);
-  /// To be called before several threads change parts of the queues.
+  /// Must be called before several threads change parts of the queues.
   void forget_first() {
     for_each_kind([](auto& events) { events.queue().forget_first(); });
   }
-  /// Calls `function` with the events of edges, and with those of contacts, if these exist.
+  /// Calls `function` with the events of edges and, if contacts exist, with those of contacts.
   template <class Function>
   void for_each_kind(const Function& function) {
     function(edges_);

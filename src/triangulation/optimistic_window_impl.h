@@ -79,7 +79,7 @@ void Optimistic_window<Traits, Contacts>::or_roll_back(const Work& work) {
   }
 }
 
-// Forgets the window and the parts, and schedules everything from the present time on.
+// Discards the window and the parts, and schedules everything from the present time on.
 template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::start_anew() {
   processes_.clear();
@@ -108,10 +108,10 @@ bool Optimistic_window<Traits, Contacts>::run(double end) {
   return !truncated_ && reached == end;
 }
 
-// Has the nodes execute the events of a window. Returns where it ends.
+// Executes the events of a window in all nodes. Returns its end, which may be earlier.
 template <class Traits, class Contacts>
 double Optimistic_window<Traits, Contacts>::execute(double end) {
-  core_.updates.show_current_time();  // made from motions of now, by one thread
+  core_.updates.show_current_time();  // computed from the present motions, by one thread
   forget_first();
   if constexpr (has_contacts) contacts_.make_room();
   for (Process& process : processes_) {
@@ -128,8 +128,8 @@ double Optimistic_window<Traits, Contacts>::execute(double end) {
   return end;
 }
 
-// Puts aside what is due in the window and concerns several regions. Returns where the window ends:
-// before the first entry there that is for the sequential loop.
+// Moves the entries of unions that are due in the window to their own parts. Returns the end of the
+// window: at the latest the first of these entries that is for the sequential loop.
 template <class Traits, class Contacts>
 double Optimistic_window<Traits, Contacts>::gather_due(double end) {
   struct Gathering {
@@ -153,8 +153,7 @@ double Optimistic_window<Traits, Contacts>::gather_due(double end) {
   return std::ranges::min(all, {}, &Gathering::end).end;
 }
 
-// The same for one union of regions: has the certificates of its part checked again until it is
-// known which fail in the window.
+// The same for one union: rechecks certificates until it is known which ones fail in the window.
 template <class Traits, class Contacts>
 template <class Events>
 double Optimistic_window<Traits, Contacts>::gather_due(Events& events, Process& process,
@@ -175,12 +174,12 @@ double Optimistic_window<Traits, Contacts>::gather_due(Events& events, Process& 
   return end;
 }
 
-// Executes what is due in a node in the order of its queues: in a union, what none of the nodes
-// below has executed.
+// Executes the due entries of a node in the order of its queues. In a union these are the entries
+// that the nodes below have not executed.
 template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::run(Process& process, double end) {
   if (process.is_region()) {
-    // Somewhat later than the end, so that what is first then is known too.
+    // Somewhat later than the end, so that the first entry after it is known too.
     const double soon = end + division().window_width / 16;
     for_each_kind([&](auto& events) { events.part(process).expect(soon); });
   } else {
@@ -203,7 +202,7 @@ void Optimistic_window<Traits, Contacts>::run(Process& process, double end) {
   if (!process.is_region()) process.due_until = -std::numeric_limits<double>::infinity();
 }
 
-// Takes what the two nodes below a union have deferred.
+// Takes the entries that the two nodes below a union have deferred.
 template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::take_deferred(const Process& process) {
   for (std::size_t below = 0; below < process.number; ++below) {
@@ -217,8 +216,9 @@ void Optimistic_window<Traits, Contacts>::take_deferred(const Process& process) 
   }
 }
 
-// Has certificates checked again, one by one, until the first entry is known. Returns whether it is
-// due. (Beside an entry of a union may be one that is about an event later than this time.)
+// Rechecks certificates, one by one, until the first entry is an event or is not due. Returns
+// whether it is due. (Two at once are certified from the time of the first one. In a union the
+// second edge may have an event after that.)
 template <class Traits, class Contacts>
 template <class Events>
 bool Optimistic_window<Traits, Contacts>::settle(Events& events, Process& process,
@@ -233,7 +233,7 @@ bool Optimistic_window<Traits, Contacts>::settle(Events& events, Process& proces
   return false;
 }
 
-// The same by two, which costs less.
+// The same, two at a time, which is cheaper.
 template <class Traits, class Contacts>
 bool Optimistic_window<Traits, Contacts>::settle_edges_of_region(Process& process,
                                                                  const Time& last) {
@@ -244,7 +244,8 @@ bool Optimistic_window<Traits, Contacts>::settle_edges_of_region(Process& proces
       [&](std::span<const Entry> entries) { edges_.recheck(process, entries); });
 }
 
-// Whether the first contact of a process is before the first entry of its edges, if that is due.
+// Whether the first contact of a process is before the first entry of its edges, or the latter is
+// not due.
 template <class Traits, class Contacts>
 bool Optimistic_window<Traits, Contacts>::is_contact_first(const Process& process,
                                                            bool is_edge_due) {
@@ -257,9 +258,9 @@ bool Optimistic_window<Traits, Contacts>::is_contact_first(const Process& proces
   return contacts.time(contact) < process.edges->time(edge);
 }
 
-// Executes the first entry of a process, or leaves it to the node above; the root truncates the
-// window instead, and returns false. After a rollback another entry may be first: what comes back
-// is later, but may begin with a certificate that is to be checked again before.
+// Executes the first entry of a process or defers it to the node above; the root truncates the
+// window instead, and returns false. After a rollback another entry may be first: a rolled back
+// event is later, but its entry may be a recheck that is earlier.
 template <class Traits, class Contacts>
 template <class Events>
 bool Optimistic_window<Traits, Contacts>::execute_first(Events& events, Process& process) {
@@ -292,7 +293,7 @@ bool Optimistic_window<Traits, Contacts>::execute_first(Events& events, Process&
   return true;
 }
 
-// Flips an edge, if that is what the sequential loop does, and nothing else.
+// Flips an edge if the sequential loop would flip it and do nothing else. Returns whether it did.
 template <class Traits, class Contacts>
 bool Optimistic_window<Traits, Contacts>::flip(Process& process,
                                                typename Edges::Candidate& candidate) {
@@ -312,7 +313,8 @@ bool Optimistic_window<Traits, Contacts>::flip(Process& process,
 
 // ---- rollback ----
 
-// Rolls back what is later in the surroundings of an event. Others may be there then.
+// Rolls back later events in the surroundings of an event. The surroundings may change by that, so
+// they are searched again.
 template <class Traits, class Contacts>
 template <class Events, class Candidate>
 void Optimistic_window<Traits, Contacts>::roll_back_later(Events& events, Process& process,
@@ -327,7 +329,7 @@ void Optimistic_window<Traits, Contacts>::roll_back_later(Events& events, Proces
   for (Stamp later = find_later(); later != 0; later = find_later()) roll_back(process, later);
 }
 
-// Rolls an event back: first those that were executed after it and conflict with it.
+// Rolls an event back, after the events that were executed later and conflict with it.
 template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::roll_back(Process& process, Stamp number) {
   // The last event at a face or beside it.
@@ -338,7 +340,7 @@ void Optimistic_window<Traits, Contacts>::roll_back(Process& process, Stamp numb
     }
     return last;
   };
-  std::vector<Stamp> waiting = {number};  // each for the one after it
+  std::vector<Stamp> waiting = {number};  // each waits for the one after it
   while (!waiting.empty()) {
     Stamp last = 0;
     log_.for_each_written_face(log_.record(waiting.back()),
@@ -352,7 +354,7 @@ void Optimistic_window<Traits, Contacts>::roll_back(Process& process, Stamp numb
   }
 }
 
-// Rolls an event back that no other one after it conflicts with.
+// Rolls back an event without a later one that conflicts with it.
 template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::roll_back_last(Process& process, Stamp number) {
   const Key& key = log_.key(number);
@@ -363,7 +365,7 @@ void Optimistic_window<Traits, Contacts>::roll_back_last(Process& process, Stamp
     KINETRI_ASSERT(face->stamp() == number, "the last event of its faces");
   });
   if constexpr (has_contacts) {
-    const Time& now = log_.time(key);  // made from motions of then
+    const Time& now = log_.time(key);  // computed from the motions of that time
     if (record.change) return contacts_.roll_back(process, record, now);
     contacts_.unfollow_flip(process, record, now);
   }
@@ -372,8 +374,8 @@ void Optimistic_window<Traits, Contacts>::roll_back_last(Process& process, Stamp
 
 // ---- the order of time ----
 
-// Puts the events of the window in the order of time, but for those from the first time on that two
-// have in common, or from where it is truncated: these are rolled back.
+// Sorts the events of the window by time, truncates it at the first tie or where the root has, and
+// moves the due entries that are left back.
 template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::put_in_order() {
   log_.put_in_order(options_.flips_per_slice,
@@ -393,7 +395,7 @@ void Optimistic_window<Traits, Contacts>::put_in_order() {
   }
 }
 
-// Rolls the events back from where the window is truncated.
+// Rolls back the events at and after the time at which the window is truncated.
 template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::truncate() {
   ++counters_.cuts;
@@ -415,7 +417,7 @@ void Optimistic_window<Traits, Contacts>::truncate() {
   counters_.cut_off += std::exchange(root.rolled_back, rolled_back) - rolled_back;
 }
 
-// What the processes have done in the window.
+// The work of all processes in the window.
 template <class Traits, class Contacts>
 Window_work Optimistic_window<Traits, Contacts>::work_of_processes() const {
   Window_work work;
@@ -438,7 +440,7 @@ Window_work Optimistic_window<Traits, Contacts>::work_of_processes() const {
 
 // ---- the end of a window ----
 
-// Reports the events of the window, and counts them. Throws what an observer throws, after that.
+// Reports and counts the events of the window. Rethrows an observer's exception afterwards.
 template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::close() {
   std::exception_ptr thrown;
@@ -458,7 +460,7 @@ void Optimistic_window<Traits, Contacts>::close() {
   if (thrown) std::rethrow_exception(thrown);
 }
 
-// Counts what the processes have done in the window, and forgets their events.
+// Adds up the counts of the processes, and clears their logs.
 template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::count_and_clear() {
   if constexpr (has_contacts) contacts_.end_window();

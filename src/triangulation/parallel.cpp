@@ -28,9 +28,9 @@ void call_with_threads(std::size_t threads, const std::function<void()>& work) {
 
 void for_each_index_in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
   if (count == 1) return work(0);
-  // ThreadSanitizer does not see into oneTBB's library, where work begins after what came before
-  // the call, and what comes after the call begins after the work. The tag is global because a task
-  // may read nothing of this thread, the reference to `work` included, before it has been told so.
+  // ThreadSanitizer does not see that oneTBB orders the call before the tasks, and the tasks before
+  // the return; the annotations say so. The tags are static because a task may read nothing of this
+  // thread, not even the reference to `work`, before its first annotation.
   static char begun, done;
   annotate_happens_before(&begun);
   tbb::parallel_for(std::size_t{0}, count, [&work](std::size_t k) {

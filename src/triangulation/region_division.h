@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The division of vertices among regions, which a triangulation keeps between two runs by regions.
+// How the vertices are divided among regions. A triangulation keeps the division between two runs.
 #ifndef KINETRI_SRC_TRIANGULATION_REGION_DIVISION_H
 #define KINETRI_SRC_TRIANGULATION_REGION_DIVISION_H
 
@@ -19,14 +19,14 @@
 
 namespace kinetri::detail {
 
-/// The numbers of flips, which stamps are: each node has some of its own, greater ones than the
+/// The versions of faces are numbers of events. Each node has a range of them, above those of the
 /// nodes before it.
 class Flip_numbers {
  public:
-  /// Of no nodes.
+  /// For no nodes.
   Flip_numbers() = default;
-  /// Of nodes that share 2^bits numbers, less one. Preconditions: at most 256 nodes; each has at
-  /// least 2 in 4096 of the sum of all shares; 12 <= bits <= 24.
+  /// Divides 2^bits - 1 numbers among nodes in proportion to the shares. Preconditions: at most 256
+  /// nodes; each share is at least 2/4096 of their sum; 12 <= bits <= 24.
   Flip_numbers(std::span<const double> shares, unsigned bits) : block_bits_(bits - table_bits) {
     const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
     for (const double share : shares) {
@@ -52,30 +52,29 @@ class Flip_numbers {
   std::vector<std::uint8_t> node_;    // by block
 };
 
-/// Which region a vertex belongs to, and how far a run by regions has come. See region_runs.h.
+/// The region of each vertex, and the state of a run (region_runs.h).
 ///
 /// Regions are the leaves of a binary tree. Its nodes are numbered level by level: the regions,
 /// then the unions of two regions each, then those of two such unions; the root, of all points, is
-/// last. Where there is one region, the root is another node above it.
+/// last. If there is one region, the root is a second node above it.
 struct Region_division {
-  /// The number of no region: that of the infinite vertex, and of points that came after the
-  /// division.
+  /// For the infinite vertex, and for points that were inserted after the division.
   static constexpr std::uint16_t no_region = std::numeric_limits<std::uint16_t>::max();
 
-  std::size_t regions = 0;            ///< how many there are: a power of two, or 0
+  std::size_t regions = 0;            ///< their number: a power of two, or 0
   std::vector<std::uint16_t> owners;  ///< by point id, the region that owns the vertex
-  /// Of each node: how many flips have been numbered since stamps were cleared.
+  /// By node: the number of events since versions were cleared.
   std::vector<std::size_t> flips;
-  Flip_numbers numbers;     ///< of the nodes
-  double events = 0;        ///< of windows since the division
+  Flip_numbers numbers;     ///< of events, by node
+  double events = 0;        ///< of all windows since the division
   double window_width = 0;  ///< of the next window
 
-  bool runs_windows = false;      ///< whether windows are next, or else the loop
-  double loop_begin = 0;          ///< since when the loop has run, if it has not run windows
+  bool runs_windows = false;  ///< whether windows execute the next events, not the sequential loop
+  double loop_begin = 0;      ///< since when the sequential loop has run, if windows do not
   std::uint64_t loop_events = 0;  ///< of the loop since then
-  Region_effort effort;           ///< whether windows pay
+  Region_effort effort;           ///< decides whether windows pay
 
-  /// Forgets the regions, but not what is known of the run.
+  /// Removes the regions; keeps the state of the run.
   void clear() {
     Region_division cleared;
     cleared.window_width = window_width;
@@ -95,11 +94,11 @@ struct Region_division {
   }
   /// How many nodes the tree has.
   std::size_t nodes() const { return std::max<std::size_t>(2 * regions - 1, 2); }
-  /// How many parts a queue has, as docs/PARALLEL.md says: one for each node, then these two kinds.
+  /// How many parts a queue has: one for each node, then the two kinds below (docs/PARALLEL.md).
   std::size_t parts() const { return 3 * nodes() - 1 - regions; }
-  /// The part of what a node, which is not the root, has deferred.
+  /// The part for entries that a node other than the root has deferred.
   std::size_t deferred_part(std::size_t node) const { return nodes() + node; }
-  /// The part of what a union of regions has to execute in a window.
+  /// The part for entries of a union that are due in a window.
   std::size_t due_part(std::size_t node) const { return 2 * nodes() - 1 + node - regions; }
   /// The first node of a level; regions are the level 0.
   std::size_t first_node(unsigned level) const { return 2 * regions - ((2 * regions) >> level); }
@@ -108,13 +107,13 @@ struct Region_division {
     return static_cast<unsigned>(std::bit_width(regions)) -
            static_cast<unsigned>(std::bit_width(2 * regions - 1 - node));
   }
-  /// The node above one that is not the root.
+  /// The node above. Precondition: the node is not the root.
   std::size_t above(std::size_t node) const {
     const unsigned l = level(node);
     return first_node(l + 1) + (node - first_node(l)) / 2;
   }
-  /// For how great a share of the events of a window a node has room, in relation to other nodes:
-  /// each level shares the same among its nodes, but regions four times that, as they have most.
+  /// The capacity of a node relative to other nodes: each level has the same sum, but the regions
+  /// four times that, since they execute most events.
   double share(std::size_t node) const {
     const auto nodes = static_cast<double>(std::max<std::size_t>(regions >> level(node), 1));
     return (level(node) == 0 ? 4 : 1) / nodes;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether a run by regions pays: an account of the work of windows, in events; and pauses between
-// windows that are cut.
+// Whether windows pay: an account of their work, in events; and pauses after truncated windows.
 #ifndef KINETRI_SRC_TRIANGULATION_REGION_EFFORT_H
 #define KINETRI_SRC_TRIANGULATION_REGION_EFFORT_H
 
@@ -14,33 +13,32 @@
 
 namespace kinetri::detail {
 
-/// What one window of a run by regions has done, in events.
+/// The work of one window, in events.
 struct Window_work {
-  double reported = 0;  ///< that are events of the run
-  double executed = 0;  ///< by all nodes, those undone included
-  /// Of these, how many one thread has executed after the other, if all threads have had as much to
-  /// do as they can have.
+  double reported = 0;  ///< events of the run
+  double executed = 0;  ///< by all nodes, including those rolled back
+  /// The least number that one thread executes if all threads are used as well as possible.
   double in_turn = 0;
-  double undone = 0;  ///< since they came too early, or the window was cut
-  double serial = 0;  ///< what one thread has done besides
+  double undone = 0;  ///< rolled back: executed too early, or the window was truncated
+  double serial = 0;  ///< other work of one thread
 };
 
-/// An account of events. The unit is what the sequential loop takes for an event, so that nothing
-/// depends on clocks: decisions are the same in each run with as many threads.
+/// An account of events. The unit is the cost of one event of the sequential loop, so nothing
+/// depends on clocks: every run with the same number of threads makes the same decisions.
 ///
-/// A new account has an advance. Each event of the run earns a share, in the loop and in a window.
-/// What windows and divisions of the queue take more than the loop is paid first, and what windows
-/// save is earned. The account never has more than the advance, and may be overdrawn: windows are
-/// tried only as long as it is not. Let E be the events of a run and A the advance. Then windows
-/// and divisions take no more than the loop would and `share` E + A + the loss of one window, in
-/// time, and no more than twice as much in time of the processor.
+/// A new account has the balance A, the advance. Each event of the run adds `share`. Partitions of
+/// the queue, and windows that cost more than the sequential loop would, reduce the balance;
+/// windows that cost less increase it. The balance is at most A and may be negative; windows are
+/// tried only while it is not. So the time of windows and partitions is at most that of the
+/// sequential loop for the same E events + `share` E + A + the loss of one window, and the
+/// processor time at most twice as much.
 class Region_effort {
  public:
-  /// An event that a node executes, with its record and its place in the order, takes so much.
+  /// The cost of an event that a node executes, with its record and the ordering.
   static constexpr double cost_of_event = 1.25;
 
-  /// Begins a call of the run. The first one gives the advance; a later one keeps what there is.
-  /// An infinite share: windows are always tried, and what is noted changes nothing.
+  /// Begins a call of the run. The first call sets the balance to the advance; later ones keep it.
+  /// If the share is infinite, windows are always tried.
   void open(double share, double advance) {
     share_ = share;
     if (!is_open_) balance_ = advance;
@@ -48,14 +46,15 @@ class Region_effort {
     is_open_ = true;
   }
 
-  /// The loop has executed the events of one time.
+  /// The sequential loop has executed the events of one time.
   void add_loop(std::size_t events) {
     alone_ = events == 1 ? alone_ + 1 : 0;
     earn(share_ * static_cast<double>(events));
   }
 
-  /// A window has been executed. It has taken what one thread has executed in turn, or half of what
-  /// all have executed, if that is more: so two threads that do what one could are no gain.
+  /// A window has been executed. Its cost is that of the events that one thread executed in turn,
+  /// or half of that of all events, if that is more: two threads that do the work of one gain
+  /// nothing.
   void add_window(const Window_work& work) {
     const double in_turn = cost_of_event * work.in_turn + work.undone + work.serial;
     const double in_all = cost_of_event * work.executed + work.undone + work.serial;
@@ -63,16 +62,16 @@ class Region_effort {
     earn(share_ * work.reported);
   }
 
-  /// Something else has taken so much; less than 0 if it was saved.
+  /// Other work has cost so much; negative if it was saved.
   void spend(double events) { earn(-events); }
 
-  /// Whether the account has so much; so much exactly is enough.
+  /// Whether the balance is at least this.
   bool has(double events) const { return is_unlimited() || balance_ >= events; }
   /// Whether windows are always tried.
   bool is_unlimited() const { return share_ == std::numeric_limits<double>::infinity(); }
 
-  /// How many times with one event the loop has executed since the last time with several, or with
-  /// none. A time with several cuts a window. Windows do not change it.
+  /// How many times with exactly one event the sequential loop has executed since the last other
+  /// time. A time with several events truncates a window. Windows do not change this number.
   std::uint64_t alone() const { return alone_; }
 
  private:
@@ -87,10 +86,9 @@ class Region_effort {
   std::uint64_t alone_ = 0;
 };
 
-/// How many instants the loop executes before the next window. A window that is cut where it has
-/// executed little is followed by a pause, each twice as long as the last one, as far as `most`
-/// instants, until a window executes enough: so where each window is cut at once, windows become
-/// rare.
+/// How many instants the sequential loop executes before the next window. After a window that was
+/// truncated early there is a pause. Each pause is twice as long as the one before, up to `most`
+/// instants, until a window executes enough events.
 class Region_pause {
  public:
   /// A window has executed little, or could not begin.
@@ -98,13 +96,13 @@ class Region_pause {
     left_ = next_;
     next_ = std::min(2 * next_, most);
   }
-  /// A window has executed enough: the next pause is one instant. The present one goes on.
+  /// A window has executed enough: the next pause is one instant. The present pause is not changed.
   void shorten() { next_ = 1; }
-  /// The loop is to execute one instant, and no more, before the next window.
+  /// The present pause is one instant.
   void pass_one() { left_ = 1; }
 
-  /// The loop is about to execute at most so many instants. How many of these it is to execute at
-  /// once: those that are left, but one at least.
+  /// Takes up to `most` of the remaining instants, at least one, and returns their number: the
+  /// sequential loop executes them at once.
   std::size_t take(std::size_t most) {
     const std::size_t taken = std::clamp<std::size_t>(left_, 1, most);
     left_ -= std::min(left_, taken);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How the events of windows of time are executed by several threads, and counts of what has been
-// done.
+// Options of optimistic parallel execution, and its counters.
 #ifndef KINETRI_SRC_TRIANGULATION_REGION_OPTIONS_H
 #define KINETRI_SRC_TRIANGULATION_REGION_OPTIONS_H
 
@@ -13,41 +12,39 @@
 
 namespace kinetri::detail {
 
-/// How a run by regions is made. The result does not depend on it.
+/// Options of a run. The result does not depend on them.
 struct Region_options {
-  /// How many: the greatest power of two up to this and to 128; by the number of points if 0.
+  /// Their number is the greatest power of two up to this and up to 128; if 0, it follows from the
+  /// number of points.
   std::size_t regions = 0;
-  double events_per_vertex = 0.5;  ///< in a window, about; a fifth of it where discs collide
-  /// With fewer events to come, as it seems, the sequential loop executes them.
+  double events_per_vertex = 0.5;  ///< in a window, about; a fifth of it if discs collide
+  /// If fewer events are expected, the sequential loop executes them.
   double least_events_per_vertex = 1;
-  double events_per_division = 4;  ///< a vertex, after which regions are made anew
-  /// The share of all events that windows may cost more than the sequential loop; see
-  /// Region_effort.
+  double events_per_division = 4;  ///< per vertex; after these, regions are chosen again
+  /// The greatest overhead of windows, as a share of all events (Region_effort).
   double most_waste = 1.0 / 16;
-  /// Of how many points at most one is hidden. What happens to those is left to the sequential
-  /// loop.
+  /// Windows need at least so many points per hidden point, since the sequential loop executes the
+  /// events of hidden points.
   double points_per_hidden_one = 1000;
-  /// Of a node in a window. It leaves what is more to the node above it; the root truncates the
-  /// window.
+  /// The most events of a node in a window. It defers further ones; the root truncates the window.
   std::size_t most_flips = std::size_t{1} << 22;
-  /// Of the versions of faces: a face has room for 24 (Flip_numbers). Fewer for tests.
+  /// The bits of the version of a face, at most 24 (Flip_numbers). Fewer for tests.
   unsigned stamp_bits = 24;
-  std::size_t flips_per_slice = 4096;  ///< that one thread puts in order. Fewer for tests
-  std::size_t threads = 0;  ///< at most; 0: those of oneTBB's arena; 1: one region after the other
-  /// If not 0, the order in which one thread takes regions and other tasks: another one for each
-  /// number. For tests.
+  std::size_t flips_per_slice = 4096;  ///< events that one thread sorts. Fewer for tests
+  std::size_t threads = 0;             ///< at most; 0: those of oneTBB's arena; 1: no parallelism
+  /// If not 0, a seed for the order in which one thread executes tasks. For tests.
   std::uint64_t order_of_tasks = 0;
 };
 
-/// The options of a run with so many threads.
+/// The default options with this number of threads.
 inline Region_options with_threads(std::size_t threads) {
   Region_options options;
   options.threads = threads;
   return options;
 }
 
-/// Calls work(k) for each k below the count, as the options say: in parallel, or one after the
-/// other.
+/// Calls work(k) for each k below the count: in parallel, or in order if the options name one
+/// thread.
 void call_for_each_index(const Region_options& options, std::size_t count,
                          const std::function<void(std::size_t)>& work);
 
@@ -57,15 +54,15 @@ void call_for_each(const Region_options& options, Vector& elements, const Work& 
   call_for_each_index(options, elements.size(), [&](std::size_t k) { work(elements[k]); });
 }
 
-/// What a run by regions has done. Contacts are counted as flips.
+/// Counts of a run. "Flips" here are all events, contacts too.
 struct Region_counters {
-  std::uint64_t windows = 0;    ///< of time
+  std::uint64_t windows = 0;    ///< windows executed
   std::uint64_t cuts = 0;       ///< windows that were truncated
-  std::uint64_t by_region = 0;  ///< flips that regions executed, those rolled back included
-  std::uint64_t by_union = 0;   ///< flips that unions of regions executed, the same
-  std::uint64_t by_rest = 0;    ///< flips that the root executed, the same
-  std::uint64_t undone = 0;     ///< flips that were rolled back since they came too early
-  std::uint64_t cut_off = 0;    ///< flips that were rolled back since their window was truncated
+  std::uint64_t by_region = 0;  ///< flips that regions executed, including those rolled back later
+  std::uint64_t by_union = 0;   ///< flips that unions of regions executed, likewise
+  std::uint64_t by_rest = 0;    ///< flips that the root executed, likewise
+  std::uint64_t undone = 0;     ///< flips rolled back because they were executed too early
+  std::uint64_t cut_off = 0;    ///< flips rolled back because their window was truncated
 };
 
 }  // namespace kinetri::detail

@@ -21,14 +21,14 @@ namespace kinetri::detail {
 // With fewer points two threads gain little (bench/README.md).
 bool may_pay_by_regions(std::size_t points, std::size_t threads) {
   constexpr std::size_t least_points = 50'000;
-  constexpr std::size_t most_points = 100'000'000;  // so that handles of a part have enough bits
+  constexpr std::size_t most_points = 100'000'000;  // handles of a part need enough bits
   return points >= least_points && points <= most_points && usable_threads(threads) > 1;
 }
 
-// So many that each thread has several, and that what a region has stays near in memory. Fewer
-// where there are few points, of which more are beside another region then; and where there are so
-// many that handles, which name one of at most 5 R - 1 parts, would have no bits left for the
-// entries of all 3 n edges in one part, and of as many that come later.
+// Several for each thread, and so many that the data of a region are close in memory. Fewer if
+// there are few points, since a greater share of them then has neighbors in other regions. Fewer
+// also if there are very many points: a handle names one of at most 5 R - 1 parts, and its other
+// bits must suffice for the entries of all 3 n edges in one part, and as many again later.
 std::size_t number_of_regions(const Region_options& options, std::size_t points) {
   const std::size_t threads = usable_threads(options.threads);
   const std::size_t enough = std::max(4 * threads, points / 12'500);

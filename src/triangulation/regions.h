@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Events on several threads: runs by windows of time, which Optimistic_window executes, and by the
-// sequential loop, as what pays.
+// Events on several threads: decides which events Optimistic_window executes in time windows, and
+// which the sequential loop executes.
 #ifndef KINETRI_SRC_TRIANGULATION_REGIONS_H
 #define KINETRI_SRC_TRIANGULATION_REGIONS_H
 
@@ -18,45 +18,46 @@
 
 namespace kinetri::detail {
 
-/// A run of a kinetic triangulation, with or without contacts (No_contacts), by regions.
+/// A run of a kinetic triangulation, with or without contacts (No_contacts), on several threads.
 ///
-/// Owns the options and the pause between windows; what else is known of the run is in the division
-/// of the triangulation, for the next run. Invariant: between two windows the state is that of the
-/// sequential loop after the same events, but that the queues may be in parts.
+/// Owns the options, the window and the pause between windows. The rest of its state is in the
+/// division of the triangulation, for the next run. Invariant: between two windows the state is
+/// that of the sequential loop after the same events, except that the queues may be partitioned.
 template <class Traits, class Contacts = No_contacts<Traits>>
 class Region_run {
  public:
   using Window = Optimistic_window<Traits, Contacts>;
-  using Time = typename Window::Time;                ///< of events
-  using Change = typename Topology<Traits>::Change;  ///< of a point
+  using Time = typename Window::Time;                ///< time of an event
+  using Change = typename Topology<Traits>::Change;  ///< another motion of a point
   using Go_on = std::function<bool()>;
 
   /// The triangulation, or simulation, must outlive this object.
   explicit Region_run(typename Contacts::Core& core, const Region_options& options = {});
 
-  /// As advance_to of the triangulation, with the same result. Observers that look at the
-  /// triangulation get the sequential loop. If an observer throws, the triangulation is what it is
-  /// after all events of a window of time, of which observers have not been told the later ones. If
-  /// memory is missing in a window, it is what it was before the window, or after its events, if
-  /// there is memory to schedule all anew; else it can only be destroyed. Precondition: as there.
+  /// As advance_to of the triangulation, with the same result. If an observer looks at the
+  /// triangulation, the sequential loop executes all events. If an observer throws, all events of
+  /// the window have been executed, and observers have not seen the later ones. If memory runs out
+  /// in a window, the state is that before the window or that after its events, if memory suffices
+  /// to schedule everything again; else the object can only be destroyed. Precondition: as there.
   std::size_t advance_to(const Time& until, const Go_on& may_go_on = nullptr);
 
-  /// Gives points other motions at the present time, each region those whose triangles it owns, and
-  /// schedules their edges anew. Cost: proportional to the degrees of the points. Precondition: the
-  /// queue is in parts; the triangles stay embedded; there are no contacts.
-  void make_turns(std::span<const Change> turns);
+  /// Gives points other motions at the present time and schedules their edges again; each region
+  /// does this for the points whose triangles it owns. Cost: proportional to the degrees of the
+  /// points. Preconditions: the queue is partitioned; the triangles stay embedded; there are no
+  /// contacts.
+  void make_turns(std::span<const Change> changes);
 
-  /// Puts the queues into one part again.
+  /// Merges the parts of the queues.
   void join();
 
-  /// What has been done so far.
+  /// Counts of this object's calls.
   const Region_counters& counters() const { return window_.counters(); }
 
  private:
   using Process = typename Window::Process;
 
   static constexpr bool has_contacts = Contacts::exist;
-  // The first window after the loop has so much of the events of one.
+  // The first window after the sequential loop is shorter: this share of a usual one.
   static constexpr double first_share = 0.125;
 
   bool can_run() const;
@@ -93,11 +94,11 @@ class Region_run {
   const Region_options options_;
   std::size_t regions_;
   Window window_;
-  std::uint64_t windows_before_ = 0;  // in other calls
+  std::uint64_t windows_before_ = 0;  // in earlier calls of advance_to
   Region_pause pause_ = {};           // before the next window
 };
 
-/// A run of a triangulation by regions.
+/// A run of this triangulation.
 template <class Traits>
 Region_run<Traits> region_run_of(Kinetic_triangulation_2<Traits>& kinetic,
                                  const Region_options& options = {}) {

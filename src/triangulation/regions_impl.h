@@ -57,7 +57,7 @@ std::size_t Region_run<Traits, Contacts>::advance_to(const Time& until, const Go
       throw;
     }
     if (!goes_on) return core_.updates.show_current_time();
-    // Without windows, single events are to cost what they should.
+    // Without windows, a partitioned queue only makes single events more expensive.
     if (schedule_.queue().is_divided() && !can_run()) join();
     if constexpr (has_contacts) {
       window_.contacts().run_to(until, may_go_on);
@@ -68,8 +68,8 @@ std::size_t Region_run<Traits, Contacts>::advance_to(const Time& until, const Go
   return static_cast<std::size_t>(executed(before));
 }
 
-// How many events a window should have: fewer where discs collide, since contacts concern more
-// faces than flips, and are more often in each other's way.
+// How many events a window should have: fewer if discs collide, since contacts concern more faces
+// than flips and conflict more often.
 template <class Traits, class Contacts>
 double Region_run<Traits, Contacts>::events_in_window() const {
   constexpr double most = 1 << 21;  // an eighth of the versions that there are
@@ -80,8 +80,8 @@ double Region_run<Traits, Contacts>::events_in_window() const {
   return std::clamp(events * number_of_points(), 1.0, most);
 }
 
-// Executes the events up to `until`, by windows where these pay, as long as there can be windows.
-// Returns whether the run may go on.
+// Executes the events up to `until`, in windows if these pay, as long as windows are possible.
+// Returns whether to continue.
 template <class Traits, class Contacts>
 bool Region_run<Traits, Contacts>::run_windows(const Time& until, const Go_on& may_go_on) {
   const double last = until.interval().lower;
@@ -100,7 +100,7 @@ bool Region_run<Traits, Contacts>::run_windows(const Time& until, const Go_on& m
     } else {
       const std::uint64_t before = reporter_.counters().number_of_events();
       if (!run_loop(until, may_go_on)) return false;
-      // A radius that ends at `until` itself is no event before the next call.
+      // A radius that reaches zero at `until` is an event of the next call.
       if (has_contacts && executed(before) == 0) return true;
     }
   }
@@ -109,7 +109,7 @@ bool Region_run<Traits, Contacts>::run_windows(const Time& until, const Go_on& m
 
 // ---- windows ----
 
-// Whether the next events are for a window, from `begin` on. Those of a short call are not.
+// Whether a window executes the next events, from `begin` on. Not if the call is short.
 template <class Traits, class Contacts>
 bool Region_run<Traits, Contacts>::is_window_next(double begin, double last) {
   Region_division& known = division();
@@ -126,9 +126,9 @@ bool Region_run<Traits, Contacts>::is_window_next(double begin, double last) {
   return std::min(begin + width, last) > begin && !is_loop_next();
 }
 
-// Whether windows may pay from `begin` on, by the last events that the loop has executed: enough of
-// them to know how long a window should be, each alone at its time; and so many are to come. Then
-// it sets how long the first window is: a short one.
+// Whether windows may pay from `begin` on. The sequential loop must have executed enough events to
+// estimate the width of a window, the latest ones each alone at its time, and enough events must be
+// expected. If so, sets the width of the first window, a short one.
 template <class Traits, class Contacts>
 bool Region_run<Traits, Contacts>::may_windows_pay(double begin, double last) {
   Region_division& known = division();
@@ -146,7 +146,7 @@ bool Region_run<Traits, Contacts>::may_windows_pay(double begin, double last) {
   const bool are_alone = known.effort.is_unlimited() || known.effort.alone() >= enough;
   const double cost = (is_divided() ? 0 : cost_of_division()) + first_share * events_in_window();
   if (!are_many || !are_alone || !known.effort.has(cost)) {
-    if (known.loop_events >= 4 * enough) known.loop_events = 0;  // how fast they come may change
+    if (known.loop_events >= 4 * enough) known.loop_events = 0;  // their rate may change
     return false;
   }
   const double share = known.effort.is_unlimited() ? 1 : first_share;
@@ -155,7 +155,7 @@ bool Region_run<Traits, Contacts>::may_windows_pay(double begin, double last) {
   return true;
 }
 
-// Makes all ready for a window. Returns whether there can be one.
+// Prepares a window. Returns whether one is possible.
 template <class Traits, class Contacts>
 bool Region_run<Traits, Contacts>::begin_window([[maybe_unused]] double begin) {
   if constexpr (has_contacts) {
@@ -177,7 +177,7 @@ bool Region_run<Traits, Contacts>::begin_window([[maybe_unused]] double begin) {
   return true;
 }
 
-// Executes a window and, if it is truncated, the instant at which it is.
+// Executes a window and, if it is truncated, the instant at which it was truncated.
 template <class Traits, class Contacts>
 void Region_run<Traits, Contacts>::run_window(double end, double last) {
   const double serial = cost_of_window();
@@ -189,16 +189,17 @@ void Region_run<Traits, Contacts>::run_window(double end, double last) {
   adapt_width(is_whole, end < last);
 }
 
-// Chooses how long the next window is, after one that reached its end or was truncated.
+// Sets the width of the next window.
 template <class Traits, class Contacts>
 void Region_run<Traits, Contacts>::adapt_width(bool is_whole, bool is_full) {
   const double target = events_in_window();
   const auto done = static_cast<double>(window_.reported());
   const bool is_truncated = window_.truncated().has_value();
   double& width = division().window_width;
-  // Its first event may be later than its bounds say, and so than the window.
+  // The window had no event: the exact time of the first one may be after the window, though its
+  // bounds begin in it.
   if (!is_truncated && done == 0) pause_.pass_one();
-  // The last window before `until` is a short one, and says nothing.
+  // The last window before `until` may be short, and says nothing about the width.
   if ((is_whole && is_full) || done > target) {
     width *= std::clamp(target / std::max(done, 1.0), 0.25, 4.0);
     pause_.shorten();
@@ -223,7 +224,7 @@ void Region_run<Traits, Contacts>::join() {
   division().clear();
 }
 
-// The sequential loop may have put one of two queues into one part: where it has built all anew.
+// Partitions both queues: the sequential loop may have rebuilt one of them in one part.
 template <class Traits, class Contacts>
 void Region_run<Traits, Contacts>::distribute(std::size_t parts) {
   distribute_edges<Traits>(core_, options_, parts);
@@ -234,7 +235,7 @@ void Region_run<Traits, Contacts>::distribute(std::size_t parts) {
   }
 }
 
-// Whether all that is to come is in parts.
+// Whether all queues are partitioned.
 template <class Traits, class Contacts>
 bool Region_run<Traits, Contacts>::is_divided() {
   bool result = true;
@@ -244,8 +245,8 @@ bool Region_run<Traits, Contacts>::is_divided() {
 
 // ---- the sequential loop ----
 
-// Has the loop execute the events of the next times: of several, so that what is asked between them
-// takes little. Returns whether the run may go on.
+// The sequential loop executes the next instants, several of them, so that the checks between two
+// calls cost little. Returns whether to continue.
 template <class Traits, class Contacts>
 bool Region_run<Traits, Contacts>::run_loop(const Time& until, const Go_on& may_go_on) {
   constexpr std::size_t many = 16;
@@ -274,7 +275,7 @@ std::size_t Region_run<Traits, Contacts>::run_loop_instant(const Time& until) {
   return events;
 }
 
-// Whether something happens up to a time.
+// Whether an event is due up to a time.
 template <class Traits, class Contacts>
 bool Region_run<Traits, Contacts>::settle(const Time& until) {
   bool result = schedule_.settle(&until);
@@ -282,7 +283,7 @@ bool Region_run<Traits, Contacts>::settle(const Time& until) {
   return result;
 }
 
-// The least lower bound of a time of what happens next. Precondition: something does.
+// The least lower bound of the next event's time; infinite if there is none.
 template <class Traits, class Contacts>
 double Region_run<Traits, Contacts>::next_lower() {
   double result = std::numeric_limits<double>::infinity();
@@ -293,7 +294,8 @@ double Region_run<Traits, Contacts>::next_lower() {
   return result;
 }
 
-// Whether points may coincide at that time, or a hidden one may reach its triangle.
+// Whether the first entry is for the sequential loop: points may coincide, or a hidden point may be
+// revealed.
 template <class Traits, class Contacts>
 bool Region_run<Traits, Contacts>::is_loop_next() {
   const auto& queue = schedule_.queue();
@@ -303,18 +305,18 @@ bool Region_run<Traits, Contacts>::is_loop_next() {
 
 // ---- other motions of many points at one time ----
 
-// A region does what concerns the points of which it owns all triangles; of these it writes the
-// slots of their edges, which have both ends in the region. Entries leave all parts before the
-// first motion changes, since they speak of motions, and come back when the last one has.
+// A region changes the points of which it owns all triangles, and writes the handles of their
+// edges, which have both ends in the region. All entries are removed before the first motion
+// changes, since they depend on motions, and made again after the last change.
 template <class Traits, class Contacts>
-void Region_run<Traits, Contacts>::make_turns(std::span<const Change> turns) {
+void Region_run<Traits, Contacts>::make_turns(std::span<const Change> changes) {
   using Two_sided_edge = typename Topology<Traits>::Two_sided_edge;
   struct Share {
     Process* process = nullptr;
-    std::vector<const Change*> turns = {};
-    std::vector<const Change*> others = {};  // of points that have triangles with other regions
+    std::vector<const Change*> changes = {};
+    std::vector<const Change*> others = {};  // of points with triangles in other regions
     std::vector<Two_sided_edge> edges = {};
-    Time now = {};  // a copy of its own
+    Time now = {};  // its own copy
   };
   regions_ = division().regions;
   window_.take_up_division(events_in_window());
@@ -325,31 +327,31 @@ void Region_run<Traits, Contacts>::make_turns(std::span<const Change> turns) {
     shares[region].now = schedule_.current_time().detached();
   }
   Share rest;
-  for (const Change& change : turns) {
+  for (const Change& change : changes) {
     const std::size_t owner = division().owner(change.point);
-    (owner < regions_ ? shares[owner] : rest).turns.push_back(&change);
+    (owner < regions_ ? shares[owner] : rest).changes.push_back(&change);
   }
   const auto unschedule = [this](Share& share, Triangulation_counters& counters) {
-    for (const Change* turn : share.turns) {
-      schedule_.unschedule_around(topology_.vertex(turn->point), share.edges, counters);
+    for (const Change* change : share.changes) {
+      schedule_.unschedule_around(topology_.vertex(change->point), share.edges, counters);
     }
   };
   const auto set_points = [this](const Share& share) {
-    for (const Change* turn : share.turns) core_.topology.set_point(*turn);
+    for (const Change* change : share.changes) core_.topology.set_point(*change);
   };
   call_with_threads(options_.threads, [&] {
     call_for_each(options_, shares, [&](Share& share) {
-      const auto others =
-          std::stable_partition(share.turns.begin(), share.turns.end(), [&](const Change* turn) {
-            return window_.edges().owns_star(*share.process, turn->point);
+      const auto others = std::stable_partition(
+          share.changes.begin(), share.changes.end(), [&](const Change* change) {
+            return window_.edges().owns_star(*share.process, change->point);
           });
-      share.others.assign(others, share.turns.end());
-      share.turns.erase(others, share.turns.end());
-      share.edges.reserve(16 * share.turns.size());
+      share.others.assign(others, share.changes.end());
+      share.changes.erase(others, share.changes.end());
+      share.edges.reserve(16 * share.changes.size());
       unschedule(share, share.process->counters);
     });
     for (const Share& share : shares) {
-      rest.turns.insert(rest.turns.end(), share.others.begin(), share.others.end());
+      rest.changes.insert(rest.changes.end(), share.others.begin(), share.others.end());
     }
     unschedule(rest, reporter_.counters());
     call_for_each(options_, shares, set_points);

@@ -30,7 +30,7 @@ using Regular = CGAL::Regular_triangulation_2<
 
 using Numbered = std::pair<Kernel::Point_2, Point_id>;
 
-// Numbers a vertex like the point that has it.
+// Gives a vertex the number of its point.
 constexpr auto set_number = [](auto vertex, const auto& numbered) {
   vertex->info() = numbered.second;
 };

@@ -30,8 +30,8 @@ using Numbered = std::pair<Kernel::Point_2, Point_id>;
 
 constexpr std::uint32_t no_face = std::numeric_limits<std::uint32_t>::max();
 
-// The position of a face of the result. For a face at the border: the faces of the cells beyond
-// its edges, where there is one.
+// The index of a face in the result. For a face of the border also the faces of cells beyond its
+// edges, if there are any.
 struct Position {
   std::uint32_t here = no_face;
   std::array<std::uint32_t, 3> beyond = {no_face, no_face, no_face};
@@ -50,7 +50,7 @@ Face as_plain(Face_handle face) {
   return {{vertex(0), vertex(1), vertex(2)}, {neighbor(0), neighbor(1), neighbor(2)}};
 }
 
-// Inserts the places with these numbers. Of equal places one has a vertex.
+// Inserts the positions with these numbers. Equal positions share a vertex.
 void insert(std::span<const Vector_2> places, std::span<const Point_id> numbers,
             Triangulation& triangulation) {
   std::vector<Numbered> numbered;
@@ -65,7 +65,7 @@ void insert(std::span<const Vector_2> places, std::span<const Point_id> numbers,
   triangulation.infinite_vertex()->info() = no_point;
 }
 
-// Whether the circle of a triangle is inside of a cell, but for rounding.
+// Whether the circumcircle of a triangle is inside a cell, up to rounding.
 bool is_circle_inside(const Triangulation& triangulation, Face_handle face,
                       const Kd_cells::Cell& cell) {
   const Kernel::Point_2 center = triangulation.dual(face);
@@ -75,13 +75,13 @@ bool is_circle_inside(const Triangulation& triangulation, Face_handle face,
          center.y() - radius > cell.least.y && center.y() + radius < cell.greatest.y;
 }
 
-// What is found in a cell.
+// The triangulation of a cell.
 struct Part {
   const Kd_cells::Cell* cell = nullptr;
-  std::vector<Point_id> numbers = {};  // of the places in the cell
+  std::vector<Point_id> numbers = {};  // of the positions in the cell
   std::vector<Point_id> order = {};
-  std::vector<Face> faces = {};  // that have their circle in the cell; neighbors are in the part
-  std::vector<Point_id> border = {};  // ends of the others, sorted
+  std::vector<Face> faces = {};  // with circumcircle in the cell; neighbors are indices of `faces`
+  std::vector<Point_id> border = {};  // vertices of the other faces, sorted
 };
 
 void triangulate(std::span<const Vector_2> places, Part& part) {
@@ -115,8 +115,8 @@ void triangulate(std::span<const Vector_2> places, Part& part) {
   part.border.erase(std::ranges::unique(part.border).begin(), part.border.end());
 }
 
-// The triangulation of the border, of which those faces are part of the result that the faces of
-// the cells leave free.
+// The triangulation of the border. Its faces that faces of cells do not cover are part of the
+// result.
 class Border {
  public:
   // Returns whether there are triangles.
@@ -128,7 +128,8 @@ class Border {
     return triangulation_.dimension() == 2;
   }
 
-  // Makes the face f of a cell the one beyond its side i. Returns whether the side is an edge here.
+  // Links the face f of a cell to the face of the border beyond its side i. Returns whether the
+  // side is an edge of the border.
   bool put_beside(const Face& face, std::uint32_t f, std::size_t i) {
     Face_handle here;
     int k = 0;
@@ -145,8 +146,8 @@ class Border {
     return true;
   }
 
-  // Appends the faces that are left free to those of the cells, and links them. Returns whether
-  // they do not overlap faces of the cells.
+  // Appends the faces that faces of cells do not cover, and links both. Returns whether none
+  // overlap.
   bool append_to(std::vector<Face>& faces) {
     std::vector<Face_handle> found;
     const auto find = [&](Face_handle face) {
@@ -187,7 +188,7 @@ class Border {
 
   Triangulation triangulation_;
   std::unordered_map<Point_id, Vertex_handle> vertices_;
-  std::vector<Triangulation::Edge> sides_;  // beyond which are faces of cells
+  std::vector<Triangulation::Edge> sides_;  // with faces of cells beyond them
 };
 
 std::vector<Part> parts_of(std::span<const Vector_2> places, const Kd_cells& cells) {
@@ -231,8 +232,8 @@ Static_delaunay static_delaunay_by_cells(std::span<const Vector_2> places, std::
     }
   }
   if (!border.append_to(result.faces)) return {};
-  // A triangulation of the sphere has so many faces if all places, and the infinite vertex, are in
-  // it.
+  // With the infinite vertex, all positions are vertices if and only if there are 2 n - 2 faces
+  // (Euler).
   if (result.faces.size() + 2 != 2 * places.size()) return {};
   return result;
 }

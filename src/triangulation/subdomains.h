@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Regions, the subdomains that threads take: which points are in which, and the parts of the queue
-// of edges that follow from that. The division is kept by the schedule, between two runs too.
+// Chooses the regions (subdomains), and partitions the queue of edges by them. The schedule keeps
+// the division.
 #ifndef KINETRI_SRC_TRIANGULATION_SUBDOMAINS_H
 #define KINETRI_SRC_TRIANGULATION_SUBDOMAINS_H
 
@@ -21,11 +21,10 @@
 
 namespace kinetri::detail {
 
-/// How many regions so many points are divided into.
+/// The number of regions for so many points.
 std::size_t number_of_regions(const Region_options& options, std::size_t points);
 
-/// Chooses the regions of all points anew: the cells of a k-d tree of the places of some of them.
-/// O(n).
+/// Assigns all points to regions: the cells of a k-d tree of a sample of their positions. O(n).
 template <class Traits>
 void choose_regions(Kinetic_core<Traits>& core, const Region_options& options,
                     std::size_t regions) {
@@ -64,8 +63,8 @@ void choose_regions(Kinetic_core<Traits>& core, const Region_options& options,
   division.events = 0;
 }
 
-/// Distributes the entries of edges over so many parts, as the division says, and clears the
-/// versions of faces. O(n).
+/// Distributes the entries of edges and hidden points over so many parts, by the division, and
+/// clears the versions of faces. O(n).
 template <class Traits>
 void distribute_edges(Kinetic_core<Traits>& core, const Region_options& options,
                       std::size_t parts) {
@@ -76,7 +75,7 @@ void distribute_edges(Kinetic_core<Traits>& core, const Region_options& options,
   const std::vector<Face_handle> faces = topology.faces();
   using Subject = typename Schedule<Traits>::Subject;
   const auto for_each_subject = [&](std::span<const Face_handle> block, const auto& function) {
-    // What is far away in memory is asked for in time.
+    // Prefetched, since faces are far apart in memory.
     for (std::size_t k = 0; k < block.size(); ++k) {
       if (k + 12 < block.size()) prefetch(block[k + 12]);
       if (k + 6 < block.size()) prefetch_around(block[k + 6]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What has been executed in a window of time, by which node, and how it is rolled back; see
-// docs/PARALLEL.md.
+// The log of a time window: its events by node, their order, and how they are rolled back
+// (docs/PARALLEL.md).
 #ifndef KINETRI_SRC_TRIANGULATION_WINDOW_LOG_H
 #define KINETRI_SRC_TRIANGULATION_WINDOW_LOG_H
 
@@ -22,12 +22,12 @@
 
 namespace kinetri::detail {
 
-/// The records of the events of a window, and their order. With contacts, some of them are velocity
+/// The records of the events of a window, and their order. With contacts, some events are velocity
 /// changes.
 ///
-/// Invariants: a record that has a key is that of an event that has been executed; the stamp of a
-/// face is the number of its last event, of those that have not been rolled back; numbers grow with
-/// execution among events that conflict. Several threads may add records for different nodes.
+/// Invariants: the event of a record with a key has been executed; the version (stamp) of a face is
+/// the number of its last event that has not been rolled back; among events that conflict, numbers
+/// grow in the order of execution. Several threads may add records for different nodes.
 template <class Traits, bool has_contacts>
 class Window_log {
  public:
@@ -42,33 +42,33 @@ class Window_log {
   using Stamp = std::uint32_t;
   using Points = std::span<const Point_id>;
 
-  /// When an entry that is no coincidence fails.
+  /// The time of an entry of a flip, a hull event or a contact.
   struct Moment {
     Certificate_points points = {};
     Double_interval bounds = {};
-    std::optional<Time> exact = std::nullopt;  ///< made when it is needed
+    std::optional<Time> exact = std::nullopt;  ///< computed when needed
   };
 
   /// A face that an event has written.
   struct Written_face {
     Face_handle face;
-    Stamp stamp;  ///< before
+    Stamp stamp;  ///< its version before
   };
 
-  /// A velocity change of the window: the rest of its record.
+  /// The part of a record that only velocity changes have.
   struct Velocity_change {
-    std::array<Point_id, 2> points = {no_point, no_point};  ///< as the event names them
+    std::array<Point_id, 2> points = {no_point, no_point};  ///< of the event
     std::array<Point_id, 2> changed = {no_point, no_point};
-    std::array<Point_2, 2> before = {};  ///< of those changed
-    std::array<Point_2, 2> after = {};   ///< of those changed
-    std::array<Stamp, 2> previous = {};  ///< their turns before this one
-    std::vector<Written_face> faces;     ///< that it has written
+    std::array<Point_2, 2> before = {};  ///< their motions
+    std::array<Point_2, 2> after = {};   ///< their motions
+    std::array<Stamp, 2> previous = {};  ///< the numbers of their changes before this one
+    std::vector<Written_face> faces;     ///< written by it
 
     Points changed_points() const { return Points(changed).first(changed[1] == no_point ? 1 : 2); }
   };
   struct Nothing {};
 
-  /// A flip of the window, or a velocity change: the record.
+  /// A flip of the window, or a velocity change.
   struct Record {
     /// The ends of the edge, right and left as `face` has them, and the corners opposite it, of
     /// `face` and of `neighbor`; no_point is the infinite vertex.
@@ -76,24 +76,24 @@ class Window_log {
     /// The edge, before the flip.
     Face_handle face;
     Face_handle neighbor;
-    std::array<Stamp, 2> previous;  ///< of the two faces
-    std::unique_ptr<Time> exact;    ///< the time, if it has been made
+    std::array<Stamp, 2> previous;  ///< versions of the two faces
+    std::unique_ptr<Time> exact;    ///< the time, if it has been computed
     std::uint8_t i : 2;             ///< the index of the edge in `face`
     std::uint8_t j : 2;             ///< and in `neighbor`
     bool left_had_face : 1;         ///< `face` was the one that CGAL keeps at the left end
     bool right_had_neighbor : 1;    ///< `neighbor` was the one at the right end
     bool is_rolled_back : 1;
-    /// If it is no flip, but a velocity change.
+    /// Empty if it is a flip.
     [[no_unique_address]] std::conditional_t<has_contacts, std::unique_ptr<Velocity_change>,
                                              Nothing>
         change;
   };
 
-  /// What the order of events needs to know of one.
+  /// An event, as far as the order needs it.
   struct Key {
-    Double_interval bounds;  ///< of the time
-    double reached;          ///< the greatest lower bound so far of its node
-    std::uint32_t index;     ///< among the records of its node
+    Double_interval bounds;  ///< of its time
+    double reached;          ///< the greatest lower bound up to this event of its node
+    std::uint32_t index;     ///< of its record in the node
     std::uint16_t node;
     Event_kind kind;
   };
@@ -102,11 +102,11 @@ class Window_log {
   struct alignas(64) Node {
     std::uint16_t number = 0;
     std::uint32_t first_number = 0;  ///< of its events
-    std::size_t numbers = 0;         ///< how many there are for its events
-    std::size_t before = 0;          ///< events in windows before, since stamps were cleared
+    std::size_t numbers = 0;         ///< how many numbers it has
+    std::size_t before = 0;          ///< events in earlier windows, since versions were cleared
     std::vector<Record> records = {};
     std::vector<Key> keys = {};    ///< of the records
-    bool has_rolled_back = false;  ///< whether one of them is rolled back
+    bool has_rolled_back = false;  ///< whether a record is rolled back
   };
 
   /// The others must outlive this object.
@@ -116,24 +116,24 @@ class Window_log {
 
   // ---- nodes ----
 
-  /// Takes up the nodes of the division. Stamps of its windows are in the faces.
+  /// Makes the nodes of the division, which may have had windows before.
   void take_up_division();
   Node& node(std::size_t number) { return nodes_[number]; }
   std::vector<Node>& nodes() { return nodes_; }
   /// Makes room for velocity changes of points whose ids are less than `ids`.
   void make_room(std::size_t ids) { last_changes_.resize(ids, 0); }
-  /// Whether the numbers of a node, of at most so many events in a window, may not be enough.
+  /// Whether the numbers of a node may not suffice for a window with at most so many events.
   static bool are_numbers_spent(const Node& node, std::size_t most) {
     const std::size_t left = node.numbers - node.before;
     return left < most && left < node.numbers / 2;
   }
-  /// All stamps have been cleared.
+  /// All versions have been cleared: numbers begin again.
   void start_numbers();
-  /// Forgets which points have other motions.
+  /// Clears the velocity changes of the window.
   void forget_changes();
-  /// Forgets the events of a node, whose numbers are used, when its window has been closed.
+  /// Removes the events of a node after its window; their numbers stay used.
   void clear(Node& node);
-  /// Forgets everything.
+  /// Removes everything.
   void reset();
 
   // ---- numbers ----
@@ -156,13 +156,13 @@ class Window_log {
 
   // ---- records ----
 
-  /// Makes the record of a flip that is about to be executed.
+  /// Adds the record of a flip that is about to be executed.
   Record& start_flip(Node& node, const Two_sided_edge& edge);
-  /// Gives the last record of the node its key, and returns its number. If this does not throw, the
-  /// event must be executed.
+  /// Gives the last record of the node its key, and returns the number of the event. If this does
+  /// not throw, the event must be executed.
   Stamp add_key(Node& node, const Double_interval& bounds, Event_kind kind);
-  /// Makes the record of a velocity change, and takes it; if something throws before, the caller
-  /// still has it.
+  /// Adds the record of a velocity change and takes ownership of it; if this throws before, the
+  /// caller keeps it.
   Stamp add_change(Node& node, std::unique_ptr<Velocity_change>&& change, const Moment& moment,
                    Event_kind kind);
   /// Notes that the points of a velocity change have got their motions.
@@ -172,10 +172,10 @@ class Window_log {
   /// Whether a point has got another motion in this window.
   bool has_changed(Point_id id) const { return last_changes_[id] != 0; }
 
-  /// Makes faces, motions and stamps what they were just before a flip, or a velocity change, that
-  /// is the last one of its faces. Leaves the queue as it is, and takes no memory.
+  /// Restores faces, motions and versions to those just before the event. Does not change the
+  /// queue, and allocates nothing. Precondition: the event is the last one of its faces.
   void roll_back(Record& record);
-  /// Rolls everything back, the last events first.
+  /// Rolls all events back, the last ones first.
   void roll_back_all();
 
   // ---- times ----
@@ -184,9 +184,9 @@ class Window_log {
     if (!moment.exact) moment.exact = certification_.failure_time(moment.points, moment.bounds);
     return *moment.exact;
   }
-  /// The time of an event. That of a flip at the hull has been made when it was executed.
+  /// The time of an event. That of a hull event was computed when the event was executed.
   const Time& time(const Key& key);
-  /// What failed when an edge was flipped. Precondition: the corners are finite.
+  /// The points of the certificate that failed at a flip. Precondition: the corners are finite.
   Certificate_points certificate_points(const Key& key);
   /// The order of two times, of moments or keys: negative, zero or positive.
   template <class A, class B>
@@ -201,11 +201,11 @@ class Window_log {
     return is_of_window(stamp) && compare(key(stamp), moment) > 0;
   }
 
-  // ---- motions of other times ----
+  // ---- motions at other times ----
 
   /// Gives the points of a velocity change the motions after it, or before it.
   void set_motions(const Velocity_change& change, bool are_after);
-  /// Gives the points the motions that they had when the window began: observers are told of
+  /// Gives the points the motions that they had when the window began, since observers see the
   /// velocity changes one after the other.
   void restore_motions();
   /// Gives the points of an event the motions after it.
@@ -217,11 +217,11 @@ class Window_log {
 
   // ---- the order of time ----
 
-  /// Puts the events that are not rolled back in the order of time; so many are a slice, which one
-  /// thread puts in order. for_each(vector, work) calls work with each element, by several threads.
+  /// Sorts the events that are not rolled back by time, in slices of about `per_slice` events, each
+  /// by one thread. for_each(vector, work) calls work with each element, on several threads.
   template <class For_each>
   void put_in_order(std::size_t per_slice, const For_each& for_each);
-  /// These events, in the order of time.
+  /// The sorted events.
   std::vector<Key>& order() { return order_; }
   const std::vector<Key>& order() const { return order_; }
 
@@ -241,16 +241,16 @@ class Window_log {
  private:
   using Triangulation = typename Types::Triangulation;
 
-  // The events whose keys reach from one time on, but not another one.
+  // The events with least <= Key::reached < end.
   struct Slice {
     double least;
     double end;
-    std::size_t size = 0;   // how many are not rolled back
-    std::size_t first = 0;  // of these in order_
+    std::size_t size = 0;   // the number that is not rolled back
+    std::size_t first = 0;  // the index of these in order_
     bool is_in_order = false;
   };
 
-  // Of an event of its node since stamps were cleared.
+  // Among the events of its node since versions were cleared.
   std::size_t index_of(Stamp stamp) { return stamp - 1 - node_of(stamp).first_number; }
   const Point_2& point_at(Point_id id, Stamp flip);
   static std::span<const Key> keys_in(const Node& node, const Slice& slice);

@@ -126,7 +126,7 @@ void Window_log<Traits, has_contacts>::roll_back(Record& f) {
       return;
     }
   }
-  // The flip in reverse. It has left neighbors around as CGAL's flip has them.
+  // The inverse of CGAL's flip.
   const int i = f.i;
   const int j = f.j;
   const Vertex_handle left = f.neighbor->vertex(Triangulation::ccw(j));
@@ -145,8 +145,8 @@ void Window_log<Traits, has_contacts>::roll_back(Record& f) {
   f.neighbor->set_stamp(f.previous[1]);
 }
 
-// Events of nodes of one level do not conflict. The record of an event that has not been executed
-// has no key.
+// In any order of the nodes of a level, whose events do not conflict. A record without a key is of
+// an event that has not been executed.
 template <class Traits, bool has_contacts>
 void Window_log<Traits, has_contacts>::roll_back_all() {
   const auto roll_back_in = [this](Node& node) {
@@ -169,7 +169,7 @@ auto Window_log<Traits, has_contacts>::time(const Key& key) -> const Time& {
   return *f.exact;
 }
 
-// As Certification::points said it then.
+// Those of Certification::points at that time.
 template <class Traits, bool has_contacts>
 auto Window_log<Traits, has_contacts>::certificate_points(const Key& key) -> Certificate_points {
   const Stamp number = stamp(nodes_[key.node], key.index);
@@ -180,7 +180,7 @@ auto Window_log<Traits, has_contacts>::certificate_points(const Key& key) -> Cer
 
 // ---- motions of other times ----
 
-// A point with the motion that it had at a flip of the window.
+// The point with the motion that it had at the flip.
 template <class Traits, bool has_contacts>
 auto Window_log<Traits, has_contacts>::point_at(Point_id id, Stamp flip) -> const Point_2& {
   if constexpr (has_contacts) {
@@ -215,8 +215,8 @@ void Window_log<Traits, has_contacts>::restore_motions() {
 
 // ---- the order of time ----
 
-// Slices are made by lower bounds; since bounds may overlap, the first events of a slice may then
-// go further to the front.
+// Slices are divided by lower bounds. Since bounds may overlap, the first events of a slice may
+// then move into earlier slices.
 template <class Traits, bool has_contacts>
 template <class For_each>
 void Window_log<Traits, has_contacts>::put_in_order(std::size_t per_slice,
@@ -252,7 +252,7 @@ void Window_log<Traits, has_contacts>::put_in_order(std::size_t per_slice,
   bool are_in_order = true;
   for (const Slice& slice : slices) {
     are_in_order = are_in_order && slice.is_in_order;
-    // Where one stays, those after it in its slice do.
+    // If one stays, so do those after it in its slice.
     std::size_t k = slice.first;
     while (are_in_order && k < slice.first + slice.size && insert_in_order(order_, k) > 0) ++k;
   }
@@ -260,7 +260,7 @@ void Window_log<Traits, has_contacts>::put_in_order(std::size_t per_slice,
   std::ranges::sort(order_, [this](const Key& a, const Key& b) { return compare(a, b) < 0; });
 }
 
-// The keys of a node that reach from the beginning of a slice on, but not its end.
+// The keys of a node that are in a slice.
 template <class Traits, bool has_contacts>
 auto Window_log<Traits, has_contacts>::keys_in(const Node& node, const Slice& slice)
     -> std::span<const Key> {
@@ -269,7 +269,7 @@ auto Window_log<Traits, has_contacts>::keys_in(const Node& node, const Slice& sl
   return {first, last};
 }
 
-// How many events of a slice are not rolled back.
+// The number of events of a slice that are not rolled back.
 template <class Traits, bool has_contacts>
 std::size_t Window_log<Traits, has_contacts>::count_keys(const Slice& slice) const {
   std::size_t result = 0;
@@ -285,8 +285,8 @@ std::size_t Window_log<Traits, has_contacts>::count_keys(const Slice& slice) con
   return result;
 }
 
-// Writes the keys of a slice of events that are not rolled back to `keys`, nearly in order: through
-// as many buckets, of equal shares of the slice's width.
+// Writes the keys of a slice, without those rolled back, to `keys`, nearly sorted: by as many
+// buckets of equal width.
 template <class Traits, bool has_contacts>
 void Window_log<Traits, has_contacts>::distribute(const Slice& slice, double width,
                                                   std::span<Key> keys) const {
@@ -308,8 +308,7 @@ void Window_log<Traits, has_contacts>::distribute(const Slice& slice, double wid
   for_each_key([&](const Key& key) { keys[first[bucket_of(key)]++] = key; });
 }
 
-// Puts each key after those that it does not precede. Gives up, and returns false, where too many
-// are in the way.
+// Insertion sort. Stops and returns false after too many steps.
 template <class Traits, bool has_contacts>
 bool Window_log<Traits, has_contacts>::insert_in_order(std::span<Key> keys) {
   std::size_t steps = 8 * keys.size();
@@ -321,8 +320,7 @@ bool Window_log<Traits, has_contacts>::insert_in_order(std::span<Key> keys) {
   return true;
 }
 
-// Puts a key after those of the keys before it, which are in order, that it does not precede.
-// Returns how many it precedes.
+// Moves keys[k] to its position among the sorted keys before it. Returns how many it passes.
 template <class Traits, bool has_contacts>
 inline std::size_t Window_log<Traits, has_contacts>::insert_in_order(std::span<Key> keys,
                                                                      std::size_t k) {

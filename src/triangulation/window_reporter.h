@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What observers are told of a window of time that has been executed.
+// Reports an executed time window to the observers.
 #ifndef KINETRI_SRC_TRIANGULATION_WINDOW_REPORTER_H
 #define KINETRI_SRC_TRIANGULATION_WINDOW_REPORTER_H
 
@@ -37,10 +37,10 @@ class Window_reporter {
         log_(log),
         contacts_(contacts) {}
 
-  /// Counts the events of the log, which are in order, and shows them to the observers, who get
-  /// exact times: several threads make those of some events, which are then reported. Points have
-  /// the motions of the end of the window again after that. If an observer throws, all is counted,
-  /// and the present time is that of the last event.
+  /// Counts the events of the log, which are sorted, and shows them to the observers with exact
+  /// times, which several threads compute for some thousand events at once. Afterwards points have
+  /// the motions of the end of the window. If an observer throws, all events are counted, and the
+  /// present time is that of the last one.
   void report() {
     if (log_.order().empty()) return;
     count_events();
@@ -70,7 +70,7 @@ class Window_reporter {
   }
 
  private:
-  // For which several threads make what is then reported; and for one thread of these.
+  // So many exact times are computed before these events are reported, and so many by one thread.
   static constexpr std::ptrdiff_t events_at_once = 16'384;
   static constexpr std::size_t events_of_thread = 1024;
 
@@ -94,11 +94,11 @@ class Window_reporter {
     log_.go_through(key);
     observers.call([&](Event_observer& observer) { observer.after_event(event); });
     if (!Log::is_contact(key)) return;
-    // Each change of points ends with the edges that it has changed, here none.
+    // Each change of points is followed by the edges that it rebuilt, here none.
     observers.call([&](Event_observer& observer) { observer.after_rebuild(event.time, {}); });
   }
 
-  // Counts what the events of the window have in common.
+  // Updates the counters that are not by kind of event.
   void count_events() {
     Triangulation_counters& counters = reporter_.counters();
     counters.flat_hulls += static_cast<std::uint64_t>(
@@ -110,14 +110,15 @@ class Window_reporter {
     if constexpr (has_contacts) contacts_.count(log_.order().size() - flips);
   }
 
-  // Counts events that no observer is told of.
+  // Counts the events from `next` on, and makes the time of the last one the present time.
   void count_from(typename std::vector<Key>::const_iterator next) {
     reporter_.set_in_event(false);
     if (next == log_.order().cend()) return;  // the present time is that of the last one
     for (; next != log_.order().cend(); ++next) reporter_.count_event(next->kind);
     const Key& last = log_.order().back();
     Record& record = log_.record(last);
-    // With contacts, what it was made from may be in a record, which does not stay.
+    // With contacts, the points that the time is computed from may be in a record, which is
+    // cleared.
     if (has_contacts || record.exact) {
       log_.time(last);
       schedule_.set_current_time(std::move(*record.exact));
