@@ -22,7 +22,7 @@ namespace {
 
 using Time = Algebraic_number;
 
-// The certificate that a result of the filter is. Precondition: the result is not unknown.
+// Converts a result of the filter. Precondition: the result is not unknown.
 Certificate certificate(const Filter_result& result) {
   using Kind = Certificate::Kind;
   const auto means =
@@ -37,13 +37,13 @@ Certificate certificate(const Filter_result& result) {
   }
 }
 
-// A certificate that is certainly violated just after t, as after the insertion of a point.
+// A certificate that is certainly violated just after t, for example after an insertion.
 Certificate failure_at_once(const Time& t) {
   return {Certificate::Kind::fails, t.interval(), std::make_unique<Time>(t), true,
           Certificate::Means::refined_filter};
 }
 
-// The certificate of which a batch of the filter has said something, be it "unknown".
+// The same for a result that may be unknown.
 Certificate certificate_or_unknown(const Filter_result& result) {
   if (result.kind != Filter_result::Kind::unknown) return certificate(result);
   return {Certificate::Kind::unknown};
@@ -57,14 +57,13 @@ std::array<const Motion*, N> motions(
   return result;
 }
 
-// What general algebraic numbers say of p from t on. Just after a failure of its negation p
-// vanishes at t: then that is all that the filter has to be told, `filter(true)` being what it
-// says.
+// The certificate p >= 0 from t on, by general algebraic numbers. Just after a failure of -p, p is
+// zero at t; if the filter is given this, by filter(true), it may decide.
 template <class Filter>
 Certificate exact_or_filtered(const Polynomial& p, const Time& t, Arithmetic arithmetic,
                               const Filter& filter) {
   if (arithmetic == Arithmetic::exact_only) return exact_certificate(p, t);
-  // In primitive form it is recognized where it is the one that has made t.
+  // In primitive form it is recognized if it is the polynomial that defines t.
   const Polynomial primitive = primitive_part(p);
   if (sign_at(primitive, t) == CGAL::ZERO) {
     const Filter_result result = filter(true);
@@ -77,7 +76,7 @@ Certificate exact_or_filtered(const Polynomial& p, const Time& t, Arithmetic ari
   return exact_certificate(primitive, t);
 }
 
-// The formulas of certificates, as function objects.
+// Formulas as function objects.
 constexpr auto outside_circle = [](const auto&... all) { return -in_circle_of(all...); };
 constexpr auto left_turn = [](const auto&... all) { return orientation_of(all...); };
 constexpr auto gap = [](const auto&... all) { return contact_of(all...); };
@@ -91,8 +90,8 @@ auto inside_of(const Wall_2& wall) {
   return [&wall](const auto&... all) { return wall_of(wall, all...); };
 }
 
-// What counts say of the polynomial that a formula makes on the stack, `certify` being one of the
-// functions counted_...; else what `general` says.
+// The certificate by Sturm counts of the polynomial on the stack, by one of the functions
+// counted_...; if there is none or they do not decide, general().
 template <class Certify, class General>
 Certificate exactly(const std::optional<Narrow_polynomial>& p, const Certify& certify,
                     const General& general) {
@@ -102,7 +101,7 @@ Certificate exactly(const std::optional<Narrow_polynomial>& p, const Certify& ce
   return general();
 }
 
-// The sign of that polynomial at an instant, where `general` is the same one on the heap.
+// The sign of a formula at an instant. general() makes its polynomial on the heap.
 template <class General, class Formula, class... Given>
 Sign exact_sign(const Instant& instant, const General& general, const Formula& formula,
                 const Given&... given) {
@@ -110,8 +109,8 @@ Sign exact_sign(const Instant& instant, const General& general, const Formula& f
   return on_stack ? *on_stack : sign_at(general(), instant);
 }
 
-// The polynomial that a formula makes from the centres of two discs and the distance at which they
-// have the gap `diameter`.
+// The polynomial of a formula of the centers of two discs and of their distance when their gap is
+// `diameter`.
 template <class Formula, class Motion>
 std::optional<Narrow_polynomial> polynomial_of_contact(const Formula& formula, const Motion& p,
                                                        const Motion& q, double diameter) {
@@ -140,7 +139,7 @@ Sign sign_of_gap_growth(const Point& p, const Point& q, const Instant& instant) 
       centre(p.motion()), centre(q.motion()), touching_distance(p.motion(), q.motion(), 0));
 }
 
-// Whether counts say that the places are apart from just after t on.
+// Whether Sturm counts prove that the positions differ at all times after t.
 template <class Motion>
 bool never_meet(const Motion& p, const Motion& q, const Time& t) {
   const auto distance = polynomial_of_contact(gap, centre(p), centre(q), 0);
@@ -185,12 +184,12 @@ Certificate Basic_kinetic_traits_2<Motion>::in_circle_certificate(const Point_2&
   };
   const auto in_circle = on_stack(lifted_by(Lifting::paraboloid, outside_circle));
   if (!in_circle || !in_circle->is_zero()) return exactly(in_circle, counted(state), general);
-  // Within an instant such an edge may also be flipped because it was wrong already at that time,
-  // between points that were cocircular then: so what decides need not vanish.
+  // Not `state`: within an instant such an edge may also be flipped because it was not Delaunay at
+  // that time, between points cocircular then. So the perturbed polynomial need not be zero.
   return exactly(on_stack(perturbed(outside_circle)), counted(Certificate_state::any), general);
 }
 
-// What the filter knows of an orientation from t on, if it knows anything.
+// The filter's certificate of an orientation from t on, if it decides.
 template <class Motion>
 std::optional<Certificate> Basic_kinetic_traits_2<Motion>::filtered_orientation(
     const Point_2& p, const Point_2& q, const Point_2& r, const Time& t,
@@ -364,8 +363,8 @@ Certificate Basic_kinetic_traits_2<Motion>::contact_certificate(const Point_2& p
       [&] { return exact_contact_certificate(contact_polynomial(p, q, diameter), t); });
 }
 
-// On straight lines two that part never meet again: their distance is convex, and remains so less
-// the sum of radii that grow at constant rates.
+// On straight lines discs that separate never meet again: their distance is convex in time, also
+// less the sum of radii that grow at constant rates.
 template <class Motion>
 Certificate Basic_kinetic_traits_2<Motion>::next_contact_certificate(const Point_2& p,
                                                                      const Point_2& q,
@@ -416,8 +415,8 @@ Certificate Basic_kinetic_traits_2<Motion>::apart_certificate(const Point_2& p, 
       [&] { return exact_apart_certificate(contact_polynomial(p, q, range), t); });
 }
 
-// The next touch, of no duration or not, after a root at `t`; on straight lines there is none, as
-// after a contact.
+// The next touch, of any duration, after a root at `t`. On straight lines there is none, as after a
+// contact.
 template <class Motion>
 Certificate Basic_kinetic_traits_2<Motion>::next_apart_certificate(const Point_2& p,
                                                                    const Point_2& q, double range,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The formulas of certificates, in polynomials on the heap or of numbers on the stack.
+// The formulas of certificates, for polynomials on the heap and for Static_polynomial.
 #ifndef KINETRI_SRC_KINETIC_CERTIFICATE_FORMULAS_H
 #define KINETRI_SRC_KINETIC_CERTIFICATE_FORMULAS_H
 
@@ -13,8 +13,8 @@
 
 namespace kinetri {
 
-/// The vector from one point to another, in homogeneous coordinates, and by how much the weight of
-/// the other is greater, times w^2.
+/// The vector from one point to another in homogeneous coordinates, and the difference of their
+/// weights times w^2.
 template <class Poly>
 struct Vector {
   Poly x;
@@ -23,9 +23,7 @@ struct Vector {
   Poly weight;
 };
 
-/// @{
-/// Products with a denominator. Denominators are 1 for linear motion, and then cost nothing; on the
-/// stack they are always 1.
+/// @{ Products with a denominator. A denominator 1 costs nothing; on the stack all are 1.
 inline Polynomial times(const Polynomial& a, const Polynomial& w) {
   return w.degree() == 0 && w[0] == 1 ? a : a * w;
 }
@@ -36,7 +34,7 @@ const Static_polynomial<Number>& times(const Static_polynomial<Number>& a,
 }
 /// @}
 
-/// From `from` to `to`, points with members x, y, w and weight.
+/// The vector between points with members x, y, w and weight.
 template <class Trajectory>
 auto difference(const Trajectory& to, const Trajectory& from) {
   using Poly = std::remove_cvref_t<decltype(to.x)>;
@@ -59,15 +57,14 @@ Poly squared_length(const Vector<Poly>& a) {
   return dot(a, a);
 }
 
-/// What points are lifted by: a quadratic form of their coordinates.
+/// The quadratic form by which points are lifted.
 enum class Lifting : std::uint8_t {
   paraboloid,  ///< x^2 + y^2 - weight
   xy,          ///< x y
   xx,          ///< x^2
   yy,          ///< y^2
 };
-/// How far the lifted end of the vector is above the plane that touches the surface of the lifting
-/// over its beginning.
+/// The height of the lifted end of the vector above the tangent plane at its lifted beginning.
 template <class Poly>
 Poly lift(const Vector<Poly>& a, Lifting lifting) {
   switch (lifting) {
@@ -91,16 +88,16 @@ auto orientation_of(const Trajectory& a, const Trajectory& b, const Trajectory& 
   return Poly(times(times(cross(u, v), u.w), v.w));
 }
 
-/// Positive if d, lifted, is below the plane of a, b, c, which make a left turn: if it is inside
-/// their circle, where the lifting is the paraboloid.
+/// Positive if lifted d is below the plane through lifted a, b, c, which make a left turn. With the
+/// paraboloid: if d is inside their circle.
 template <class Trajectory>
 auto in_circle_of(Lifting lifting, const Trajectory& a, const Trajectory& b, const Trajectory& c,
                   const Trajectory& d) {
   const auto u = difference(a, d);
   const auto v = difference(b, d);
   const auto w = difference(c, d);
-  // With row i times w_i^2 (a positive factor) the columns are x w, y w and the lifted one, so that
-  // each cofactor carries the product of its two denominators.
+  // With row i times w_i^2 the columns are x w, y w and the lifted one. So each cofactor has the
+  // product of its two denominators as a factor.
   return lift(u, lifting) * times(times(cross(v, w), v.w), w.w) +
          lift(v, lifting) * times(times(cross(w, u), w.w), u.w) +
          lift(w, lifting) * times(times(cross(u, v), u.w), v.w);
@@ -138,7 +135,7 @@ auto distance_comparison_of(const Trajectory& a, const Trajectory& b, const Traj
   return times(times(squared_length(v), u.w), u.w) - times(times(squared_length(u), v.w), v.w);
 }
 
-/// Positive if a and b are farther apart than a length, with members value and w, that is not
+/// Positive if the distance of a and b is greater than `reach`, a length value / w that is not
 /// negative.
 template <class Trajectory, class Reach>
 auto contact_of(const Trajectory& a, const Trajectory& b, const Reach& reach) {
@@ -147,8 +144,7 @@ auto contact_of(const Trajectory& a, const Trajectory& b, const Reach& reach) {
          times(times(reach.value * reach.value, v.w), v.w);
 }
 
-/// Positive if a is on the inner side of the bound that the wall is, a coordinate with members
-/// value and w, of which w is positive.
+/// Positive if a is inside of the wall's bound, a coordinate value / w with w > 0.
 template <class Trajectory, class Bound>
 auto wall_of(const Wall_2& wall, const Trajectory& a, const Bound& bound) {
   const auto& place = wall.is_vertical() ? a.x : a.y;
@@ -181,8 +177,8 @@ auto scalar_product_of(const Trajectory& a, const Trajectory& b, const Trajector
   return Poly(times(times(dot(u, v), u.w), v.w));
 }
 
-/// With u = a - b and v = c - b the determinant of the coordinates of u and v along the line and of
-/// their lifts, times the length of u - v. Everything is multiplied by (u.w v.w)^4.
+/// With u = a - b and v = c - b: the determinant of the coordinates of u and v along the line and
+/// of their lifts, times |u - v|, times (u.w v.w)^4.
 template <class Trajectory>
 auto segment_of(Lifting lifting, const Trajectory& a, const Trajectory& b, const Trajectory& c) {
   const auto u = difference(a, b);
@@ -197,16 +193,16 @@ auto segment_of(Lifting lifting, const Trajectory& a, const Trajectory& b, const
          times(times(along_v * lift(u, lifting), u.w), v.w);
 }
 
-/// A formula that takes a lifting, with this one.
+/// The formula with this lifting as its first argument.
 template <class Formula>
 constexpr auto lifted_by(Lifting lifting, const Formula& formula) {
   return [lifting, formula](const auto&... paths) { return formula(lifting, paths...); };
 }
 
-/// The formula that decides for ever, of one that takes a lifting: points are lifted by the sum of
-/// all liftings, each times a positive number that is infinitely small beside that of the one
-/// before it. So it gives the polynomial of the first lifting with which that is not zero.
-/// docs/MATH.md, section 4, shows that there is one; the last is needed where points have weights.
+/// The symbolically perturbed formula: points are lifted by the sum of all liftings, each with a
+/// positive factor that is infinitely small relative to the one before. Its value is the polynomial
+/// of the first lifting for which this is not zero; docs/MATH.md, section 4, proves that there is
+/// one. The last lifting is needed only with weights.
 template <class Formula>
 constexpr auto perturbed(const Formula& formula) {
   return [formula](const auto&... paths) {

@@ -9,7 +9,7 @@
 namespace kinetri {
 namespace {
 
-// The motion of a point; one without a radius for a constructed point, which has none.
+// The motion of a point; for a constructed point, one without a radius.
 template <class Point>
 typename Point::Motion motion_or_none(const Point& p) {
   return p.has_motion() ? p.motion() : typename Point::Motion();
@@ -104,8 +104,8 @@ Polynomial wall_polynomial(const Point& p, const Wall_2& wall) {
 
 namespace {
 
-// The center of the circle through the point a, a + u and a + v, of which the squared distances
-// from a, or their powers, are given, times the squares of the denominators.
+// The center of the circle through a, a + u and a + v. The squared distances of u and v from a, or
+// their powers, are given, times the squares of the denominators.
 Trajectory_2 circle_center(const Trajectory_2& a, const Vector<Polynomial>& u,
                            const Vector<Polynomial>& v, const Polynomial& square_of_u,
                            const Polynomial& square_of_v) {

@@ -39,7 +39,7 @@ double sum_of(const Vector_2& v) {
   return std::abs(v.x) + std::abs(v.y);
 }
 
-// Bounds the distance that a motion covers within `duration` from the time t on, or up to it.
+// A bound for the path length within `duration` after, or before, the time t.
 double path_length(const Linear_motion_2& motion, double /*t*/, double duration) {
   return sum_of(motion.velocity) * duration;
 }
@@ -51,14 +51,14 @@ double path_length(const Polynomial_motion_2& motion, double t, double duration)
 }
 
 // Let the discs touch, or be apart, at a time s with |s - t| <= h, half the distance from |t| to
-// the next binary64 number. At s the centre of the new motion is at most
+// the next binary64 number. At s the center of the new motion is at most
 //
-//     m = (what its place at t was rounded by) + (what the old and the new motion move within h)
+// m = (rounding error of its position at t) + (path lengths of the old and the new motion within h)
 //
 // from that of the old motion, and the radius that it would have without any rounding differs from
 // the old one by |growth| h at most where the growth is changed as well (at_rest_at). So if the
 // radius at t is less than that of the old motion at t by m + |growth| h, the new disc at s is
-// inside of the old one; so two such discs do not overlap at s. A coordinate is rounded by at most
+// inside the old one, and two such discs do not overlap at s. A coordinate is rounded by at most
 // the unit roundoff times its magnitude, and what an underflow takes. Twice all of this covers the
 // roundings of this computation, of which each is relative to a sum of numbers of one sign. The
 // radius at t is computed with three roundings, each of two unit roundoffs of its terms at most.
@@ -84,8 +84,8 @@ Disc continued(const Disc& disc, const Vector_2& velocity, double t) {
   return result;
 }
 
-// How far the rim of the disc is inside of the wall, as a polynomial in the share of the times that
-// has passed.
+// The distance of the disc's boundary from the wall, as a polynomial on [0, 1], to which `times` is
+// mapped.
 template <class Disc>
 std::array<Rational, 4> inside_by_share(const Disc& disc, const Wall_2& wall,
                                         const Double_interval& times) {
@@ -100,7 +100,7 @@ std::array<Rational, 4> inside_by_share(const Disc& disc, const Wall_2& wall,
   c[0] -= (wall.is_upper() ? Rational(-position) : position) + to_rational(wall.clearance) +
           to_rational(disc.radius) - growth * to_rational(disc.epoch);
   c[1] -= growth;
-  // By powers of the time from times.lower on.
+  // Powers of t - times.lower.
   for (std::size_t i = 0; i + 1 < c.size(); ++i) {
     for (std::size_t k = c.size() - 1; k-- > i;) c[k] += to_rational(times.lower) * c[k + 1];
   }
@@ -115,7 +115,7 @@ std::array<Rational, 4> inside_by_share(const Disc& disc, const Wall_2& wall,
 template <class Disc>
 Disc clamped_with_rim(const Disc& disc, const Wall_2& wall, const Double_interval& times) {
   const auto c = inside_by_share(disc, wall, times);
-  // The least Bernstein coefficient is a bound for the values.
+  // The least Bernstein coefficient is a lower bound for the values.
   const Rational least =
       std::min({c[0], Rational(c[0] + c[1] / 3), Rational(c[0] + (2 * c[1] + c[2]) / 3),
                 Rational(c[0] + c[1] + c[2] + c[3])});

@@ -31,7 +31,7 @@ Certificate exact_failure_at(const Time& t, bool is_root_solved) {
           Certificate::Means::exact, is_root_solved};
 }
 
-// The first time from t on at which the distance is not positive and falls.
+// The first time from t on at which the distance is not positive and decreases.
 std::optional<Time> contact_time(const Polynomial& distance, const Time& t) {
   if (sign_at(distance, t) == CGAL::POSITIVE) return failure_time(distance, t);
   const std::optional<Time> fall = failure_time(derivative(distance), t);
@@ -46,8 +46,8 @@ Certificate exact_certificate(std::optional<Time> failure, bool is_root_solved) 
   constexpr auto exact = Certificate::Means::exact;
   constexpr bool may_vanish = true;
   if (!failure) return {Kind::never_fails, {}, nullptr, may_vanish, exact, is_root_solved};
-  // The filter starts from this time's interval when the event has been executed, and knows nothing
-  // if that is wide.
+  // After the event the filter starts from this time's interval, and decides nothing if that is
+  // wide.
   failure->refine_to_bits(std::numeric_limits<double>::digits);
   const Double_interval bounds = failure->interval();
   return {Kind::fails, bounds, std::make_unique<Time>(std::move(*failure)),
@@ -129,7 +129,7 @@ std::optional<Certificate> counted_contact_certificate(const Narrow_polynomial& 
   const Counted_failure failure = count_failure(p, now, false);
   if (failure.kind == Kind::fails) return exact_failure_within(failure.bounds);
   if (failure.kind == Kind::never_fails) return certain_for_ever(false);
-  // They touch or overlap, or nearly so. If the distance never falls, there is no contact.
+  // They touch or overlap, or nearly so. If the distance never decreases, there is no contact.
   const Kind slope = count_failure(derivative(p), now, false).kind;
   if (slope == Kind::never_fails) return exact_certificate(std::nullopt, false);
   if (slope == Kind::at_once && failure.kind == Kind::at_once) return exact_failure_at(t, false);
@@ -144,7 +144,7 @@ std::optional<Time> coincidence_time(const Polynomial& x, const Polynomial& y,
     std::optional<Real_root> root = first_root_after(common, t);
     return root ? std::optional(std::move(root->value)) : std::nullopt;
   }
-  // Linear polynomials: a common root is a root of the one that is not constant, and of the others.
+  // For linear polynomials: the root of one that is not constant, if the others vanish there.
   const Polynomial& moving = x.degree() == 1 ? x : y;
   const Polynomial& other = x.degree() == 1 ? y : x;
   const Rational root(-moving[0], moving[1]);

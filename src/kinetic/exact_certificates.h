@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Certificates that exact arithmetic decides: those of linear motion by Sturm counts in numbers on
-// the stack (count_failure.h), and what these leave open by general algebraic numbers.
+// Certificates by exact arithmetic: for linear motion by Sturm counts with numbers on the stack
+// (count_failure.h); if these do not decide, and for other motions, by general algebraic numbers.
 #ifndef KINETRI_SRC_KINETIC_EXACT_CERTIFICATES_H
 #define KINETRI_SRC_KINETIC_EXACT_CERTIFICATES_H
 
@@ -14,12 +14,11 @@
 
 namespace kinetri {
 
-/// The certificate that fails at `failure`, or never.
+/// The certificate that fails at `failure`; never, if it is empty.
 Certificate exact_certificate(std::optional<Algebraic_number> failure, bool is_root_solved);
 
-/// @{
-/// The certificate p >= 0 from t on. By counts there is none if they do not decide; if there is
-/// one, p does not vanish without changing its sign.
+/// @{ The certificate p >= 0 from t on. counted_certificate returns nothing if Sturm counts do not
+/// decide; if it does, p nowhere becomes zero without changing its sign.
 Certificate exact_certificate(const Polynomial& p, const Algebraic_number& t);
 std::optional<Certificate> counted_certificate(const Narrow_polynomial& p,
                                                const Algebraic_number& t, Certificate_state state);
@@ -32,8 +31,8 @@ std::optional<Certificate> counted_certificate_with_time(const Narrow_polynomial
 /// The certificate p > 0 strictly after t, given that p is not negative just after t and not zero.
 Certificate exact_root_certificate(const Polynomial& p, const Algebraic_number& t);
 
-/// The certificate p > 0 strictly after t, and p >= 0 just after t: a touch is a failure as well.
-/// The zero polynomial never fails. By counts it is that of p >= 0.
+/// The certificate p > 0 strictly after t, and p >= 0 just after t: a touch is a failure too. The
+/// zero polynomial never fails. By Sturm counts, use counted_certificate.
 Certificate exact_touch_certificate(const Polynomial& p, const Algebraic_number& t);
 
 /// @{
@@ -43,16 +42,15 @@ std::optional<Certificate> counted_apart_certificate(const Narrow_polynomial& p,
                                                      const Algebraic_number& t);
 /// @}
 
-/// @{
-/// The certificate that fails at the first time from t on at which the distance p is not positive
-/// and falls.
+/// @{ The certificate that fails at the first time from t on at which the distance p is not
+/// positive and decreases.
 Certificate exact_contact_certificate(const Polynomial& p, const Algebraic_number& t);
 std::optional<Certificate> counted_contact_certificate(const Narrow_polynomial& p,
                                                        const Algebraic_number& t);
 /// @}
 
-/// The first time strictly after t at which both coordinates of a difference vanish, and `weight`,
-/// the difference of the weights.
+/// The first time strictly after t at which both coordinates of a difference, and the difference of
+/// the weights, are zero.
 std::optional<Algebraic_number> coincidence_time(const Polynomial& x, const Polynomial& y,
                                                  const Polynomial& weight,
                                                  const Algebraic_number& t);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The polynomials of failures that floating point or Sturm counts have bracketed, made when an
+// The polynomials of failures that the filter or Sturm counts have bracketed, computed when an
 // exact decision needs them.
 #ifndef KINETRI_SRC_KINETIC_FAILURE_ROOTS_H
 #define KINETRI_SRC_KINETIC_FAILURE_ROOTS_H
@@ -98,7 +98,7 @@ struct Distance_root : Root_source {
   Motion p, q, r, s;
 };
 
-/// Of motion that is not linear: there the root is not rational.
+/// For polynomial motion, whose contact times with a wall need not be rational.
 template <class Motion>
 struct Wall_root : Root_source {
   using Point = Basic_moving_point_2<Motion>;

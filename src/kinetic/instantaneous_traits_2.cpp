@@ -15,8 +15,8 @@ constexpr auto no_filter = [](const auto&...) { return CGAL::ZERO; };
 
 }  // namespace
 
-// The sign of what `formula` makes of the trajectories of the points. A sign that the filter knows
-// is not zero, so that it is the same just before, at and just after.
+// The sign of `formula` for the points. A sign that the filter knows is not zero, and so the same
+// just before, at and just after the time.
 template <class Motion>
 template <class Filter, class Formula, class... Points>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::sign(const Filter& filter,
@@ -33,7 +33,7 @@ Sign Basic_instantaneous_traits_2<Motion>::Predicate::sign(const Filter& filter,
   return sign_at(std::apply(formula, paths), *instant_);
 }
 
-// The same of a formula with a lifting. Just before and just after a time it decides for ever.
+// The same for a formula with a lifting: perturbed just before and just after the time.
 template <class Motion>
 template <class Filter, class Formula, class... Points>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::lifted_sign(const Filter& filter,

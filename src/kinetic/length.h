@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lengths that certificates compare distances with: where rims touch each other or a wall.
+// Lengths with which certificates compare distances: at these, discs touch each other or a wall.
 #ifndef KINETRI_SRC_KINETIC_LENGTH_H
 #define KINETRI_SRC_KINETIC_LENGTH_H
 
@@ -11,7 +11,7 @@
 
 namespace kinetri {
 
-/// A length, or a coordinate, that changes at a constant rate: the exact sum of its terms.
+/// The exact sum of terms, each linear in time: a length or a coordinate.
 struct Length {
   /// value + rate * (t - epoch).
   struct Term {
@@ -19,7 +19,7 @@ struct Length {
     double rate = 0;
     double epoch = 0;
   };
-  std::array<Term, 3> terms = {};  ///< those that are not needed are zero
+  std::array<Term, 3> terms = {};  ///< unused ones are zero
 };
 
 /// The radius of a disc; zero for a point without one.
@@ -29,14 +29,13 @@ Length::Term radius_of(const Motion& motion) {
   return {};
 }
 
-/// The distance of two centres at which the discs touch, or have the gap `diameter` between their
-/// rims.
+/// The distance of the centers of two discs with the gap `diameter`. If it is 0, they touch.
 template <class Motion>
 Length touching_distance(const Motion& p, const Motion& q, double diameter) {
   return {{{{diameter, 0, 0}, radius_of(p), radius_of(q)}}};
 }
 
-/// The exact bound that the wall is for the point, or for the centre of the disc.
+/// The exact bound of a wall for the point, or for the center of the disc.
 template <class Motion>
 Length bound_of(const Wall_2& wall, const Motion& motion) {
   const double inward = wall.is_upper() ? -1 : 1;

@@ -16,9 +16,9 @@ Rational constant_term(double position, double velocity, double epoch) {
   return to_rational(position) - to_rational(velocity) * to_rational(epoch);
 }
 
-// p + v * (t - epoch), rounded correctly. In floating point with the error of each operation, which
-// is exact again (T. Dekker, A floating-point technique for extending the available precision,
-// Numerische Mathematik 18, 1971), and what is left out bounded; where that might matter, in exact
+// p + v * (t - epoch), rounded correctly. In floating point with the exact error of each operation
+// (T. Dekker, A floating-point technique for extending the available precision, Numerische
+// Mathematik 18, 1971), and a bound for the rest; if the rounding is not certain then, in exact
 // arithmetic (the test of A. Ziv, Fast evaluation of elementary mathematical functions with
 // correctly rounded last bit, ACM Transactions on Mathematical Software 17, 1991).
 double place_rounded_correctly(double p, double v, double epoch, double t) {
@@ -57,8 +57,8 @@ Linear_motion_2 clamped_inside(const Linear_motion_2& motion, const Wall_2& wall
                                const Double_interval& times) {
   const double place = wall.is_vertical() ? motion.position.x : motion.position.y;
   const double velocity = wall.is_vertical() ? motion.velocity.x : motion.velocity.y;
-  // How far it moves during the times, and how far it is inside at the epoch; with bounds for the
-  // errors that are far too large, as usually it is far inside.
+  // The distance moved during `times`, and that from the wall at the epoch. The error bounds are
+  // generous, since most points are far from the wall.
   const double moved = std::abs(velocity) * (std::abs(times.lower - motion.epoch) +
                                              std::abs(times.upper - motion.epoch));
   const double inside =
@@ -68,7 +68,7 @@ Linear_motion_2 clamped_inside(const Linear_motion_2& motion, const Wall_2& wall
 
   const Rational clearance = to_rational(wall.clearance);
   const Rational bound = to_rational(wall.position) + (wall.is_upper() ? -clearance : clearance);
-  // The places at the epoch with which it is at the bound at either end of the times.
+  // The positions at the epoch from which it reaches the bound at either end of `times`.
   const auto required = [&](double time) {
     return Rational(bound -
                     to_rational(velocity) * (to_rational(time) - to_rational(motion.epoch)));

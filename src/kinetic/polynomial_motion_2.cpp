@@ -12,13 +12,13 @@
 namespace kinetri {
 namespace {
 
-// One coordinate by powers of the time from the epoch, exactly.
+// The exact coefficients of a coordinate in t - epoch.
 std::array<Rational, 4> by_powers(const Polynomial_motion_2& m, double Vector_2::*axis) {
   return {to_rational(m.position.*axis), to_rational(m.velocity.*axis),
           to_rational(m.acceleration.*axis) / 2, to_rational(m.jerk.*axis) / 6};
 }
 
-// By powers of the time from `elapsed` later.
+// The coefficients with the origin `elapsed` later.
 std::array<Rational, 4> later(const std::array<Rational, 4>& c, const Rational& elapsed) {
   return {Rational(c[0] + elapsed * (c[1] + elapsed * (c[2] + elapsed * c[3]))),
           Rational(c[1] + elapsed * (2 * c[2] + 3 * elapsed * c[3])),
@@ -57,8 +57,8 @@ Vector_2 rounded_place(const Polynomial_motion_2& motion, double t) {
   return {place(&Vector_2::x), place(&Vector_2::y)};
 }
 
-// The place is made with fifteen roundings at most, each of at most two unit roundoffs of the terms
-// in any rounding mode.
+// The position has at most fifteen rounding errors, each at most two unit roundoffs of the terms in
+// any rounding mode.
 double place_error(const Polynomial_motion_2& motion, double t, const Double_interval& times) {
   const auto sum = [](const Vector_2& v) { return std::abs(v.x) + std::abs(v.y); };
   const double s = std::abs(t - motion.epoch);
@@ -94,8 +94,8 @@ Polynomial_motion_2 clamped_inside(const Polynomial_motion_2& motion, const Wall
   const double place = motion.position.*axis;
   const double farthest =
       std::max(std::abs(times.lower - motion.epoch), std::abs(times.upper - motion.epoch));
-  // How far it moves until then, and how far it is inside at the epoch; with bounds for the errors
-  // that are far too large, as usually it is far inside.
+  // The distance moved, and that from the wall at the epoch. The error bounds are generous, since
+  // most points are far from the wall.
   const double moved =
       farthest *
       (std::abs(motion.velocity.*axis) +
@@ -105,7 +105,8 @@ Polynomial_motion_2 clamped_inside(const Polynomial_motion_2& motion, const Wall
   const double terms = std::abs(wall.position) + wall.clearance + std::abs(place);
   if (inside > 2 * moved + 0x1p-40 * terms + std::numeric_limits<double>::min()) return motion;
 
-  // The least Bernstein coefficient of the distance inside, over the times, is a bound for it.
+  // The least Bernstein coefficient of the distance from the wall over `times` is a lower bound for
+  // it.
   auto c = later(by_powers(motion, axis), to_rational(times.lower) - to_rational(motion.epoch));
   const Rational clearance = to_rational(wall.clearance);
   c[0] -= to_rational(wall.position) + (wall.is_upper() ? -clearance : clearance);

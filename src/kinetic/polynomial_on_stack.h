@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polynomials of points in linear motion, in numbers on the stack.
+// Polynomials of points in linear motion with numbers on the stack.
 #ifndef KINETRI_SRC_KINETIC_POLYNOMIAL_ON_STACK_H
 #define KINETRI_SRC_KINETIC_POLYNOMIAL_ON_STACK_H
 
@@ -16,20 +16,19 @@
 
 namespace kinetri {
 
-/// Whether `Given` is the motion of a point along a straight line, or a length.
+/// Whether `Given` is a linear motion, perhaps of a disc, or a length.
 template <class Given>
 constexpr bool is_linear =
     std::same_as<Given, Length> || std::same_as<Centre_motion_of<Given>, Linear_motion_2>;
 
-/// The polynomial that a formula of degree 4 at most in the coordinates makes from the trajectories
-/// of points, and from lengths; none if they are not linear, or numbers on the stack are too narrow
-/// for it.
+/// The polynomial of a formula, of degree at most 4 in the coordinates, of points and lengths; none
+/// if motions are not linear or the numbers have too many bits.
 template <class Formula, class... Given>
 std::optional<Narrow_polynomial> polynomial_on_stack(const Formula& formula,
                                                      const Given&... given) {
   if constexpr ((is_linear<Given> && ...)) {
-    // So the coefficients of the formula have no more than 1024 binary digits: lengths have two
-    // more than this, and formulas with lengths the degree 2.
+    // Then coefficients of the formula have at most 1024 bits: lengths have two bits more, but
+    // formulas with lengths have degree 2.
     constexpr int most_bits = 250;
     if (const auto all = scaled_together<Narrow_polynomial>(most_bits, given...)) {
       return std::apply(formula, *all);
@@ -38,8 +37,8 @@ std::optional<Narrow_polynomial> polynomial_on_stack(const Formula& formula,
   return std::nullopt;
 }
 
-/// The sign of that polynomial at an instant. None if there is no such polynomial, or that is not
-/// certain (count_sign).
+/// The sign of that polynomial at an instant; none if there is no such polynomial or the sign is
+/// not certain (count_sign).
 template <class Formula, class... Given>
 std::optional<Sign> sign_on_stack(const Instant& instant, const Formula& formula,
                                   const Given&... given) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The coordinates of motions, and lengths, scaled to polynomials with integer coefficients: on the
-// heap, or of numbers on the stack.
+// Coordinates of motions, and lengths, scaled to polynomials with integer coefficients, on the heap
+// or on the stack.
 #ifndef KINETRI_SRC_KINETIC_SCALED_COORDINATES_H
 #define KINETRI_SRC_KINETIC_SCALED_COORDINATES_H
 
@@ -24,7 +24,7 @@
 
 namespace kinetri {
 
-/// A trajectory of which the coordinates are such polynomials; see Trajectory_2.
+/// A trajectory with such coordinates (Trajectory_2).
 template <class Poly>
 struct Basic_trajectory_2 {
   Poly x;       ///< w times the x coordinate
@@ -33,7 +33,7 @@ struct Basic_trajectory_2 {
   Poly weight;  ///< w^2 times the weight
 };
 
-/// A length of which numerator and denominator are such polynomials.
+/// A length with such a numerator and denominator.
 template <class Poly>
 struct Basic_length {
   Poly value;  ///< w times the length
@@ -44,7 +44,7 @@ struct Basic_length {
 template <class Poly>
 using Coefficient_of = std::remove_cvref_t<decltype(std::declval<Poly>()[0])>;
 
-/// mantissa * 2^exponent; the mantissa of zero is 0, and its exponent does not matter.
+/// mantissa * 2^exponent; zero has the mantissa 0 and any exponent.
 template <class Number>
 struct Dyadic {
   Number mantissa = 0;
@@ -59,10 +59,10 @@ Dyadic<Number> dyadic(double x) {
   return {Number(static_cast<std::int64_t>(std::ldexp(fraction, digits))), exponent - digits};
 }
 
-/// The exponents of numbers that are not zero: the least one, and that of a power of two that is
-/// greater than every absolute value.
+/// Of some nonzero numbers the least exponent, and that of a power of two above every absolute
+/// value.
 struct Exponents {
-  static constexpr int none = 1 << 20;  ///< above that of every product of binary64 numbers here
+  static constexpr int none = 1 << 20;  ///< above those of all products of binary64 numbers here
   int least = none;
   int above = -none;
 
@@ -86,10 +86,11 @@ Dyadic<Number> product(const Dyadic<Number>& a, const Dyadic<Number>& b) {
   return {a.mantissa * b.mantissa, a.exponent + b.exponent};
 }
 
-// A coordinate has `denominator`, the exponents of its terms, and itself, times its denominator,
-// divided by 2^exponent. Precondition of that: no term that is not zero has a lesser exponent.
+// The coordinate classes below have `denominator`; `add_to`, which adds the exponents of their
+// terms; and `scaled`, the coordinate times its denominator, divided by 2^exponent. Precondition of
+// `scaled`: no nonzero term has a smaller exponent.
 
-/// (position - velocity * epoch) + velocity * t, each term of it a dyadic number.
+/// (position - velocity * epoch) + velocity * t.
 template <class Poly>
 class Linear_coordinate {
  public:
@@ -144,7 +145,7 @@ class Length_coordinate {
   std::array<Linear_coordinate<Poly>, std::tuple_size_v<decltype(Length::terms)>> terms_;
 };
 
-/// 6 p + 6 v s + 3 a s^2 + j s^3 with s = t - epoch, by powers of t.
+/// 6 p + 6 v s + 3 a s^2 + j s^3 with s = t - epoch, as a polynomial in t.
 class Polynomial_coordinate {
  public:
   static constexpr int denominator = 6;
@@ -154,7 +155,7 @@ class Polynomial_coordinate {
         dyadic<Integer>(motion.position.*axis), dyadic<Integer>(motion.velocity.*axis),
         dyadic<Integer>(motion.acceleration.*axis), dyadic<Integer>(motion.jerk.*axis)};
     const Dyadic<Integer> back = dyadic<Integer>(-motion.epoch);
-    // Of (t - epoch)^k / k! the coefficient of t^i is (-epoch)^(k-i) / (i! (k-i)!).
+    // In (t - epoch)^k / k! the coefficient of t^i is (-epoch)^(k-i) / (i! (k-i)!).
     constexpr std::array<int, 4> factorials = {1, 1, 2, 6};
     for (std::size_t k = 0; k < 4; ++k) {
       Dyadic<Integer> term = derivatives[k];
@@ -202,8 +203,8 @@ struct Coordinates {
   }
 };
 
-/// The same with the weight of a disc, scaled by the square of what scales the coordinates, to
-/// which `Centre` belongs.
+/// The same with the weight of a disc, scaled by the square of the factor of the coordinates.
+/// `Centre` has the coordinates of the center.
 template <class Poly, class Centre>
 struct Weighted_coordinates {
   using Number = Coefficient_of<Poly>;
@@ -222,7 +223,7 @@ struct Weighted_coordinates {
     centre.add_to(exponents);
     radius.add_to(exponents);
     if (weight.mantissa.is_zero()) return;
-    // Twice the exponent of the result must not be above that of the weight.
+    // Twice the least exponent must not exceed that of the weight.
     exponents.least = std::min(exponents.least, floor_of_half(weight.exponent));
     exponents.above = std::max(
         exponents.above,
@@ -258,8 +259,7 @@ auto coordinates(const Length& length) {
   return Length_coordinate<Poly>(length);
 }
 
-/// A trajectory or length, with the least power of two as the denominator that makes its
-/// coefficients integers.
+/// A trajectory or length, scaled by the least power of two that makes its coefficients integers.
 template <class Given>
 auto scaled_alone(const Given& given) {
   const auto one = coordinates<Polynomial>(given);
@@ -269,10 +269,10 @@ auto scaled_alone(const Given& given) {
   return one.scaled(exponent, Integer(one.denominator) << -exponent);
 }
 
-/// The trajectories of motions, and lengths, times one common positive number, weights times its
-/// square, so that w is 1. None if the coefficient of a coordinate could have more than `most_bits`
-/// binary digits; coefficients of weights may have twice as many, and one, those of lengths two
-/// more. Precondition: the coordinates have one denominator.
+/// Trajectories and lengths times one common positive number, and weights times its square, so that
+/// w is 1. None if a coefficient of a coordinate could have more than `most_bits` bits; those of
+/// weights may have twice as many and one more, those of lengths two more. Precondition: the
+/// coordinates have the same denominator.
 template <class Poly, class... Given>
 auto scaled_together(int most_bits, const Given&... given) {
   const std::tuple all(coordinates<Poly>(given)...);
@@ -286,7 +286,7 @@ auto scaled_together(int most_bits, const Given&... given) {
         using One = Coefficient_of<Poly>;
         using Result =
             std::tuple<decltype(first.scaled(0, One(1))), decltype(others.scaled(0, One(1)))...>;
-        // The sum of two terms of a coordinate has a digit more.
+        // The sum of two terms of a coordinate has one bit more.
         if (exponents.above - exponents.least + 1 > most_bits) return std::optional<Result>();
         return std::optional<Result>(std::in_place, first.scaled(exponents.least, One(1)),
                                      others.scaled(exponents.least, One(1))...);

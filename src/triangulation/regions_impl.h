@@ -171,7 +171,7 @@ bool Region_run<Traits, Contacts>::begin_window([[maybe_unused]] double begin) {
     division().effort.spend(cost_of_division());
   }
   if (window_.are_versions_spent()) {
-    window_.or_roll_back([this] { clear_versions(topology_, options_); });
+    window_.or_roll_back([this] { clear_versions<Traits>(topology_, options_); });
     window_.start_versions();
   }
   return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Real numbers of which a binary64 approximation is known, and a bound of its error.
+// Real numbers given by a binary64 approximation and an error bound.
 #ifndef KINETRI_SRC_KINETIC_FILTER_APPROXIMATE_NUMBER_H
 #define KINETRI_SRC_KINETIC_FILTER_APPROXIMATE_NUMBER_H
 
@@ -11,10 +11,10 @@
 
 namespace kinetri {
 
-/// A number within `error` of `value`. Sums and products keep that true in every rounding mode and
-/// with fused operations, short of under- and overflow: each takes twice the unit roundoff for each
-/// rounding of the value, and more than that for those of the error. (Running error analysis:
-/// N. Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 3.3.)
+/// A number within `error` of `value`. Sums and products preserve this in every rounding mode and
+/// with fused operations, barring under- and overflow: they add twice the unit roundoff for each
+/// rounding of the value, and more for those of the error. (Running error analysis: N. Higham,
+/// Accuracy and Stability of Numerical Algorithms, 2002, section 3.3.)
 struct Approximate_number {
   double value;
   double error;
@@ -33,7 +33,7 @@ struct Approximate_number {
     return rounded(a.value * factor, a.error * std::abs(factor));
   }
 
-  /// The sign, or zero where it is not certain.
+  /// The sign, or zero if it is not certain.
   friend Sign certain_sign(const Approximate_number& a) {
     if (a.value > a.error) return CGAL::POSITIVE;
     return a.value < -a.error ? CGAL::NEGATIVE : CGAL::ZERO;

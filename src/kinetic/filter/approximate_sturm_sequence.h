@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sturm sequences in binary64, each sign of which is certain or not known.
+// Sturm sequences in binary64, with signs that are certain or unknown.
 #ifndef KINETRI_SRC_KINETIC_FILTER_APPROXIMATE_STURM_SEQUENCE_H
 #define KINETRI_SRC_KINETIC_FILTER_APPROXIMATE_STURM_SEQUENCE_H
 
@@ -17,19 +17,19 @@
 
 namespace kinetri {
 
-/// The Sturm sequence of any polynomial of degree M - 1, 2 to 4, whose coefficients differ from
-/// given ones by at most `error` each: all of them have the same signs, if these are known. Bounds
-/// of rounding errors: MATH.md, section 7.
+/// The Sturm sequence of all polynomials of degree M - 1, 2 to 4, whose coefficients differ from
+/// given ones by at most `error` each: known signs hold for all of them. Rounding errors:
+/// docs/MATH.md, section 7.
 template <std::size_t M>
 class Approximate_sturm_sequence {
   static_assert(M >= 3 && M <= 5);
 
  public:
-  /// By ascending power. Cost: that of 17 products with bounds of their errors.
+  /// By ascending power. Cost: some 17 products of Approximate_number.
   Approximate_sturm_sequence(const std::array<double, M>& coefficients, double error) {
     double size = 0;
     for (const double c : coefficients) size = std::max(size, std::abs(c));
-    // Coefficients of magnitude 1 at most, and errors that no underflow reaches.
+    // Scaled so that coefficients are at most 1 and errors do not underflow.
     const Approximate_number scale = {1 / size, 0};
     const double least_error = std::max(error, unit_roundoff * size);
     auto& f = terms_[0];
@@ -39,7 +39,7 @@ class Approximate_sturm_sequence {
     add_last_terms();
   }
 
-  /// Whether all polynomials have degree M - 1, no multiple root and the same leading signs.
+  /// Whether all these polynomials have degree M - 1, no multiple root, and equal leading signs.
   bool is_certain() const {
     for (std::size_t k = 0; k < M; ++k) {
       if (certain_sign(terms_[k][M - 1 - k]) == CGAL::ZERO) return false;
@@ -47,8 +47,8 @@ class Approximate_sturm_sequence {
     return true;
   }
 
-  /// V(w), the number of sign changes at w, a number in [0, 1]; none if a sign is not certain.
-  /// Precondition: `is_certain`.
+  /// V(w), the number of sign changes at w; none if a sign is not certain. Preconditions:
+  /// `is_certain`; 0 <= w <= 1.
   std::optional<int> changes_at(double w) const {
     Changes changes(leading_sign());
     for (std::size_t k = 0; k < M; ++k) {
@@ -77,9 +77,9 @@ class Approximate_sturm_sequence {
  private:
   struct Changes {
     explicit Changes(Sign leading_sign) : of_last_terms(leading_sign) {}
-    // Takes the sign of the next term, the k-th. Returns whether it is certain.
+    // Adds the sign of the k-th term. Returns whether it is certain.
     bool add(std::size_t k, Sign sign) {
-      // The last terms in closed form lack the sign of the leading coefficient.
+      // The closed forms of the last terms lack the sign of the leading coefficient.
       if (k >= 2) sign = sign * of_last_terms;
       if (k > 0 && sign == -previous) ++number;
       previous = sign;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polynomials over [0, 1] of which each value is known up to an error: their Bernstein
-// coefficients, and where they are certainly positive.
+// Polynomials over [0, 1] whose values are known up to an error: Bernstein coefficients, roots, and
+// intervals in which they are certainly positive.
 #ifndef KINETRI_SRC_KINETIC_FILTER_BERNSTEIN_H
 #define KINETRI_SRC_KINETIC_FILTER_BERNSTEIN_H
 
@@ -19,7 +19,7 @@ using Coefficients = std::array<double, N + 1>;
 
 // ---- arithmetic ----
 
-// Of one polynomial, or of several where a Number is several numbers.
+// For one polynomial, or for several if a Number is a vector of numbers.
 template <class A, class B, std::size_t M, std::size_t N>
 auto operator*(const std::array<A, M>& a, const std::array<B, N>& b) {
   using Number = decltype(A() * B());
@@ -62,7 +62,7 @@ inline double least(const std::array<double, M>& c) {
   return result;
 }
 
-// The Bernstein coefficients over [0, 1]; of several polynomials where a Number is several numbers.
+// The Bernstein coefficients over [0, 1]; of several polynomials if a Number is a vector.
 template <class Number>
 std::array<Number, 5> bernstein(const std::array<Number, 5>& c) {
   const Number c1 = c[1] * 0.25;
@@ -88,7 +88,7 @@ inline Coefficients<1> bernstein(const Coefficients<1>& c) {
   return {c[0], c[0] + c[1]};
 }
 
-// The same for any degree: by powers, b_i = sum over k of c_k C(i, k) / C(degree, k).
+// The same for any degree: b_i = sum over k of c_k C(i, k) / C(degree, k).
 template <class Number, std::size_t M>
 std::array<Number, M> bernstein(const std::array<Number, M>& c) {
   constexpr auto shares = [] {
@@ -113,7 +113,7 @@ std::array<Number, M> bernstein(const std::array<Number, M>& c) {
   return result;
 }
 
-// The even and the odd powers apart, which takes half as long as one after the other.
+// Even and odd powers separately, which takes half the time of Horner's rule.
 template <std::size_t M>
 double value(const std::array<double, M>& c, double w) {
   static_assert(M >= 2);
@@ -146,9 +146,9 @@ std::array<double, M> split(std::array<double, M>& b) {
   return right;
 }
 
-// Narrows the only root in [lower, upper], at which the polynomial goes from positive to negative,
-// by Newton's method from `w` with bisection as its guard, and certifies the bracket by the signs
-// at its ends. Returns false if the ends cannot be certified.
+// Narrows [lower, upper], in which the polynomial has one root and changes from positive to
+// negative: Newton's method from `w`, safeguarded by bisection. Returns false if the signs at the
+// ends of the new bracket are not certain.
 template <std::size_t M>
 bool bracket_root(const std::array<double, M>& c, double error, double w, double& lower,
                   double& upper) {
@@ -161,13 +161,13 @@ bool bracket_root(const std::array<double, M>& c, double error, double w, double
     (v > 0 ? low : high) = w;
     double next = w - v * per_slope;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    // The error after a step is of the order of its square.
+    // The error after a step is proportional to its square.
     const double squared_step = (next - w) * (next - w);
     w = next;
     if (16 * squared_step <= error * std::abs(per_slope)) break;
     per_slope = 1 / slope(c, w);
   }
-  // The values grow linearly beside a simple root: twice the error from there they are certain.
+  // Values near a simple root are about linear, so they are certain at this distance.
   double distance = std::max(3 * error * std::abs(per_slope), 4 * unit_roundoff * w);
   for (int i = 0; i < 6; ++i, distance *= 4) {
     const double left = std::max(w - distance, lower);
@@ -181,9 +181,9 @@ bool bracket_root(const std::array<double, M>& c, double error, double w, double
   return false;
 }
 
-// Up to which share of its interval a polynomial, given by Bernstein coefficients that are known up
-// to `error`, is certainly positive: the graph lies above the lower convex hull of the points
-// (i / degree, b[i] - error). Zero if it may be negative at the start.
+// The w up to which a polynomial, given by Bernstein coefficients with errors up to `error`, is
+// certainly positive: its graph lies above the lower convex hull of the points (i / degree, b[i] -
+// error). Zero if it may be negative at 0.
 template <std::size_t M>
 double positive_share(const std::array<double, M>& b, double error) {
   constexpr auto reciprocals = [] {
@@ -204,7 +204,7 @@ double positive_share(const std::array<double, M>& b, double error) {
       }
     }
     if (!(b[next] > error)) {
-      // Rounded down by far more than these operations can err.
+      // Rounded down by far more than the errors of these operations.
       const double crossing = static_cast<double>(i) + (b[i] - error) / -least;
       return crossing / static_cast<double>(M - 1) * (1 - 0x1p-40);
     }
@@ -213,8 +213,8 @@ double positive_share(const std::array<double, M>& b, double error) {
   return 0;
 }
 
-// Where the signs of the coefficients are certain and change just once, the number of those before
-// the change, else zero.
+// If the signs of the coefficients are certain and change once, the number before the change, else
+// zero.
 template <std::size_t M>
 std::size_t before_only_change(const std::array<double, M>& b, double error) {
   std::size_t i = 0;

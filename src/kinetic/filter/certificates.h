@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The certificates and predicates as classify.h takes them. The units of their errors belong to the
-// motion. An error is infinite where the values cannot be computed.
+// Certificates and predicates in the form that classify.h takes. An error is infinite if the values
+// cannot be computed.
 #ifndef KINETRI_SRC_KINETIC_FILTER_CERTIFICATES_H
 #define KINETRI_SRC_KINETIC_FILTER_CERTIFICATES_H
 
@@ -21,13 +21,13 @@ inline double product_error(const Differences& d) {
   return d.product_units * unit_roundoff * (d.size() * d.total());
 }
 
-// The error of a coordinate of a difference, in which there is no more than an underflow.
+// The error of a coordinate of a difference; at most one underflow may occur in it.
 template <class Differences>
 inline double coordinate_error(const Differences& d) {
   return d.coordinate_units * unit_roundoff * d.total() + std::numeric_limits<double>::min();
 }
 
-// Of differences to the fourth point: minus the in-circle determinant.
+// Minus the in-circle determinant, of differences to the fourth point.
 struct In_circle {
   auto operator()(const auto& d) const { return in_circle(d); }
   double error(const auto& d) const {
@@ -37,7 +37,7 @@ struct In_circle {
   double norm(const auto& d) const { return 12 * d.lift_size() * (d.size() * d.size()); }
 };
 
-// Of differences to one point.
+// These take differences to one point.
 struct Orientation {
   auto operator()(const auto& d) const { return cross(d[0], d[1]); }
   double error(const auto& d) const { return product_error(d); }
@@ -54,7 +54,7 @@ struct Distance_order {
   }
 };
 
-// Of one difference.
+// This one takes one difference.
 struct Coordinate {
   int axis;  // 0 or 1
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From the polynomial of a certificate over a window to a Filter_result, or to a certain sign: the
-// steps of docs/MATH.md, section 7, which are the same for all motions. What they start from is
-// `Differences`, which is Linear_differences or Polynomial_differences; and a `Certificate`, which
-// makes its polynomial of them, once they are scaled, and bounds the error of its values and the
-// sum of its coefficients' magnitudes (`norm`).
+// Classifies the polynomial of a certificate over a window: a Filter_result or a certain sign
+// (docs/MATH.md, section 7). `Differences` is Linear_differences or Polynomial_differences.
+// `Certificate` computes the polynomial of scaled differences, the error of its values, and a bound
+// for the sum of its coefficients' magnitudes (`norm`).
 //
-// Templates are declared inline where this is the hot path: the compiler inlines them with it only.
+// Templates in the hot path are declared inline, since the compiler inlines only these.
 #ifndef KINETRI_SRC_KINETIC_FILTER_CLASSIFY_H
 #define KINETRI_SRC_KINETIC_FILTER_CLASSIFY_H
 
@@ -24,11 +23,11 @@
 
 namespace kinetri {
 
-// The result in time for that in w, rounded to the safe side.
+// Converts a result in w to one in time, rounded to the safe side.
 inline Filter_result in_time(const Filter_result& v, double window, const Double_interval& after) {
   if (v.kind == Filter_result::Kind::never_fails) return v;
-  // Rounding in origin + w * window is at most one unit in the last place of each of the two. These
-  // go at least one further, whatever the rounding mode.
+  // The sum and the product in origin + w * window each err by at most one unit in the last place.
+  // `down` and `up` move by at least one, in any rounding mode.
   const double origin = after.lower;
   const auto ulp = [](double x) { return std::abs(x) * 0x1p-52 + 0x1p-1074; };
   const auto down = [ulp](double x) { return x - ulp(x); };
@@ -41,7 +40,7 @@ inline Filter_result in_time(const Filter_result& v, double window, const Double
   return {v.kind, {lower, upper}, v.is_refined};
 }
 
-// The result, in w, on the polynomial with coefficients `c`, whose values are known up to `error`.
+// The result in w for the polynomial with coefficients `c`, whose values are known up to `error`.
 template <std::size_t M>
 Filter_result classify(const std::array<double, M>& c, double error) {
   const std::array<double, M> b = bernstein(c);
@@ -50,32 +49,32 @@ Filter_result classify(const std::array<double, M>& c, double error) {
   return {Filter_result::Kind::holds, {1, 1}};
 }
 
-// A bound of w at the time in `after`: twice what it is, for rounding.
+// A bound for w at the time in `after`: twice its value, because of rounding.
 inline double greatest_root(const Double_interval& after, double window) {
   return 2 * (after.upper - after.lower) / window;
 }
 
-// The same for a polynomial with a known root in [0, root]: about the next root. `norm` bounds the
-// sum of the coefficients' magnitudes.
+// The same for the next root of a polynomial with a known root in [0, root]. `norm` bounds the sum
+// of the coefficients' magnitudes.
 template <std::size_t M>
 Filter_result classify_after_known_root(const std::array<double, M>& c, double error, double norm,
                                         double root) {
-  // c(w) = (w - r) g(w): g has the coefficients c_1, c_2, ... up to an error that r makes, and the
-  // next root of c after r is that of g.
+  // c(w) = (w - r) g(w): g has the coefficients c_1, c_2, ... up to an error due to r, and the next
+  // root of c after r is that of g.
   if (!(root < 0x1p-10)) return {};
   std::array<double, M - 1> g;
   std::copy(c.begin() + 1, c.end(), g.begin());
   Filter_result result = classify(g, error + 2 * norm * root);
   if (result.kind == Filter_result::Kind::fails) {
-    // c itself gives the narrower bracket, and the next certificate starts from there.
+    // c itself gives a narrower bracket, from which the next certificate starts.
     auto& [lower, upper] = result.bounds;
     bracket_root(c, error, 0.5 * (lower + upper), lower, upper);
   }
   return result;
 }
 
-// The result on a certificate after a time in `after`: of which nothing is known there, or which
-// `vanishes_at` the time. Scales the differences.
+// The result for a certificate after a time in `after`, at which it is zero if `vanishes_at`.
+// Scales the differences.
 template <class Differences, class Certificate>
 inline Filter_result classify_ahead(Differences& d, const Certificate& certificate,
                                     const Double_interval& after, bool vanishes_at) {
@@ -94,7 +93,7 @@ inline Filter_result classify_ahead(Differences& d, const Certificate& certifica
       *window, after);
 }
 
-// The sign of all values over [0, 1], where it is certain, else zero.
+// The sign of all values over [0, 1] if it is certain, else zero.
 template <class Differences, class Certificate>
 inline Sign certain_sign(const Differences& d, const Certificate& certificate) {
   const auto b = bernstein(certificate(d));

@@ -25,7 +25,7 @@ namespace {
 
 using Kind = Filter_result::Kind;
 
-// Of the difference of two points: how much their squared distance is more than that of the reach.
+// The squared distance of two points minus the squared contact distance.
 struct Distance {
   auto operator()(const auto& d) const {
     const auto& reach = d.reach();
@@ -45,7 +45,8 @@ struct Distance {
   }
 };
 
-// Of the difference of a point from its foot: how far inside of the bound it is.
+// The distance of a point from the bound of a wall, positive inside. Takes the difference of the
+// point and its foot.
 struct Inside {
   const Wall_2& wall;
 
@@ -62,7 +63,7 @@ struct Inside {
   }
 };
 
-// The point that is at the line of the wall, and else where `p` is.
+// The foot of the perpendicular from p to the line of the wall.
 template <class Motion>
 Motion foot_at(const Motion& p, const Wall_2& wall) {
   Motion foot = p;
@@ -81,8 +82,8 @@ Motion foot_at(const Motion& p, const Wall_2& wall) {
 template <class Reach>
 using Linear_contact = Differences_and_reach<Linear_differences<1>, Reach>;
 
-// What bounds the reach throughout the interval, from the origin on, and what it is made from,
-// before it is scaled.
+// A bound for the reach throughout the interval, from the origin on, and for the terms of its
+// constant. Precondition: the reach is not scaled.
 inline Constant_reach greatest_reach(const Constant_reach& reach,
                                      const Double_interval& /*interval*/) {
   return reach;
@@ -94,8 +95,8 @@ inline Linear_function greatest_reach(const Linear_function& reach,
   return {std::abs(reach.constant) + grown, 0, reach.terms + grown};
 }
 
-// Whether the discs are certainly apart throughout the interval, from the origin on, before the
-// differences are scaled.
+// Whether the discs are certainly apart throughout the interval, from the origin on. Precondition:
+// the differences are not scaled.
 template <class Reach>
 inline bool are_apart(const Linear_contact<Reach>& d, const Double_interval& interval) {
   const Reach reach = greatest_reach(d.reach(), interval);
@@ -105,13 +106,13 @@ inline bool are_apart(const Linear_contact<Reach>& d, const Double_interval& int
   return sum(place * place) - reach.constant * reach.constant > error;
 }
 
-// A number with a bound of its error.
+// A number with an error bound.
 struct Estimate {
   double value;
   double error;
 };
 
-// How fast the distance of the points less the reach may change.
+// A bound for the rate of change of the distance minus the reach.
 inline double speed(const Linear_contact<Constant_reach>& d) {
   return d.speed();
 }
@@ -138,8 +139,8 @@ inline Estimate half_slope(const Linear_contact<Linear_function>& d) {
           unscaled_error(d) + 64 * unit_roundoff * (terms * std::abs(growth))};
 }
 
-// The discriminant is the difference of two squares: for constant radii, of the reach and of the
-// distance at which the points pass, both times their relative speed. The root of the first.
+// The discriminant is the difference of two squares. This is the root of the first one: for
+// constant radii, the reach times the relative speed.
 inline Estimate reach_across(const Linear_contact<Constant_reach>& d) {
   return {d.reach().constant * std::sqrt(sum(d[0].slope * d[0].slope)), 0};
 }
@@ -150,10 +151,9 @@ inline Estimate reach_across(const Linear_contact<Linear_function>& d) {
           64 * unit_roundoff * (terms * speed(d) + d.terms() * std::abs(growth))};
 }
 
-// How far apart two points in linear motion are is convex in time, and remains so less a reach that
-// is linear in time. So the discs approach up to one time and part from then on. The squared
-// distance less the square of the reach is a quadratic; where its value falls through zero from a
-// positive one it does so once.
+// The distance of two points in linear motion is convex in time, also less a reach that is linear
+// in time: the discs approach up to one time, and separate from then on. The squared distance minus
+// the squared reach is a quadratic that changes from positive to negative at most once.
 template <class Reach>
 inline Filter_result contact(Linear_contact<Reach>& d, const Double_interval& after) {
   const auto never = [&] {
@@ -163,7 +163,7 @@ inline Filter_result contact(Linear_contact<Reach>& d, const Double_interval& af
   if (!is_in_range(d.terms()) || !is_in_range(speed(d)) || !(size(d.reach()) < greatest_size)) {
     return {};
   }
-  // Where the quadratic is convex its slope grows with time.
+  // The slope of a convex quadratic grows with time.
   const auto [slope, slope_error] = half_slope(d);
   if (is_convex(d) && slope > slope_error) return never();
   const Difference& ahead = d[0];
@@ -177,22 +177,22 @@ inline Filter_result contact(Linear_contact<Reach>& d, const Double_interval& af
   const double gap = sum(ahead.place * ahead.place) - reach * reach;
   const double discriminant = (across - cross) * (across + cross);
   if (!(discriminant > 0) || !(gap > 0)) return {};
-  // The root is at half of the window. Its distance is computed without cancellation.
+  // The window is twice the time to the root, which is computed without cancellation.
   const double window = 2 * gap / (std::sqrt(discriminant) - slope);
   if (!(window > 0)) return {};
   d.scale(window);
   if (!d.is_in_range()) return {};
   const Coefficients<2> c = Distance()(d);
   const double error = Distance().error(d);
-  // Positive at the origin and at the lower end of the bracket, and negative at the upper one, a
-  // quadratic, be it convex or concave, has its only root up to there between the two.
+  // A quadratic that is positive at the origin and at the lower end of the bracket, and negative at
+  // the upper end, has one root up to there: in the bracket.
   double lower = 0;
   double upper = 1;
   if (!(c[0] > error) || !bracket_root(c, error, 0.5, lower, upper)) return {};
   return in_time({Kind::fails, {lower, upper}}, window, after);
 }
 
-// `radius` is what the point keeps from the bound in addition, and grows.
+// `radius`, which grows at the rate `growth`, is added to the clearance of the wall.
 inline Filter_result wall_contact(const Linear_motion_2& p, double radius, double growth,
                                   const Wall_2& wall, const Double_interval& after) {
   const double place = wall.is_vertical() ? p.position.x : p.position.y;
@@ -215,17 +215,16 @@ inline Filter_result wall_contact(const Linear_motion_2& p, double radius, doubl
 
 // ---- polynomial motion ----
 
-// Walls are far away and stay where they are, so that the time of the contact is looked for at
-// once.
+// Walls are far away and at rest, so the time of the contact is searched for in a long window.
 constexpr double window_share_of_walls = 4;
 
-// The error of the slope of a polynomial, in errors of its values.
+// The error of the slope of a polynomial, relative to that of its values.
 template <std::size_t M>
 constexpr double slope_errors(const std::array<double, M>& /*slope*/) {
   return static_cast<double>(M + 1);
 }
 
-// The first time at which a distance is not positive and falls.
+// The first time at which a distance is not positive and decreases.
 template <class Differences, class Certificate>
 Filter_result first_contact(Differences& d, const Certificate& distance, double share,
                             const Double_interval& after) {
@@ -236,7 +235,7 @@ Filter_result first_contact(Differences& d, const Certificate& distance, double 
   const auto c = distance(d);
   const double error = distance.error(d);
   if (c[0] > error) return in_time(classify(c, error), *window, after);
-  // It may touch or overlap: nothing happens as long as it rises.
+  // The discs may touch or overlap: there is no contact while the distance grows.
   const auto slope = slope_of(c);
   if (least(slope) > slope_errors(slope) * error) return {Kind::never_fails, {}, false, true};
   const double rising = positive_share(bernstein(slope), slope_errors(slope) * error);
@@ -251,7 +250,7 @@ Filter_result contact(Differences_and_reach<Polynomial_differences<1, K>, Reach>
   return first_contact(d, Distance(), window_share, after);
 }
 
-// What `function` makes of the difference of two centres with their reach.
+// Calls `function` with the difference of two centers and their reach.
 template <class Motion, class Function>
 inline auto with_contact(const Motion& p, const Motion& q, double diameter, double origin,
                          const Function& function) {
@@ -259,7 +258,7 @@ inline auto with_contact(const Motion& p, const Motion& q, double diameter, doub
     return with_differences(std::array{&centre(p)}, centre(q), origin, With_reach{reach}, function);
   });
 }
-// The same of a centre and the foot of its perpendicular on a wall.
+// The same for a center and its foot on a wall.
 template <class Motion, class Function>
 inline auto with_wall(const Motion& p, const Wall_2& wall, double origin,
                       const Function& function) {
@@ -301,7 +300,7 @@ Filter_result filter_wall_contact(const Motion& p, const Wall_2& wall,
 template <class Motion>
 Sign certain_distance_slope(const Motion& p, const Motion& q, const Double_interval& interval) {
   return with_contact(p, q, 0, interval.lower, [&](auto& d) {
-    // The interval may be one time, at which the slope by w vanishes: hence not over the interval.
+    // Not over the interval, which may be a single time: the slope in w would be zero.
     const std::optional<double> window = d.window_ahead(window_share);
     if (!window) return CGAL::ZERO;
     d.scale(*window);
@@ -319,7 +318,7 @@ template <class Motion>
 Sign certain_gap(const Motion& p, const Motion& q, double diameter,
                  const Double_interval& interval) {
   return with_contact(p, q, diameter, interval.lower, [&](auto& d) {
-    // Mostly they are far from one another.
+    // Usually they are far apart.
     if constexpr (requires { are_apart(d, interval); }) {
       if (are_apart(d, interval)) return CGAL::POSITIVE;
     }

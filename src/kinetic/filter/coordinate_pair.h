@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Both coordinates of a planar vector in one register. For the inner loops of the filter, where it
-// halves the number of instructions; the vector types of GCC and Clang, whose arithmetic is that of
-// the components.
+// Both coordinates of a vector in one register, as a vector type of GCC and Clang with arithmetic
+// by component: halves the number of instructions in the inner loops of the filter.
 #ifndef KINETRI_SRC_KINETIC_FILTER_COORDINATE_PAIR_H
 #define KINETRI_SRC_KINETIC_FILTER_COORDINATE_PAIR_H
 
@@ -35,7 +34,7 @@ inline Pair absolute(Pair a) {
   return reinterpret_cast<Pair>(reinterpret_cast<Bits>(a) & 0x7fffffffffffffffLL);
 }
 
-/// Of each coordinate; `b` where either is not a number.
+/// By component; `b` if either is not a number.
 inline Pair greater(Pair a, Pair b) {
   return a > b ? a : b;
 }

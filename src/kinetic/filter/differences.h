@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The differences that a filter computes with, for all motions.
+// Differences of motions, as a filter uses them, for all kinds of motion.
 #ifndef KINETRI_SRC_KINETIC_FILTER_DIFFERENCES_H
 #define KINETRI_SRC_KINETIC_FILTER_DIFFERENCES_H
 
@@ -26,7 +26,7 @@ inline const Linear_motion_2& linear(const Linear_motion_2& m) {
   return m;
 }
 
-// The same motions, of which each is linear, at `lines`.
+// The same motions as linear ones, stored in `lines`. Precondition: all are linear.
 template <std::size_t N>
 std::array<const Linear_motion_2*, N> linear(
     const std::array<const Polynomial_motion_2*, N>& motions,
@@ -46,7 +46,7 @@ std::size_t degree(const std::array<const Polynomial_motion_2*, N>& motions) {
   return result;
 }
 
-// The kind of differences that are made of motions: here, no more than the differences of these.
+// A kind of differences: those of the motions alone.
 struct Alone {
   template <class Differences, class Motion, std::size_t N>
   Differences make(const std::array<const Motion*, N>& from, const Motion& to, double origin,
@@ -55,8 +55,8 @@ struct Alone {
   }
 };
 
-// What `function` makes of the differences of the points `from` to `to`: those of the degree of the
-// motions, of the given kind.
+// Calls `function` with the differences of the points `from` to `to`, of the given kind and of the
+// degree of the motions.
 template <std::size_t N, class Kind, class Function>
 inline auto with_differences(const std::array<const Linear_motion_2*, N>& from,
                              const Linear_motion_2& to, double origin, const Kind& kind,
@@ -81,8 +81,8 @@ inline auto with_differences(const std::array<const Polynomial_motion_2*, N>& fr
   return function(d);
 }
 
-// The same of points alone; and of discs, of which the weights differ: whoever has equal ones
-// leaves them to the filter of points.
+// The same for points; for discs, with their weights. (Discs of equal weights are left to the
+// filter of points.)
 template <std::size_t N, class Motion, class Function>
 inline auto with_differences(const std::array<const Motion*, N>& from, const Motion& to,
                              double origin, const Function& function) {

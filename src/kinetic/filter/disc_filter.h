@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The floating-point stage of what is about the centres of discs alone: it is left to the filter of
-// the motion of these.
+// The filter for questions about the centers of discs alone: that of the motion of the centers.
 #ifndef KINETRI_SRC_KINETIC_FILTER_DISC_FILTER_H
 #define KINETRI_SRC_KINETIC_FILTER_DISC_FILTER_H
 
@@ -32,8 +31,8 @@ inline bool have_same_derivatives(const Polynomial_motion_2& p, const Polynomial
   return p.velocity == q.velocity && p.acceleration == q.acceleration && p.jerk == q.jerk;
 }
 
-// Points that are in one place at all times never come to one place, and so count as apart. Discs
-// are not, as their weights may become equal.
+// Points that always coincide never begin to, and so count as apart. Discs do not, since their
+// weights may become equal.
 template <HasWeight Disc>
 bool certainly_apart(const Disc& p, const Disc& q, const Double_interval& interval) {
   if (have_same_derivatives(centre(p), centre(q))) {

@@ -16,14 +16,14 @@
 namespace kinetri {
 namespace {
 
-// Of the difference of two points: how much their squared distance is less than that of the reach.
+// The squared reach minus the squared distance of two points.
 struct Nearness {
   auto operator()(const auto& d) const { return negated(Distance()(d)); }
   double error(const auto& d) const { return Distance().error(d); }
   double norm(const auto& d) const { return Distance().norm(d); }
 };
 
-// The difference of two points that are within their reach.
+// The difference of two points within their reach.
 template <class Differences>
 struct Difference_within_reach : Differences {
   std::optional<double> window_ahead(double share) const {
@@ -38,7 +38,7 @@ struct Two_differences {
   Differences second;
   bool have_equal_speeds = false;  // the exact relative velocities have the same length
 
-  // Of a comparison that holds: the first length is more than the second.
+  // Precondition: the first length is greater than the second.
   std::optional<double> window_ahead(double share) const {
     const double extent = greatest(absolute(place(first[0])));
     return shorter(first.window_ahead(share), second.window_ahead(share, extent));
@@ -49,7 +49,7 @@ struct Two_differences {
   }
 };
 
-// How much the squared length of the first difference is more than that of the second.
+// The squared length of the first difference minus that of the second.
 struct Distance_comparison {
   auto operator()(const auto& d) const {
     auto c = dot(d.first[0], d.first[0]) - dot(d.second[0], d.second[0]);
@@ -62,12 +62,12 @@ struct Distance_comparison {
   }
 };
 
-// What `function` makes of the differences r - s and p - q.
+// Calls `function` with the differences r - s and p - q.
 template <class Function>
 inline auto with_two_differences(const Linear_motion_2& p, const Linear_motion_2& q,
                                  const Linear_motion_2& r, const Linear_motion_2& s, double origin,
                                  const Function& function) {
-  // So it is where one point, or the same frame of reference, is in both pairs.
+  // For example, if both pairs share a point and the other two have equal velocities.
   const bool have_equal_speeds = (p.velocity == r.velocity && q.velocity == s.velocity) ||
                                  (p.velocity == s.velocity && q.velocity == r.velocity);
   using Differences = Linear_differences<1>;
@@ -91,7 +91,7 @@ inline auto with_two_differences(const Polynomial_motion_2& p, const Polynomial_
   return with(std::type_identity<Polynomial_differences<1, 3>>());
 }
 
-// Whether nothing in the differences changes.
+// Whether the differences are constant.
 template <class Reach>
 inline bool are_constant(const Linear_contact<Reach>& d) {
   return speed(d) == 0;
@@ -109,8 +109,8 @@ inline bool is_linear(const Two_differences<Linear_differences<1>>& d) {
   return d.have_equal_speeds;
 }
 
-// About where a quadratic that is positive at 0, or zero and rising there, vanishes after that: not
-// positive, or not a number, if it does not. Without cancellation.
+// The approximate first root after 0 of a quadratic that is positive at 0, or zero and increasing
+// there, without cancellation. Not positive, or not a number, if there is none.
 inline double root_ahead(const Coefficients<2>& c) {
   const double half_slope = 0.5 * c[1];
   const double root = std::sqrt(half_slope * half_slope - c[0] * c[2]);
@@ -118,18 +118,18 @@ inline double root_ahead(const Coefficients<2>& c) {
 }
 
 // Whether a quadratic whose coefficients are known up to `error` is certainly positive from 0 on;
-// or, if it vanishes at a time that is not before 0, from just after that on.
+// if `vanishes_at`, from just after its root at some time >= 0 on.
 inline bool is_positive_from_now_on(const Coefficients<2>& c, double error, bool is_linear,
                                     bool vanishes_at) {
   if (c[1] > error && (c[2] > error || is_linear)) return vanishes_at || c[0] > error;
   if (vanishes_at || !(c[0] > error && c[2] > error)) return false;
-  // It has no root at all.
+  // Its discriminant is negative.
   const double greatest_slope = std::abs(c[1]) + error;
   return greatest_slope * greatest_slope * (1 + 0x1p-40) < 4 * (c[0] - error) * (c[2] - error);
 }
 
-// The result on a certificate of points in linear motion, a quadratic in time, after a time in
-// `after`; as classify_ahead, but with one window for all time. Scales the differences.
+// As classify_ahead, for certificates of linear motions that are quadratic in time: one window
+// covers all time. Scales the differences.
 template <class Differences, class Certificate>
 inline Filter_result classify_quadratic(Differences& d, const Certificate& certificate,
                                         const Double_interval& after, bool vanishes_at) {
@@ -138,11 +138,11 @@ inline Filter_result classify_quadratic(Differences& d, const Certificate& certi
     if (vanishes_at || !(certificate(d)[0] > certificate.error(d))) return {};
     return {Kind::never_fails};
   }
-  const Coefficients<2> by_time = certificate(d);  // approximate, but for no root: see below
+  const Coefficients<2> by_time = certificate(d);  // approximate; only chooses the window
   const double root = root_ahead(by_time);
   double window = 2 * root;
   if (!(root > 0)) {
-    // That in which the square of the time matters.
+    // The time scale at which the quadratic term matters.
     window = is_linear(d)  ? std::abs(by_time[0] / by_time[1])
              : vanishes_at ? std::abs(by_time[1] / by_time[2])
                            : std::sqrt(std::abs(by_time[0] / by_time[2]));
@@ -155,8 +155,8 @@ inline Filter_result classify_quadratic(Differences& d, const Certificate& certi
     if (!is_positive_from_now_on(c, error, is_linear(d), vanishes_at)) return {};
     return {Kind::never_fails};
   }
-  // A quadratic that is positive, or has a root, at the time, is positive at the lower end of the
-  // bracket and negative at the upper one, has no other root up to there.
+  // A quadratic that is positive or zero at the start, positive at the lower end of the bracket and
+  // negative at the upper end, has no other root between.
   double lower = 0;
   double upper = 1;
   if (!vanishes_at && !(c[0] > error)) return {};
@@ -164,7 +164,7 @@ inline Filter_result classify_quadratic(Differences& d, const Certificate& certi
   return in_time({Kind::fails, {lower, upper}, true}, window, after);
 }
 
-// Of linear motion, and of others.
+// For linear and for polynomial motion.
 template <class Reach>
 inline Filter_result near(Linear_contact<Reach>& d, const Double_interval& after,
                           bool vanishes_at) {
@@ -187,8 +187,8 @@ inline Filter_result closer(Two_differences<Polynomial_differences<1, K>>& d,
   return classify_ahead(d, Distance_comparison(), after, vanishes_at);
 }
 
-// Whether the two are certainly apart at the origin and part from then on: so it is with half of
-// all pairs.
+// Whether the two are certainly apart at the origin and separate from then on, as half of all pairs
+// do.
 template <class Reach>
 inline bool do_part(const Linear_contact<Reach>& d) {
   const double terms = d.terms();
@@ -201,9 +201,9 @@ inline bool do_part(const Linear_contact<Reach>& d) {
   return is_convex(d) && slope > slope_error && gap > gap_error;
 }
 
-// The first contact is the first touch, where there is no touch without approach: a distance that
-// is certainly positive from the time on, or up to a root at which it certainly changes its sign.
-// Two that part at the time never touch again, as their distance is convex; nobody asks.
+// The first contact is the first touch if the distance is certainly positive from the time on, or
+// up to a root at which it certainly changes its sign. If `vanishes_at`, no caller needs a result:
+// discs that separate never touch again.
 template <class Reach>
 inline Filter_result apart(Linear_contact<Reach>& d, const Double_interval& after,
                            bool vanishes_at) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Numbers of about 106 bits, as unevaluated sums of two binary64 numbers. With rounding to nearest,
-// and short of under- and overflow, a sum is off by at most 3 u^2 of itself and a product by 5 u^2,
-// u = 2^-53. Source: M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic
-// building blocks of double-word arithmetic, ACM Transactions on Mathematical Software 44, 2017,
-// algorithms 6 and 12.
+// and barring under- and overflow, the relative error of a sum is at most 3 u^2 and that of a
+// product 5 u^2, u = 2^-53. Source: M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error
+// bounds for basic building blocks of double-word arithmetic, ACM Transactions on Mathematical
+// Software 44, 2017, algorithms 6 and 12.
 #ifndef KINETRI_SRC_KINETIC_FILTER_DOUBLE_DOUBLE_H
 #define KINETRI_SRC_KINETIC_FILTER_DOUBLE_DOUBLE_H
 

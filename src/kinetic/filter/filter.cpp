@@ -5,7 +5,7 @@
 
 namespace kinetri {
 
-// One error bound for all of the triangles, which mostly are far from flat.
+// One error bound for all triangles suffices, since most are far from flat.
 bool certainly_surrounded(const Linear_motion_2& p, std::span<const Linear_motion_2* const> around,
                           const Double_interval& interval) {
   if (around.size() < 3) return false;

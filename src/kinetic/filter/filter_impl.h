@@ -2,8 +2,8 @@
 //
 // Definitions of filter.h: the certificates of the triangulation, and the predicates.
 //
-// Those of points are instantiated in a source of their own, without those of discs: what the
-// compiler inlines depends on all that is in a source.
+// The instances for points and for discs are in different sources, since together the compiler
+// inlines less.
 #ifndef KINETRI_SRC_KINETIC_FILTER_FILTER_IMPL_H
 #define KINETRI_SRC_KINETIC_FILTER_FILTER_IMPL_H
 
@@ -19,7 +19,7 @@
 namespace kinetri {
 namespace {
 
-// Points on straight lines that are ever in one place move along the line that joins them.
+// Points in linear motion that coincide at some time move along the line that joins them.
 inline bool are_apart(const Linear_motion_2& p, const Linear_motion_2& q,
                       const Double_interval& /*interval*/) {
   const Linear_differences<1> d({&p}, q, p.epoch);
@@ -36,8 +36,8 @@ inline bool are_apart(const Polynomial_motion_2& p, const Polynomial_motion_2& q
          certain_sign(d, Coordinate{1}) != CGAL::ZERO;
 }
 
-// The sign of a predicate throughout the interval, from the rounded places: nearly always enough.
-// Where places are small differences of large numbers, differences of motions know more.
+// The sign of a predicate throughout the interval, from rounded positions, which nearly always
+// suffices. Differences of motions decide more if positions are small differences of large numbers.
 template <class Predicate, class... Motions>
 Sign sign_of_places(const Predicate& predicate, const Double_interval& interval,
                     const Motions&... motions) {
@@ -153,7 +153,7 @@ template <class Disc>
 Sign certain_weight_order(const Disc& p, const Disc& q, const Double_interval& interval) {
   const double t = interval.lower;
   const double difference = rounded_weight(p, t) - rounded_weight(q, t);
-  // The difference is rounded, by less than what the errors have to spare.
+  // The rounding error of the difference is less than the slack of the two errors.
   const double error = weight_error(p, t, interval) + weight_error(q, t, interval);
   if (difference > error) return CGAL::POSITIVE;
   return difference < -error ? CGAL::NEGATIVE : CGAL::ZERO;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Of discs, what depends on their weights or radii; for the rest there is disc_filter.h.
+// For discs, the questions that depend on weights or radii; disc_filter.h has the others.
 #include "contact_filter_impl.h"
 #include "filter.h"
 #include "filter_impl.h"
@@ -8,7 +8,7 @@
 
 namespace kinetri {
 
-// Discs of one size are left to the filter of points.
+// Used for discs of one size.
 #define KINETRI_OF_POINTS(M)                                                                  \
   extern template Filter_result filter_in_circle(const M&, const M&, const M&, const M&,      \
                                                  const Double_interval&, bool);               \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the floating-point stage of a certificate says.
+// The result of the filter of certificates.
 #ifndef KINETRI_SRC_KINETIC_FILTER_FILTER_RESULT_H
 #define KINETRI_SRC_KINETIC_FILTER_FILTER_RESULT_H
 
@@ -21,7 +21,7 @@ struct Filter_result {
   };
   Kind kind = Kind::unknown;    ///< how much is known
   Double_interval bounds = {};  ///< of `holds` and `fails`
-  bool is_refined = false;      ///< had to subdivide, or to narrow a root
+  bool is_refined = false;      ///< by subdivision, or by narrowing a root
   bool may_vanish = false;      ///< of contacts: the discs may touch or overlap at the start
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The first failure over [0, 1] of a polynomial of which each value is known up to an error: by its
-// Bernstein coefficients, mostly, and else by the counts of its Sturm sequence or by halving.
+// The first failure over [0, 1] of a polynomial whose values are known up to an error: usually from
+// its Bernstein coefficients, else from Sturm counts or by subdivision.
 #ifndef KINETRI_SRC_KINETIC_FILTER_FIRST_FAILURE_H
 #define KINETRI_SRC_KINETIC_FILTER_FIRST_FAILURE_H
 
@@ -15,19 +15,20 @@
 
 namespace kinetri {
 
-// A failure later than this share of the window is not looked for yet: probably the certificate is
-// replaced before it comes.
+// A failure later than this share of the window is not searched for yet: the certificate is
+// probably replaced before.
 inline constexpr double search_limit = 0.18;
 
-// How often the interval is halved: before the counts of the Sturm sequence are asked, by these
-// counts, and in all.
+// The depth of subdivision at which Sturm counts are tried, the most bisections by Sturm counts,
+// and the greatest depth of subdivision.
 inline constexpr int depth_of_counts = 1;
 inline constexpr int most_halvings = 24;
 inline constexpr int max_depth = 8;
 
-// What the Bernstein coefficients `b` over [lower, lower + width] say about the first failure of
-// the polynomial with coefficients `c` there, of which there is none before; none if they have to
-// be divided. Each value is known up to `error`, and the polynomial is not certainly positive.
+// The first failure in [lower, lower + width] of the polynomial with coefficients `c`, whose
+// Bernstein coefficients there are `b`; none if the interval must be subdivided. Values are known
+// up to `error`. Preconditions: there is no failure before; the polynomial is not certainly
+// positive in the interval.
 template <std::size_t M>
 std::optional<Filter_result> first_failure_in_piece(const std::array<double, M>& c,
                                                     const std::array<double, M>& b, double lower,
@@ -40,12 +41,12 @@ std::optional<Filter_result> first_failure_in_piece(const std::array<double, M>&
   const std::size_t i = before_only_change(b, error);
   if (i == 0) return std::nullopt;
   double upper = lower + width;
-  // Most roots are near zero, and near where a step of Halley's method leads from there.
+  // Most roots are near zero; a step of Halley's method from there approximates them.
   double second = 0;
   if constexpr (M > 2) second = c[2];
   double start = c[0] * c[1] / (c[0] * second - c[1] * c[1]);
   if (!(start > lower && start < upper)) {
-    // Else near that of the control polygon.
+    // Otherwise starts at the root of the control polygon.
     const double crossing =
         (static_cast<double>(i - 1) + b[i - 1] / (b[i - 1] - b[i])) / static_cast<double>(M - 1);
     start = lower + crossing * width;
@@ -54,8 +55,8 @@ std::optional<Filter_result> first_failure_in_piece(const std::array<double, M>&
   return Filter_result{Kind::fails, {lower, upper}, true};
 }
 
-// The first failure over [0, 1] by the counts of the Sturm sequence; none if a sign is not certain.
-// Precondition: the polynomial is certainly positive at zero.
+// The first failure over [0, 1] by Sturm counts; none if a sign is not certain. Precondition: the
+// polynomial is certainly positive at zero.
 template <std::size_t M>
 std::optional<Filter_result> first_failure_by_counts(const std::array<double, M>& c, double error) {
   using Kind = Filter_result::Kind;
@@ -87,13 +88,13 @@ std::optional<Filter_result> first_failure_by_counts(const std::array<double, M>
   return std::nullopt;
 }
 
-// How long the polynomial with coefficients `c` and Bernstein coefficients `b`, each value of which
-// over [0, 1] is known up to `error`, is certainly positive; or a bracket of its first root, where
-// that is near. Precondition: it is not certainly positive throughout.
+// How long a polynomial, with coefficients `c` and Bernstein coefficients `b` over [0, 1] and
+// values known up to `error`, is certainly positive; or a bracket of its first root if that is
+// near. Precondition: it is not certainly positive throughout.
 template <std::size_t M>
 Filter_result first_failure(const std::array<double, M>& c, const std::array<double, M>& b,
                             double error) {
-  // Mostly the whole needs not be divided.
+  // Usually no subdivision is needed.
   if (const auto result = first_failure_in_piece(c, b, 0, 1, error)) return *result;
   struct Piece {
     std::array<double, M> b;
@@ -105,7 +106,7 @@ Filter_result first_failure(const std::array<double, M>& c, const std::array<dou
   stack[0] = {b, 0, 1, 0};
   std::size_t size = 1;
   while (size > 0) {
-    // One that has to be divided.
+    // It must be subdivided.
     Piece piece = stack[--size];
     if (piece.depth == max_depth) return {};
     if constexpr (M >= 3 && M <= 5) {
@@ -117,7 +118,7 @@ Filter_result first_failure(const std::array<double, M>& c, const std::array<dou
     const std::array<double, M> right = split(piece.b);
     stack[size++] = {right, piece.lower + width, width, piece.depth + 1};
     stack[size++] = {piece.b, piece.lower, width, piece.depth + 1};
-    // Halves, from the left, that need not be divided.
+    // Pieces, from the left, that need no subdivision.
     for (; size > 0; --size) {
       const Piece& half = stack[size - 1];
       if (least(half.b) > error) continue;

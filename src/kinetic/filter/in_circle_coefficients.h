@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The in-circle certificate of linear motions as a polynomial in w, of one certificate or of
-// several in the lanes of a Pair: the same operations in both.
+// The in-circle certificate of linear motions as a polynomial in w: of one certificate, or of two
+// in the lanes of a Pair.
 #ifndef KINETRI_SRC_KINETIC_FILTER_IN_CIRCLE_COEFFICIENTS_H
 #define KINETRI_SRC_KINETIC_FILTER_IN_CIRCLE_COEFFICIENTS_H
 
@@ -16,8 +16,8 @@ using Quadratic = std::array<Number, 3>;
 template <class Number>
 using Quartic = std::array<Number, 5>;
 
-// The difference of a point to the corner in w, with its height when it is lifted: the squared
-// length, from which the weight is taken where points have weights.
+// The difference of a point and the corner, with its lift: the squared length, less the weight if
+// points have weights.
 template <class Number>
 struct Lifted {
   Number x, y;
@@ -43,7 +43,7 @@ auto vector_product(const Lifted<A>& a, const Lifted<B>& b) {
       a.slope_x * b.slope_y - a.slope_y * b.slope_x};
 }
 
-// Two points that make a left turn about the corner, and their vector product.
+// Two points that make a left turn around the corner, and their cross product.
 template <class Lifted_point>
 struct Triangle {
   Lifted_point u;

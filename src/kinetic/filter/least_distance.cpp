@@ -9,7 +9,7 @@
 namespace kinetri {
 namespace {
 
-// The difference of two points at a time, and that of their velocities, which is exact; d and v.
+// The difference d of two points at a time, and the exact difference v of their velocities.
 struct Difference {
   Difference(const Linear_motion_2& p, const Linear_motion_2& q, double time)
       : places({&p, &q}, {time}),
@@ -19,8 +19,8 @@ struct Difference {
 
   const Double_double& x() const { return places.relative(0).x; }
   const Double_double& y() const { return places.relative(0).y; }
-  // d.v, half the slope of the squared distance, and the determinant |d v|, which is the same at
-  // all times; and a bound of the error of either.
+  // d.v, half the slope of the squared distance; the determinant |d v|, which is constant in time;
+  // and an error bound for both.
   Double_double half_slope() const { return x() * vx + y() * vy; }
   Double_double determinant() const { return x() * vy - y() * vx; }
   double error() const { return 256 * unit * (places.terms() * speed); }
@@ -35,13 +35,13 @@ struct Difference {
   double speed;
 };
 
-// The binary64 number nearest to the root of a / b, where that is certain: which is between the
-// middles that the number has with its neighbors. The errors of a and b are at most those.
+// The binary64 number nearest to sqrt(a / b) if it is certain, that is, if the root is between the
+// midpoints of the number and its neighbors. a and b have errors up to error_a and error_b.
 std::optional<double> rounded_root(const Double_double& a, double error_a, const Double_double& b,
                                    double error_b) {
   double nearest = std::sqrt(a.high / b.high);
   if (!is_in_range(nearest)) return std::nullopt;
-  // The sign of a - m^2 b where m is the middle between the number and its neighbor.
+  // The sign of a - m^2 b, where m is the midpoint of the number and its neighbor.
   const auto beyond_middle = [&](double neighbor) {
     const Double_double middle = exact_sum(nearest, 0.5 * (neighbor - nearest));
     const Double_double square = middle * middle;
@@ -66,7 +66,7 @@ std::optional<double> rounded_root(const Double_double& a, double error_a, const
 
 std::optional<Rounding> rounded_time_of_least_distance(const Linear_motion_2& p,
                                                        const Linear_motion_2& q) {
-  // Where binary64 arithmetic sees it; and from there a step that is small.
+  // Newton steps in binary64, so that the last step, with double_double, is small.
   double time = p.epoch;
   for (int attempts = 0; attempts < 2; ++attempts) {
     const Difference at(p, q, time);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The distance of two points in linear motion, rounded without exact arithmetic where the rounding
-// is certain (docs/MATH.md, section 8). Cost: some hundred floating-point operations.
+// Distances of two points in linear motion, rounded without exact arithmetic; none if the rounding
+// is not certain (docs/MATH.md, section 8). Cost: some hundred floating-point operations.
 #ifndef KINETRI_SRC_KINETIC_FILTER_LEAST_DISTANCE_H
 #define KINETRI_SRC_KINETIC_FILTER_LEAST_DISTANCE_H
 
@@ -12,7 +12,7 @@
 
 namespace kinetri {
 
-/// The time at which the distance is least, of all times. It is strictly between the bounds.
+/// The time of the least distance, strictly between the bounds.
 std::optional<Rounding> rounded_time_of_least_distance(const Linear_motion_2& p,
                                                        const Linear_motion_2& q);
 /// The binary64 number nearest to the distance at that time.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The differences of linear motions that the filter computes with, and the polynomials that
-// certificates make of them.
+// Differences of linear motions over a window, and their products.
 #ifndef KINETRI_SRC_KINETIC_FILTER_LINEAR_DIFFERENCES_H
 #define KINETRI_SRC_KINETIC_FILTER_LINEAR_DIFFERENCES_H
 
@@ -19,7 +18,7 @@
 
 namespace kinetri {
 
-// As difference() does where the epochs differ.
+// difference(), if the epochs differ.
 inline Difference difference_from_two_epochs(const Linear_motion_2& p, const Linear_motion_2& q,
                                              double origin, Pair& terms) {
   const Pair moved_p = pair(p.velocity) * (origin - p.epoch);
@@ -29,8 +28,8 @@ inline Difference difference_from_two_epochs(const Linear_motion_2& p, const Lin
   return {place + (moved_p - moved_q), pair(p.velocity) - pair(q.velocity)};
 }
 
-// The difference p - q at the origin; adds all numbers that the place is made from to `terms`.
-// Taking the difference of the positions first keeps the coordinates' common part out of the error.
+// The difference p - q at the origin; adds the magnitudes of all numbers that it is computed from
+// to `terms`. The positions are subtracted first, so that their common part is not in the error.
 inline Difference difference(const Linear_motion_2& p, const Linear_motion_2& q, double origin,
                              Pair& terms) {
   if (p.epoch != q.epoch) return difference_from_two_epochs(p, q, origin, terms);
@@ -41,8 +40,8 @@ inline Difference difference(const Linear_motion_2& p, const Linear_motion_2& q,
   return {place + moved, slope};
 }
 
-// The differences of the points `from` to `to`, and what bounds them: first in powers of the time
-// from the origin, and once they are scaled in powers of w.
+// The differences of the points `from` to `to`, with bounds: by powers of the time from the origin;
+// once scaled, by powers of w.
 template <std::size_t N>
 class Linear_differences : public Error_bounds {
  public:
@@ -67,8 +66,8 @@ class Linear_differences : public Error_bounds {
     slope_ = slope;
   }
 
-  // The window for looking ahead: the time in which the points would pass `share` of their distance
-  // from one another. None if they do not move against each other.
+  // The time in which the points would pass `share` of their distance. None if they do not move
+  // relative to each other.
   std::optional<double> window_ahead(double share) const {
     if (speed() == 0) return std::nullopt;
     return share * greatest(extent_) / speed();
@@ -83,20 +82,19 @@ class Linear_differences : public Error_bounds {
 
   const Difference& operator[](std::size_t i) const { return differences_[i]; }
 
-  // The sum of all numbers that the places were made from, and the greatest slope at first.
+  // The sum of all numbers that the positions were computed from, and the greatest unscaled slope.
   double terms() const { return sum(terms_); }
   double speed() const { return greatest(slope_); }
 
  private:
   std::array<Difference, N> differences_;
   // By coordinate.
-  Pair terms_ = {};   // the sum of all numbers that the places were made from
-  Pair extent_ = {};  // bounds the places
+  Pair terms_ = {};   // the sum of all numbers that the positions were computed from
+  Pair extent_ = {};  // bounds the positions
   Pair slope_ = {};   // bounds the slopes, until they are scaled
 };
 
-// The error of a product of the place with the slope, before they are scaled, and whether it can be
-// computed.
+// The error of a product of unscaled position and slope, and whether it can be computed.
 inline double unscaled_error(const Linear_differences<1>& d) {
   return 64 * unit_roundoff * (d.terms() * d.speed());
 }
@@ -104,9 +102,9 @@ inline bool is_unscaled_in_range(const Linear_differences<1>& d) {
   return is_in_range(d.terms()) && is_in_range(d.speed());
 }
 
-// How far a product of two places at the origin, made from `terms` and with slopes up to `speed`,
-// may be from its value at any time of an interval that begins there; infinite where that cannot be
-// computed.
+// A bound for the change of a product of two positions, computed from `terms` and with slopes up to
+// `speed`, throughout an interval that begins at the origin, with its rounding error; infinite if
+// it cannot be computed.
 inline double error_throughout(double terms, double speed, const Double_interval& interval) {
   // The length of the interval is rounded.
   const double moved = 2 * speed * (interval.upper - interval.lower);

@@ -28,7 +28,7 @@ Pair least(const std::array<Pair, M>& c) {
   return result;
 }
 
-// Two certificates over the window, one in each lane.
+// Two certificates over a window, one in each lane.
 template <std::size_t M>
 struct Two_certificates {
   explicit Two_certificates(const std::array<Pair, M>& coefficients)
@@ -71,8 +71,8 @@ std::array<Filter_result, 2> in_circles(std::array<Differences, 2> d,
           in_time(both.result(1, In_circle().error(d[1])), windows[1], after)};
 }
 
-// The five certificates share points. So all of them are made from the differences `d` to one
-// corner, over one window, with the error bound of the largest.
+// The five certificates share points, so all are computed from the differences `d` to one corner,
+// over one window, with one error bound.
 template <class Differences>
 std::array<Filter_result, 5> after_flip(Differences d, const Double_interval& after) {
   const std::optional<double> window = d.window_ahead(window_share);
@@ -128,7 +128,7 @@ std::array<Filter_result, 2> in_circles(
     const std::array<Quadruple<Polynomial_motion_2>, 2>& certificates, const Double_interval& after,
     const Kind& kind) {
   const std::size_t k = degree(certificates[0]);
-  if (degree(certificates[1]) != k) return {};  // which go together makes no difference
+  if (degree(certificates[1]) != k) return {};  // so that no result depends on the pairing
   if (k == 3) {
     return in_circles_of<Polynomial_differences<3, 3>>(certificates, after, kind);
   }

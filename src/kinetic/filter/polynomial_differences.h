@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The differences of polynomial motions that the filter computes with, and the polynomials that
-// certificates make of them: as linear_differences.h for linear motion.
+// Differences of polynomial motions over a window, and their products, as linear_differences.h for
+// linear motion.
 #ifndef KINETRI_SRC_KINETIC_FILTER_POLYNOMIAL_DIFFERENCES_H
 #define KINETRI_SRC_KINETIC_FILTER_POLYNOMIAL_DIFFERENCES_H
 
@@ -20,8 +20,8 @@
 
 namespace kinetri {
 
-// The difference of two motions of degree K by powers of time: of each power, the coefficients of
-// both coordinates.
+// The difference of two motions of degree K: for each power of time, the coefficients of both
+// coordinates.
 template <std::size_t K>
 using Powers = std::array<Pair, K + 1>;
 
@@ -36,7 +36,7 @@ Powers<K> absolute(Powers<K> c) {
   return c;
 }
 
-// By powers of the time from the epoch. Precondition: the motion has degree K at most.
+// Coefficients in t - epoch. Precondition: the motion has degree at most K.
 template <std::size_t K>
 Powers<K> by_powers(const Polynomial_motion_2& m) {
   static_assert(K == 2 || K == 3);
@@ -47,7 +47,7 @@ Powers<K> by_powers(const Polynomial_motion_2& m) {
   }
 }
 
-// By powers of the time from `elapsed` later.
+// The coefficients with the origin `elapsed` later.
 inline Powers<2> later(const Powers<2>& c, double elapsed) {
   const Pair c2 = elapsed * c[2];
   return {c[0] + elapsed * (c[1] + c2), c[1] + 2 * c2, c[2]};
@@ -58,7 +58,7 @@ inline Powers<3> later(const Powers<3>& c, double elapsed) {
           c[2] + 3 * c3, c[3]};
 }
 
-// The differences of motions of degree K at most.
+// The differences of motions of degree at most K.
 template <std::size_t N, std::size_t K = 3>
 class Polynomial_differences : public Error_bounds {
  public:
@@ -72,8 +72,8 @@ class Polynomial_differences : public Error_bounds {
     for (std::size_t i = 0; i < N; ++i) differences_[i] = difference(*from[i], to, origin);
   }
 
-  // As Linear_differences have it; or that in which they would pass a share of `least_extent`,
-  // where that is longer.
+  // As of Linear_differences; at least the time in which the points would pass `share` of
+  // `least_extent`.
   std::optional<double> window_ahead(double share, double least_extent = 0) const {
     Powers<K> extents = {};
     for (const Powers<K>& d : differences_) {
@@ -82,7 +82,7 @@ class Polynomial_differences : public Error_bounds {
     std::array<double, K + 1> extent;
     for (std::size_t k = 0; k <= K; ++k) extent[k] = greatest(extents[k]);
     extent[0] = std::max(extent[0], least_extent);
-    // With acceleration, the distance passed in the time h is that of extent[1] h + extent[2] h^2.
+    // With acceleration, the distance passed in the time h is at most extent[1] h + extent[2] h^2.
     double speed =
         0.5 * (extent[1] + std::sqrt(extent[1] * extent[1] + 4 * share * extent[2] * extent[0]));
     bool do_move = extent[1] != 0 || extent[2] != 0;
@@ -104,7 +104,7 @@ class Polynomial_differences : public Error_bounds {
     const double total = sum(sum_of(terms_));
     Pair size = {};
     for (const Powers<K>& d : differences_) size = greater(sum_of(absolute<K>(d)), size);
-    // Outside of the range the powers of the window may have underflowed.
+    // Otherwise powers of the window may have underflowed.
     const bool is_exact = window == 0 || kinetri::is_in_range(window);
     // The last term is more than the error of the coefficients.
     set_sizes(greatest(size) + 0x1p-48 * total,
@@ -119,12 +119,12 @@ class Polynomial_differences : public Error_bounds {
     if constexpr (K == 3) return (c[0] + c[1]) + (c[2] + c[3]);
   }
 
-  // Adds all numbers that the coefficients are made from to the terms.
+  // Adds the magnitudes of all numbers that the coefficients are computed from to `terms_`.
   Powers<K> difference(const Polynomial_motion_2& p, const Polynomial_motion_2& q, double origin) {
     const Powers<K> from = by_powers<K>(p);
     const Powers<K> to = by_powers<K>(q);
     if (p.epoch == q.epoch) {
-      // Taking the difference first keeps the coordinates' common part out of the error.
+      // Subtracted first, so that the common part of the coordinates is not in the error.
       const Powers<K> difference = from - to;
       add_terms(difference, std::abs(origin - p.epoch));
       return later(difference, origin - p.epoch);
@@ -136,13 +136,13 @@ class Polynomial_differences : public Error_bounds {
 
   void add_terms(const Powers<K>& c, double elapsed) {
     Powers<K> terms = absolute<K>(c);
-    // Times the unit roundoff, what a coefficient loses by underflow, here or in `later`.
+    // Times the unit roundoff this is the error of a coefficient by underflow, here or in `later`.
     for (Pair& x : terms) x += 0x1p-1021;
     terms_ = terms_ + later(terms, elapsed);
   }
 
   std::array<Powers<K>, N> differences_;
-  Powers<K> terms_ = {};  // the sums of all numbers that the coefficients were made from
+  Powers<K> terms_ = {};  // the sums of all numbers that the coefficients were computed from
 };
 
 // One coordinate of a difference.

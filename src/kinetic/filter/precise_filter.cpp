@@ -12,8 +12,8 @@
 namespace kinetri {
 namespace {
 
-// The radius at one time, or another number that grows, times the scale of the motion; adds the
-// magnitudes of all numbers that it is made from to `terms`.
+// The radius at a time, times the scale of the motion; adds the magnitudes of all numbers that it
+// is computed from to `terms`.
 template <class Disc>
 Double_double scaled_radius(const Disc& disc, const Double_double& time, double& terms) {
   constexpr double scale = Scaled<typename Disc::Centre_motion>::scale;
@@ -24,8 +24,8 @@ Double_double scaled_radius(const Disc& disc, const Double_double& time, double&
   return radius + grown;
 }
 
-// By how much the weights of discs are greater than that of the last of them at one time, times the
-// square of the scale of the motion.
+// The weights of discs minus that of the last one at a time, times the square of the motion's
+// scale.
 template <std::size_t N, class Disc>
 class Weights {
  public:
@@ -45,7 +45,7 @@ class Weights {
   }
 
   const Double_double& relative(std::size_t i) const { return relative_[i]; }
-  // Bounds the weights, and what their errors are relative to.
+  // Bounds the weights; their errors are relative to this.
   double size() const { return size_; }
   bool is_in_range() const { return size_ < greatest_size * greatest_size; }
 
@@ -90,7 +90,7 @@ double precise_orientation(const Motion& p, const Motion& q, const Motion& r, do
   return certain(places.cross(0, 1), units * (places.size() * places.terms()));
 }
 
-// The reach of two at one time, times the scale of the motion.
+// The reach of two points at a time, times the scale of the motion.
 template <class Motion>
 Double_double scaled_reach(const Motion& p, const Motion& q, double diameter,
                            const Double_double& time, double& terms) {
@@ -161,7 +161,7 @@ std::optional<Rounding> rounded_distance_comparison(const Linear_motion_2& p,
   const double width = bracket.upper - bracket.lower;
   const double origin = bracket.lower + 0.5 * width;
   if (!is_precise()) return std::nullopt;
-  // Of the squared length of one difference: its value, half its slope, and their errors.
+  // The squared length of a difference: its value, half its slope, and their errors.
   struct Square {
     Double_double value;
     double half_slope = 0;
@@ -195,7 +195,7 @@ std::optional<Rounding> rounded_in_circle(const Linear_motion_2& p, const Linear
   const double width = bracket.upper - bracket.lower;
   const double origin = bracket.lower + 0.5 * width;
   const Places<4, Linear_motion_2> places({&p, &q, &r, &s}, {origin});
-  // The differences to s, in binary64, and their derivatives.
+  // The differences to s and their derivatives, in binary64.
   std::array<double, 3> x;
   std::array<double, 3> y;
   std::array<double, 3> vx;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The values of certificates at one time, in twice the precision of binary64: for
-// rounding a failure time to the nearest binary64 number without making its polynomial. The sign is
-// right; zero says that it is not certain (docs/MATH.md, sections 7 and 9). `Motion` is
-// Linear_motion_2 or Polynomial_motion_2 or, but for orientations, a disc with such a centre.
+// Values of certificates at one time in twice the precision of binary64, to round a failure time to
+// nearest without its polynomial. The sign is exact; zero means "unknown" (docs/MATH.md, sections 7
+// and 9). `Motion` is Linear_motion_2, Polynomial_motion_2 or, except for orientations, a disc with
+// such a center.
 #ifndef KINETRI_SRC_KINETIC_FILTER_PRECISE_FILTER_H
 #define KINETRI_SRC_KINETIC_FILTER_PRECISE_FILTER_H
 
@@ -18,7 +18,7 @@ namespace kinetri {
 
 /// The value of a positive multiple of in_circle_polynomial, orientation_polynomial,
 /// contact_polynomial and distance_comparison_polynomial at the time high + low, where |low| is at
-/// most half a unit in the last place of `high`. The last takes the centres of discs.
+/// most half a unit in the last place of `high`. The last one takes centers of discs.
 template <class Motion>
 double precise_in_circle(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
                          double high, double low);
@@ -31,9 +31,8 @@ template <class Motion>
 double precise_distance_comparison(const Motion& p, const Motion& q, const Motion& r,
                                    const Motion& s, double high, double low);
 
-/// @{
-/// The only root of contact_polynomial, in_circle_polynomial or distance_comparison_polynomial
-/// between the bounds of `bracket`, rounded, where it is certain. Cost: about that of one value.
+/// @{ The only root of contact_polynomial, in_circle_polynomial or distance_comparison_polynomial
+/// in `bracket`, rounded; none if the rounding is not certain. Cost: about that of one value.
 /// `Motion` is Linear_motion_2 or Disc_motion_2.
 template <class Motion>
 std::optional<Rounding> rounded_contact(const Motion& p, const Motion& q, double diameter,

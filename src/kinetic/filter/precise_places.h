@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Places at one time in twice the precision of binary64, and what is certain of a number that is
-// computed from them (docs/MATH.md, section 7).
+// Positions at one time in twice the precision of binary64, and certain values computed from them
+// (docs/MATH.md, section 7).
 #ifndef KINETRI_SRC_KINETIC_FILTER_PRECISE_PLACES_H
 #define KINETRI_SRC_KINETIC_FILTER_PRECISE_PLACES_H
 
@@ -28,8 +28,8 @@ struct Place {
   Double_double y;
 };
 
-// A place, times a scale, with the sum of the magnitudes of all numbers that it is made from; and
-// how the errors grow against those of linear motion.
+// A position times `scale`, with the sum of the magnitudes of all numbers that it is computed from.
+// Errors are those of linear motion times `error_factor`.
 template <class Motion>
 struct Scaled;
 
@@ -48,7 +48,7 @@ struct Scaled<Linear_motion_2> {
   }
 };
 
-// Times 6 there is no division.
+// The scale 6 avoids divisions.
 template <>
 struct Scaled<Polynomial_motion_2> {
   static constexpr double scale = 6;
@@ -75,7 +75,7 @@ struct Scaled<Polynomial_motion_2> {
   }
 };
 
-// Where points are at one time, relative to the last of them.
+// Positions at one time, relative to the last point.
 template <std::size_t N, class Motion>
 class Places {
  public:
@@ -105,11 +105,11 @@ class Places {
 
  private:
   std::array<Place, N - 1> relative_;
-  double size_ = 0;   // bounds the relative places
-  double terms_ = 0;  // the sum of all numbers that the places were made from
+  double size_ = 0;   // bounds the relative positions
+  double terms_ = 0;  // the sum of all numbers that the positions were computed from
 };
 
-// What is proved of the arithmetic holds with rounding to nearest.
+// The error bounds are proved for rounding to nearest.
 inline bool is_precise() {
   return std::fegetround() == FE_TONEAREST;
 }
@@ -118,10 +118,10 @@ inline double certain(const Double_double& value, double error) {
   return std::abs(value.high) > error ? value.high : 0;
 }
 
-// One step of Newton's method from `origin`, which is in the bracket of the root: what `value` and
-// `slope` say of it there, whose errors are at most `error` and, with what the second derivative
-// changes within the bracket, `slope_error`. So small a step errs by far less than half a unit in
-// the last place; docs/MATH.md, section 8, has the bounds.
+// One step of Newton's method from `origin`, which is in the bracket of the root. The error of
+// `value` there is at most `error`; that of `slope` throughout the bracket is at most
+// `slope_error`. For so small a step the error is far below half a unit in the last place
+// (docs/MATH.md, section 8).
 inline std::optional<Rounding> newton_rounding(double origin, double value, double error,
                                                double slope, double slope_error) {
   const double least_slope = std::abs(slope) - slope_error;
@@ -136,7 +136,7 @@ inline std::optional<Rounding> newton_rounding(double origin, double value, doub
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Rounding result = {nearest,
                      {std::nextafter(nearest, -infinity), std::nextafter(nearest, infinity)}};
-  // On which side of `nearest` it is: mostly that of the rest.
+  // The side of `nearest` on which the root is, if it is certain.
   if (nearest == root.high && root.low > distance) result.bounds.lower = nearest;
   if (nearest == root.high && root.low < -distance) result.bounds.upper = nearest;
   return result;

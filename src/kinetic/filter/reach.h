@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far apart two are at a contact, from the origin on: a constant, or for discs that grow a
-// linear function. docs/MATH.md, section 8, has the errors.
+// The reach, that is, the contact distance of two points or discs from the origin on: a constant,
+// or a linear function if discs grow. docs/MATH.md, section 8, derives the errors.
 #ifndef KINETRI_SRC_KINETIC_FILTER_REACH_H
 #define KINETRI_SRC_KINETIC_FILTER_REACH_H
 
@@ -17,7 +17,7 @@
 
 namespace kinetri {
 
-// A reach that is not negative and does not change: no code of points does more than it needs.
+// A constant reach, not negative. A type of its own, so that the code of points stays fast.
 struct Constant_reach {
   double constant = 0;
 };
@@ -33,7 +33,7 @@ inline void scale(Linear_function& reach, double window) {
   reach.slope *= window;
 }
 
-// Bounds the reach, once it is scaled.
+// A bound for the scaled reach.
 inline double size(const Constant_reach& reach) {
   return reach.constant;
 }
@@ -41,7 +41,7 @@ inline double size(const Linear_function& reach) {
   return reach.terms + std::abs(reach.slope);
 }
 
-// The difference of two centres, and their reach; in powers of w once they are scaled.
+// The difference of two centers, and their reach; by powers of w once scaled.
 template <class Differences, class Reach>
 class Differences_and_reach : public Differences {
  public:
@@ -53,7 +53,7 @@ class Differences_and_reach : public Differences {
   std::optional<double> window_ahead(double share) const {
     return shorter(Differences::window_ahead(share), window_of_growth(share, 0));
   }
-  // Where they are within their reach, that is what has to be passed.
+  // Within the reach, the points have to pass the reach, not their distance.
   std::optional<double> window_within_reach(double share) const {
     const double reach = std::abs(reach_.constant);
     return shorter(Differences::window_ahead(share, reach), window_of_growth(share, reach));
@@ -65,7 +65,7 @@ class Differences_and_reach : public Differences {
   }
 
   const Reach& reach() const { return reach_; }
-  // Bounds the reach, once it is scaled.
+  // A bound for the scaled reach.
   double reach_size() const { return size(reach_); }
   bool is_in_range() const { return reach_size() < greatest_size && Differences::is_in_range(); }
 
@@ -81,7 +81,7 @@ class Differences_and_reach : public Differences {
   Reach reach_;
 };
 
-// The kind of differences (differences.h) of two centres together with their reach.
+// The kind of differences (differences.h) of two centers with their reach.
 template <class Reach>
 struct With_reach {
   template <class Differences, class Centre>
@@ -94,7 +94,7 @@ struct With_reach {
 template <class Reach>
 With_reach(Reach) -> With_reach<Reach>;
 
-// What `function` makes of the reach of two points: the diameter, and the radii of both.
+// Calls `function` with the reach of two points: the diameter plus both radii.
 template <class Motion, class Function>
 inline auto with_reach_of(const Motion& p, const Motion& q, double diameter, double origin,
                           const Function& function) {
@@ -111,7 +111,7 @@ inline auto with_reach_of(const Motion& p, const Motion& q, double diameter, dou
   return function(Constant_reach{diameter});
 }
 
-// The same of a point and a wall: the clearance, and of a rim the radius.
+// The same for a point and a wall: the clearance, plus the radius if the boundary touches.
 template <class Motion, class Function>
 inline auto with_reach_of(const Motion& p, const Wall_2& wall, double origin,
                           const Function& function) {

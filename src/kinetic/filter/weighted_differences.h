@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the filter adds to the differences of centres where points have weights: a quadratic in time
-// for the difference of two weights. docs/MATH.md, section 7, "Weights", has the errors.
+// Differences of centers with differences of weights, which are quadratic in time. docs/MATH.md,
+// section 7, "Weights", derives the errors.
 #ifndef KINETRI_SRC_KINETIC_FILTER_WEIGHTED_DIFFERENCES_H
 #define KINETRI_SRC_KINETIC_FILTER_WEIGHTED_DIFFERENCES_H
 
@@ -19,9 +19,9 @@
 
 namespace kinetri {
 
-// Whether the numbers of the discs show that all have the same weight at every time, as those of
-// equal constant radii do. `have_equal_weights` decides it for two, at more cost. Without branches
-// between the comparisons, which would take longer than they.
+// Whether all discs have the same weight at every time because their numbers are equal and radii
+// constant. (`have_equal_weights` decides it for any two, at more cost.) Without branches, which
+// would cost more than the comparisons.
 template <class Disc>
 inline bool have_same_weight_numbers(const Disc& p, const Disc& q) {
   return (p.radius == q.radius) & (p.weight == q.weight) & (p.growth == 0) & (q.growth == 0);
@@ -43,15 +43,15 @@ inline std::array<const Centre*, N> centres(
   return result;
 }
 
-// Constant + slope * (time - origin), and the sum of the magnitudes of what the constant was made
-// from.
+// constant + slope * (time - origin); `terms` is the sum of the magnitudes of the numbers that the
+// constant was computed from.
 struct Linear_function {
   double constant = 0;
   double slope = 0;
   double terms = 0;
 };
 
-// The radius of p at the origin and from there on.
+// The radius of p from the origin on.
 template <class Disc>
 inline Linear_function radius_from(const Disc& p, double origin) {
   const double grown = p.growth * (origin - p.epoch);
@@ -62,8 +62,7 @@ inline Linear_function operator+(const Linear_function& a, const Linear_function
   return {a.constant + b.constant, a.slope + b.slope, a.terms + b.terms};
 }
 
-// The difference of two radii; what they have in common is in no error where the epochs are equal
-// or the radii constant.
+// The difference of two radii. If the epochs are equal, their common part is not in the error.
 template <class Disc>
 inline Linear_function difference_of_radii(const Disc& p, const Disc& q, double origin) {
   const double slope = p.growth - q.growth;
@@ -78,7 +77,7 @@ inline Linear_function difference_of_radii(const Disc& p, const Disc& q, double 
           std::abs(constant) + std::abs(grown_p) + std::abs(grown_q)};
 }
 
-// The place of a difference at the origin.
+// A difference at the origin.
 inline const Pair& place(const Difference& d) {
   return d.place;
 }
@@ -87,8 +86,7 @@ inline const Pair& place(const std::array<Pair, M>& powers) {
   return powers[0];
 }
 
-// The window in which both what takes `one` and what takes `other` has happened; nothing takes for
-// ever.
+// The window for the sum of two rates of change, each 1 / window. None is an infinite window.
 inline std::optional<double> shorter(const std::optional<double>& one,
                                      const std::optional<double>& other) {
   if (!one) return other;
@@ -112,9 +110,8 @@ class Weighted_differences : public Differences {
     }
   }
 
-  // As for the centres alone. The lengths that are squared change with them or with the weights.
-  // The extent is that of the lifted points: with a weight that grows for ever, windows grow as
-  // well.
+  // As for the centers alone, but lifts change with the weights too. The extent includes the root
+  // of the weights, so that windows grow if weights grow without bound.
   std::optional<double> window_ahead(double share) const {
     double extent = 0;
     double weight = 0;
@@ -138,7 +135,7 @@ class Weighted_differences : public Differences {
 
   void scale(double window) {
     Differences::scale(window);
-    double reach = 0;  // a sum, in which what is not finite remains
+    double reach = 0;  // a sum, since it keeps values that are not finite
     for (std::size_t i = 0; i < N; ++i) {
       auto& [difference, sum, rest] = factors_[i];
       difference.slope *= window;
@@ -154,16 +151,16 @@ class Weighted_differences : public Differences {
     is_in_range_ = reach < greatest_size && weight_size_ < greatest_size * greatest_size;
   }
 
-  // By how much the weight of point i is greater than that of the last point.
+  // The weight of point i minus that of the last point.
   const std::array<double, 3>& weight(std::size_t i) const { return weights_[i]; }
 
-  // Bounds the sum of the magnitudes of the coefficients of any such weight.
+  // Bounds the sum of the magnitudes of the coefficients of each such difference.
   double weight_size() const { return weight_size_; }
   double lift_size() const { return Differences::lift_size() + weight_size_; }
   bool is_in_range() const { return is_in_range_ && Differences::is_in_range(); }
 
  private:
-  // The weight is the difference of the radii times their sum, and the rest.
+  // The difference of two weights is difference * sum + rest.
   struct Factors {
     Linear_function difference;
     Linear_function sum;
@@ -175,8 +172,8 @@ class Weighted_differences : public Differences {
   bool is_in_range_ = false;
 };
 
-// The kind of differences (differences.h) of discs in which their weights are taken into account:
-// for each of several certificates, the discs `from` that are compared with the disc `to`.
+// The kind of differences (differences.h) of discs with weights: for each certificate the discs
+// `from` and the disc `to`.
 template <class Disc, std::size_t N, std::size_t Certificates = 1>
 struct With_weights {
   template <class Differences, class Centre>
@@ -190,7 +187,7 @@ struct With_weights {
   std::array<const Disc*, Certificates> to;
 };
 
-// The height of a point i above the corner, lifted by the squared length less the weight.
+// Point i relative to the corner, lifted by the squared length less the weight.
 template <class Differences>
 inline auto lifted(const Differences& d, std::size_t i) {
   auto result = lifted(d[i]);
@@ -199,7 +196,7 @@ inline auto lifted(const Differences& d, std::size_t i) {
   }
   return result;
 }
-// The same of two points, in the lanes of a Pair.
+// The same for two points, in the lanes of a Pair.
 template <class Differences>
 inline auto lifted(const Differences& d, std::size_t i, const Differences& e, std::size_t j) {
   auto result = lifted(d[i], e[j]);
