@@ -10,10 +10,10 @@
 namespace kinetri::bench {
 namespace {
 
-// More for one disc mean that there is no room, or hardly any.
+// After so many positions for one disc there is probably no free area.
 constexpr int most_trials = 1'000'000;
 
-// The motions of the setup's lattice, in the square that its cells fill.
+// The motions of the setup's lattice, with the square of its cells as the box.
 Bench_discs without_radii(const Setup& setup) {
   Bench_discs result;
   result.motions = setup.motions();
@@ -23,14 +23,14 @@ Bench_discs without_radii(const Setup& setup) {
   return result;
 }
 
-// Whether the disc number `i` is certainly apart from all before it.
+// Whether disc `i` certainly overlaps no disc before it.
 bool is_apart(const Bench_discs& discs, std::size_t i) {
   const Vector_2& place = discs.motions[i].position;
   for (std::size_t j = 0; j < i; ++j) {
     const double x = discs.motions[j].position.x - place.x;
     const double y = discs.motions[j].position.y - place.y;
     const double contact = discs.radii[j] + discs.radii[i];
-    // More than the rounding. The simulation refuses discs that overlap, exactly.
+    // The margin exceeds rounding errors. The simulation refuses overlapping discs exactly.
     if (x * x + y * y < (1 + 0x1p-40) * (contact * contact)) return false;
   }
   return true;

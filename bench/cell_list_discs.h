@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rival for colliding discs: event-driven molecular dynamics of hard discs in a box, in
-// doubles, certified by nothing, without a triangulation. It is what one writes who wants
-// collisions alone and takes them one at a time for granted: rounding decides which of two that
-// are nearly simultaneous comes first, and how far discs overlap.
+// The baseline for colliding discs: event-driven molecular dynamics of hard discs in a box, in
+// doubles, without certificates or a triangulation. Rounding decides the order of collisions that
+// are nearly simultaneous, and how far discs overlap.
 //
-// Cells at least as wide as the greatest diameter say which discs may collide, so that a disc's
-// events are its collisions with those of the 3 x 3 cells around it, its passage to the next cell,
-// and the wall. A disc is moved only when it has an event. The queue holds one entry a disc, its
-// next event, found when its motion changed last. A collision whose partner has had another one
-// since is not looked for when that happens, but when its old time has come: whatever the disc
-// meets is not earlier. Sources: D. C. Rapaport, The event scheduling problem in molecular dynamic
-// simulation, J. Comput. Phys. 34 (1980); B. D. Lubachevsky, How to simulate billiards and similar
-// systems, J. Comput. Phys. 94 (1991); M. Marin, D. Risso, P. Cordero, Efficient algorithms for
-// many-body hard particle molecular dynamics, J. Comput. Phys. 109 (1993).
+// Cells are at least as wide as the greatest diameter, so a disc's events are its collisions with
+// discs of the 3 x 3 cells around it, its passage to the next cell, and the wall. A disc is moved
+// only at its events. The queue has one entry for each disc, its next event, computed when its
+// motion last changed. If the partner of a collision changes its velocity first, the disc's next
+// event is searched for again only at the old time: the disc collides with nothing earlier.
+// Sources: D. C. Rapaport, The event scheduling problem in molecular dynamic simulation, J. Comput.
+// Phys. 34 (1980); B. D. Lubachevsky, How to simulate billiards and similar systems, J. Comput.
+// Phys. 94 (1991); M. Marin, D. Risso, P. Cordero, Efficient algorithms for many-body hard particle
+// molecular dynamics, J. Comput. Phys. 109 (1993).
 #ifndef KINETRI_BENCH_CELL_LIST_DISCS_H
 #define KINETRI_BENCH_CELL_LIST_DISCS_H
 
@@ -33,13 +32,13 @@ namespace kinetri::bench {
 struct Cell_list_counters {
   std::uint64_t collisions = 0;
   std::uint64_t wall_contacts = 0;
-  std::uint64_t crossings = 0;     ///< passages from cell to cell
-  std::uint64_t looked_again = 0;  ///< collisions whose partner had had another one
+  std::uint64_t crossings = 0;     ///< passages to another cell
+  std::uint64_t looked_again = 0;  ///< collisions whose partner had changed its velocity
 };
 
-/// The discs, from time 0 on; their centres are reflected by the walls, and they collide
-/// elastically, with the areas as masses. Preconditions: at least one disc, with its centre in the
-/// box; a positive radius for each; epochs 0; no overlap.
+/// The discs from time 0 on. Walls reflect their centers; discs collide elastically, with their
+/// areas as masses. Preconditions: at least one disc; centers in the box; positive radii; epochs 0;
+/// no overlap.
 class Cell_list_discs {
  public:
   using Pair = std::array<std::uint32_t, 2>;
@@ -58,15 +57,15 @@ class Cell_list_discs {
   /// The sum of the squared speeds, each times the square of the radius.
   long double energy() const;
 
-  /// How far the two discs that overlap most, for their size, do so now: in sums of their radii; 0
-  /// if none do.
+  /// The greatest present overlap of two discs, divided by the sum of their radii; 0 if none
+  /// overlap.
   double deepest_overlap() const;
 
  private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   static constexpr double never = std::numeric_limits<double>::infinity();
 
-  /// A disc, where it was at its last event, in one cache line.
+  /// A disc at its last event, in one cache line.
   struct alignas(64) Disc {
     Vector_2 place;
     Vector_2 velocity;
@@ -79,8 +78,8 @@ class Cell_list_discs {
     std::uint16_t row = 0;
   };
 
-  /// The earliest of the collisions that were found, with what the partner had behind it, and the
-  /// way out of the cell.
+  /// The earliest collision found, with the partner's number of velocity changes then, and the exit
+  /// from the cell.
   struct Plan {
     double collision_time = never;
     double crossing_time = never;
@@ -89,7 +88,7 @@ class Cell_list_discs {
     bool crosses_column = false;  // else row
   };
 
-  /// The columns or the rows of cells: one more bound than there are.
+  /// The bounds of the columns or rows of cells, one more than there are.
   static std::vector<double> bounds(double first, double last, double least_width);
 
   std::size_t cell(std::size_t column, std::size_t row) const { return row * stride_ + column; }
@@ -110,8 +109,8 @@ class Cell_list_discs {
 
   std::vector<double> column_bounds_;
   std::vector<double> row_bounds_;
-  std::size_t stride_;                // of rows, which have an empty cell at either end
-  std::vector<std::uint32_t> cells_;  // the first disc of each, with a rim of empty cells
+  std::size_t stride_;                // of a row, which has an empty cell at either end
+  std::vector<std::uint32_t> cells_;  // the first disc of each; empty cells around
   std::vector<Disc> discs_;
   std::vector<Plan> plans_;  // by disc
   Time_wheel queue_;         // by disc

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// When a polynomial first becomes negative, in plain doubles: the root finder of the uncertified
-// kinetic Delaunay triangulation. Nothing here bounds a rounding error.
+// The first time at which a polynomial becomes negative, in doubles without error bounds: the root
+// finder of the uncertified kinetic Delaunay triangulation.
 //
-// The coefficients c_0, c_1, ..., c_N of a polynomial in t are, divided by binomial(N, k), the
-// Bernstein coefficients of (1 - u)^N p(u / (1 - u)), so that de Casteljau's algorithm subdivides
-// the whole half line t > 0, and by Descartes' rule a piece whose coefficients change sign once has
-// exactly one root.
+// The coefficients c_k of a polynomial p in t, divided by binomial(N, k), are the Bernstein
+// coefficients of (1 - u)^N p(u / (1 - u)). So de Casteljau's algorithm subdivides the half line t
+// > 0; a piece whose coefficients change sign once has exactly one root (Descartes' rule).
 #ifndef KINETRI_BENCH_FIRST_FAILURE_H
 #define KINETRI_BENCH_FIRST_FAILURE_H
 
@@ -49,8 +48,8 @@ int sign_changes(const std::array<double, M>& c) {
 }
 
 /// The only positive root of a polynomial with c[0] > 0 and one sign change, by Newton's method
-/// from `x`. To the right of the root it is concave and falls, so that there the steps go down to
-/// the root and never past it.
+/// from `x`. To the right of the root the polynomial decreases and is concave, so steps from there
+/// do not pass the root.
 template <std::size_t M>
 double only_root(const std::array<double, M>& c, double x) {
   for (int i = 0; i < 60; ++i) {
@@ -63,7 +62,7 @@ double only_root(const std::array<double, M>& c, double x) {
     const double next = slope < 0 ? std::min(x - value / slope, 8 * x) : 4 * x;
     const double step = std::abs(next - x);
     x = next;
-    if (step <= 1e-8 * x) break;  // the error is now of the order of the square of that
+    if (step <= 1e-8 * x) break;  // the error is now of the order of step^2
   }
   return x;
 }
@@ -97,7 +96,7 @@ double first_root_in_piece(std::array<double, M> b) {
     double lower;
     double width;
   };
-  constexpr double least_width = 1e-9;  // there a double root is not told from two roots or none
+  constexpr double least_width = 1e-9;  // below it, 0, 1 or 2 roots are not distinguished
   std::array<Piece, 64> stack;
   std::size_t size = 0;
   double lower = 0;
@@ -115,7 +114,7 @@ double first_root_in_piece(std::array<double, M> b) {
     b = next.b;
     lower = next.lower;
     width = next.width;
-    // A root at the end of two pieces is found in the left one.
+    // A root between two pieces.
     if (!(b[0] > 0)) return lower;
   }
 }
@@ -153,7 +152,8 @@ inline std::array<double, 2> bernstein(std::array<double, 2> c, double width) {
 }
 
 /// The first t > 0 at which the polynomial with c[0] > 0 becomes negative; `never` if there is
-/// none. `scale` is a typical root. Adds one to `solves` if the signs do not already tell.
+/// none. `scale` is a typical root. Adds one to `solves` unless all coefficients are positive or
+/// zero.
 template <std::size_t M>
 double first_failure(const std::array<double, M>& c, double scale, std::uint64_t& solves) {
   const int changes = sign_changes(c);

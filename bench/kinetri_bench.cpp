@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs one measurement and prints it as one JSON object. bench/run.py runs it several times and
-// makes a table.
+// Runs one measurement and prints it as one JSON object. bench/run.py makes tables of several runs.
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <exception>
@@ -16,15 +15,15 @@ namespace {
 using namespace kinetri;
 using namespace kinetri::bench;
 
-// Discs of the largest radius that is allowed do not overlap at the start, where the centres are on
-// a lattice, each coordinate shifted by as much as the jitter: 2 10 sqrt(0.71 / pi) < 10 - 2 0.2.
+// The largest allowed discs do not overlap at the start, on a lattice with coordinates shifted by
+// up to the jitter: 2 * 10 sqrt(0.71 / pi) < 10 - 2 * 0.2.
 constexpr double discs_jitter = 0.2;
 constexpr double most_area_fraction = 0.71;
 
 struct Mode {
   nlohmann::json (*measure)(const Setup&);
   const char* description;
-  double until = 10;  // unless another time is given
+  double until = 10;  // the default
 };
 
 const std::string batches_mode = "batches";
@@ -43,15 +42,16 @@ const std::map<std::string, Mode> modes = {
     {"certificates",
      {measure_certificates, "certificates of contacts and distances, with filters and without"}},
     {batches_mode,
-     {measure_batches, "other motions of many points at once, with two threads beside one", 5}},
-    {"changes", {measure_changes, "time to insert, erase and turn a point, beside CGAL's insert"}},
+     {measure_batches, "new motions of many points at once, with two threads beside one", 5}},
+    {"changes", {measure_changes, "time to insert, erase and turn a point, beside CGAL"}},
     {"encounters", {measure_encounters, "all pairs in range of each other, against the run alone"}},
     {lines_mode, {measure_lines, "starts of points on a line, on a circle, on a lattice"}},
     {threads_mode, {measure_threads, "runs with all threads beside runs with one", 5}},
-    {"regions", {measure_regions, "one run by the plain loop and by regions"}},
+    {"regions", {measure_regions, "one run by the sequential loop and in time windows"}},
     {contacts_mode,
-     {measure_contacts, "one run of discs in contact by the plain loop and by regions", 4}},
-    {"steps", {measure_steps, "turns and looks at each step, against a rebuild at each step"}},
+     {measure_contacts, "one run of colliding discs by the sequential loop and in time windows",
+      4}},
+    {"steps", {measure_steps, "velocity changes at each step, against a rebuild at each step"}},
     {"answers",
      {measure_answers, "Voronoi cells, areas, nearest neighbors, positions, the closest pair"}},
     {"arrays", {measure_arrays, "construction, turns and a recorded run, as Python has them", 1}},
@@ -59,7 +59,7 @@ const std::map<std::string, Mode> modes = {
      {measure_components,
       "what the components of points in range, and the spanning tree, cost beside the run", 1}},
     {"memory", {measure_memory, "peak memory of construction and run"}},
-    {"frames", {measure_frames, "frame rates from which on the kinetic way is faster"}},
+    {"frames", {measure_frames, "frame rates above which the kinetic triangulation is faster"}},
     {"lattice-row",
      {measure_lattice_row, "time per event of a lattice in which one row moves, against uniform"}},
     {"paper-table", {measure_paper_table, "events scheduled, executed, discarded: eager and lazy"}},

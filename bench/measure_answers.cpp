@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Answers about all points at one time, each beside what a user without the triangulation, or
-// without its queries, would do.
+// Queries about all points at one time, each beside an alternative without the triangulation or
+// without its queries.
 #include <CGAL/Delaunay_triangulation_2.h>
 
 #include <limits>
@@ -22,7 +22,7 @@ double squared_distance(const Static_kernel::Point_2& p, const Static_kernel::Po
   return (p.x() - q.x()) * (p.x() - q.x()) + (p.y() - q.y()) * (p.y() - q.y());
 }
 
-// The least squared distance of `p` from another of the points, by a look at all of them.
+// The least squared distance of `p` from another point, by comparing all.
 double nearest_of_all(const std::vector<Static_kernel::Point_2>& points, std::size_t p) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t q = 0; q < points.size(); ++q) {
@@ -31,7 +31,7 @@ double nearest_of_all(const std::vector<Static_kernel::Point_2>& points, std::si
   return least;
 }
 
-// What an answer is made of, so that no compiler leaves its computation away.
+// Uses a result, so that the compiler does not remove its computation.
 double sum_of(const std::vector<double>& numbers) {
   double sum = 0;
   for (const double x : numbers) sum += x;

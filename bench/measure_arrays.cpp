@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the Python package does, in C++: bench/run_python.py compares the two.
+// The operations of the Python package in C++, for bench/run_python.py.
 #include <algorithm>
 #include <numeric>
 #include <vector>

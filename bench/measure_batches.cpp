@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Other motions of every tenth point at once, between two runs, with one thread and with two: the
-// times of the last round, and the ratios of all, sorted. With two threads the queue is in parts,
-// as a run of many events leaves it. The ratios of the runs say how free the processors were.
+// times of the last round, and the sorted ratios of all rounds. With two threads the queue is
+// partitioned, as after a run of many events. The ratios of the runs show how idle the processors
+// were.
 #include <algorithm>
 #include <cstddef>
 #include <random>
@@ -56,7 +57,7 @@ json measure_batches(const Setup& setup) {
       const Vector_2& velocity = motions[any(random)].velocity;
       others.push_back(with_velocity_at(one.motion(ids.back()), velocity, now));
     }
-    // Who is first in a round is second in the next one.
+    // The order alternates.
     const auto change_one = [&] { one.set_motions(ids, others); };
     double one_seconds = 0;
     if (round % 2 == 0) one_seconds = seconds_of(change_one);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Certificates of the quadrilaterals around edges, and of contacts and of distances for the pairs
-// of points that are neighbors: those that never fail and those that fail, apart. Beside those of
-// exact arithmetic alone.
+// In-circle certificates of quadrilaterals around edges, and certificates of contacts and distances
+// of neighbors, with filters and with exact arithmetic alone. Certificates that fail and those that
+// do not are measured separately.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 using Kind = Certificate::Kind;
 
-// The mean distance of the points beside one another is 10.
+// The mean distance of neighbors is 10.
 constexpr double range = 5;
 
 // Two points that are neighbors at time 0, and the next two, for comparisons.
@@ -28,10 +28,10 @@ struct Neighbors {
   const Moving_point_2* q;
   const Moving_point_2* r;
   const Moving_point_2* s;
-  Algebraic_number from;  // the time from which on
+  Algebraic_number from;  // the start time of certificates
 };
 
-// The corners of two triangles that share an edge, those of the first one counterclockwise.
+// The corners of two triangles that share an edge; the first three are a counterclockwise triangle.
 struct Quadrilateral {
   std::array<const Moving_point_2*, 4> corners;
 };
@@ -48,7 +48,7 @@ Edges edges_of(const std::vector<Moving_point_2>& points,
   for (std::size_t i = 0; i < motions.size(); ++i) {
     places.emplace_back(Static_kernel::Point_2(motions[i].position.x, motions[i].position.y), i);
   }
-  // Ids by place, which scenarios do not repeat.
+  // Ids by position: no scenario repeats a position.
   std::ranges::sort(places);
   const auto point_at = [&](const Static_kernel::Point_2& place) {
     const auto found =
@@ -76,7 +76,8 @@ Edges edges_of(const std::vector<Moving_point_2>& points,
   return edges;
 }
 
-// Nanoseconds of a certificate, the shortest of several passes over all that do `fail` or do not.
+// Nanoseconds of a certificate: the fastest of several passes, over those that fail and over the
+// others.
 template <class Case, class Make>
 json nanoseconds(const std::vector<Case>& all, const Make& make) {
   json result = json::object();
@@ -106,8 +107,8 @@ json nanoseconds(const std::vector<Case>& all, const Make& make) {
 template <class Traits>
 json certificates(const Traits& traits, const Edges& edges) {
   const std::vector<Neighbors>& all = edges.neighbors;
-  // From the time on at which they have come within the range: as known by a bracket. Not made
-  // before, as a number keeps what it has been asked.
+  // Certificates that start when the points enter the range, a time known by a bracket. Computed
+  // here, since a number caches its exact value.
   std::vector<Neighbors> within;
   std::vector<Neighbors> entering;
   for (Neighbors n : all) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Insertions, erasures and turns of single points while time rests, beside CGAL's insertion and
-// removal in a static triangulation of the same points.
+// Insertions, erasures and velocity changes ("turns") of single points at a fixed time, beside
+// CGAL's insertion and removal in a static triangulation of the same points.
 #include <random>
 
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
@@ -14,7 +14,7 @@ using nlohmann::json;
 
 constexpr double present = 0.1;
 
-// The changes of a round: random points, and what becomes of them.
+// The changes of a round: random points, and motions for them.
 struct Changes {
   std::vector<Point_id> ids;
   std::vector<Linear_motion_2> motions;
@@ -56,7 +56,7 @@ json measure_changes(const Setup& setup) {
       }
       result["turn_ns"] = nanoseconds(watch, changes.ids.size());
     }
-    // All velocities at one time, and a tenth of them, beside a static triangulation made anew.
+    // Changes of all velocities at once, and of a tenth, beside a new static triangulation.
     const auto turn_every = [&](std::size_t period) {
       std::vector<Point_id> ids;
       std::vector<Linear_motion_2> turned;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What it costs to follow the components of points in range, and their spanning tree, beside the
-// run alone.
+// The cost of observing the components of points in range, and the spanning tree, beside the run
+// alone.
 #include <cmath>
 
 #include "kinetri/observers/connected_components.h"
@@ -13,8 +13,8 @@ namespace {
 
 using nlohmann::json;
 
-// A point has this many others in range, on average: near the density at which a component spans
-// all of the plane, so that merges and splits are many, and components are great.
+// The mean number of others in range of a point: near the percolation threshold, so that merges and
+// splits are frequent and components are large.
 constexpr double most_in_range = 4.5;
 
 constexpr std::size_t most_points_of_a_tree = 10'000;
@@ -28,7 +28,7 @@ json measure_components(const Setup& setup) {
   const double range = side * std::sqrt(most_in_range / (3.14159265358979 * n));
   return median_round([&]() -> json {
     json result;
-    // The time of the run alone, and of the answers that an observer gives at its end.
+    // The time of the run and of the observer's answer at its end.
     const auto seconds = [&](Kinetic_delaunay_triangulation_2<>& kinetic, const auto& answer) {
       const Stopwatch watch;
       kinetic.advance_to(setup.until);

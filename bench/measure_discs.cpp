@@ -17,14 +17,14 @@ namespace {
 
 using nlohmann::json;
 
-// Collisions by each disc, on average, before the two programs are compared: later than that,
-// rounding separates their paths.
+// The two programs are compared up to so many collisions per disc, on average; later, rounding
+// separates their paths.
 constexpr double collisions_to_compare = 2;
 
-// How far discs may overlap in doubles, in sums of their radii.
+// The greatest overlap allowed in doubles, relative to the sum of the radii.
 constexpr double most_overlap = 1e-9;
 
-// As the simulation takes them: points with one radius for all, or discs.
+// The motions for a simulation: points with one common radius, or discs.
 template <class Motion>
 std::vector<Motion> motions_of(const Bench_discs& discs) {
   if constexpr (HasWeight<Motion>) {
@@ -58,7 +58,7 @@ Simulation simulation_of(const Bench_discs& discs) {
   return Simulation(motions_of<Motion>(discs), options_of<Motion>(discs));
 }
 
-// The contacts of a simulation, with the motions that they gave.
+// The contacts of a simulation, with the resulting motions.
 template <class Simulation>
 class Contact_recorder : public Simulation::Observer {
  public:
@@ -123,8 +123,8 @@ double drift(long double before, long double after) {
   return static_cast<double>(std::abs(after / before - 1));
 }
 
-// What the triangulation does by itself in a simulation: a bare one executes the flips between the
-// contacts that were recorded, and is given the motions after each.
+// The work of the triangulation alone: it executes the flips between the recorded contacts, and
+// gets the motions after each contact.
 struct Replay {
   std::uint64_t flips = 0;
   std::vector<Edge_ids> edges;  // at the end
@@ -166,7 +166,7 @@ Replay replay(const Bench_discs& discs,
   return result;
 }
 
-// Whether the two programs see the same collisions and contacts with walls up to `time`.
+// Throws unless both programs find the same collisions and wall contacts up to `time`.
 template <class Simulation>
 void check_agreement(const Bench_discs& discs, double time) {
   auto simulation = simulation_of<Simulation>(discs);
@@ -181,7 +181,7 @@ void check_agreement(const Bench_discs& discs, double time) {
   Cell_list_discs cell_list(discs.motions, discs.radii, discs.box);
   cell_list.log_collisions(collisions);
   cell_list.advance_to(time);
-  // Nearly simultaneous ones may change places.
+  // Nearly simultaneous ones may be in another order.
   std::ranges::sort(exact);
   std::ranges::sort(collisions);
   if (exact != collisions || number_of(simulation.triangulation(), Event_kind::wall) !=

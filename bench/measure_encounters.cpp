@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Encounters at a range that has so many points on average: beside the same run without them, and,
-// of few points, beside the quadratics of all pairs in doubles.
+// Encounters at a range with five others on average, beside the run without them and, for few
+// points, beside a comparison of all pairs in doubles.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

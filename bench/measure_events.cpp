@@ -95,7 +95,7 @@ json measure_round(const Setup& setup, const std::vector<Linear_motion_2>& motio
   return result;
 }
 
-// The median over the rounds of each number; what is counted is the same in each round.
+// The median over the rounds of each floating-point number. Counts are equal in all rounds.
 json medians(const std::vector<json>& rounds) {
   json result = rounds.front();
   const json flat = rounds.front().flatten();
@@ -162,7 +162,7 @@ json measure_events(const Setup& setup) {
   return median_round([&] { return measure_round(setup, motions, halfway); });
 }
 
-// The greatest so far, of this process.
+// The peak of this process so far.
 double peak_rss_bytes() {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
@@ -180,7 +180,7 @@ json measure_memory(const Setup& setup) {
               {"bytes_per_point", bytes / points},
               {"counters", counters(exact)}};
   }
-  // Second, since it takes more.
+  // Measured second, since it needs more.
   Kinetic exact(setup.motions());
   exact.set_threads(0);
   exact.advance_to(setup.until);
@@ -214,7 +214,7 @@ json measure_paper_table(const Setup& setup) {
   Kinetic lazy(motions);
   lazy.advance_to(setup.until);
   json result = {{"eager", counters(eager)}, {"lazy", counters(lazy)}};
-  // Two names for the entries that the queue took.
+  // The same count under another name.
   result["lazy"]["scheduled"] = result["lazy"]["pushed"];
   return result;
 }

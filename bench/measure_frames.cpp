@@ -20,7 +20,7 @@ class Moved_triangulation {
  public:
   Moved_triangulation(const std::vector<Linear_motion_2>& motions, double time) : time_(time) {
     const auto points = positions(motions, time);
-    // Moving along the order in which vertices lie in memory is the fastest.
+    // Moves are fastest in the order of memory.
     triangulation_.insert(points.begin(), points.end());
     std::map<Static_kernel::Point_2, std::size_t> index;
     for (std::size_t i = 0; i < points.size(); ++i) index.emplace(points[i], i);
@@ -55,7 +55,7 @@ class Moved_triangulation {
 double move_seconds(const std::vector<Linear_motion_2>& motions, double time, double rate) {
   constexpr double enough = 0.2;
   Moved_triangulation triangulation(motions, time);
-  // Vertices that are moved lie less orderly in memory: the first frame is not counted.
+  // Moved vertices are less ordered in memory: the first frame is not counted.
   triangulation.advance(1 / rate);
   const Stopwatch watch;
   int frames = 0;
@@ -66,8 +66,8 @@ double move_seconds(const std::vector<Linear_motion_2>& motions, double time, do
   return watch.seconds() / frames;
 }
 
-// Where rate * seconds per frame, which grows with the rate, reaches `seconds`: doubles or halves
-// the rate from `start` on until it is bracketed, and interpolates between logarithms. `measured`
+// The rate at which rate * seconds per frame, which grows with the rate, equals `seconds`. Doubles
+// or halves the rate from `start` on until it is bracketed, and interpolates logarithms. `measured`
 // receives the seconds per frame by rate.
 double crossover(double seconds, double start, const auto& seconds_per_frame,
                  std::map<double, double>& measured) {

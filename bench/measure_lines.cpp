@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The start of points of which many are on one line, or otherwise degenerate: nanoseconds a point
-// for growing numbers of points. They are to grow no faster than the logarithm.
+// The start of points that are collinear or otherwise degenerate: nanoseconds per point for growing
+// numbers of points, which should grow at most like the logarithm.
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -21,7 +21,7 @@ namespace {
 using nlohmann::json;
 using Motions = std::vector<Linear_motion_2>;
 
-// The motion of the point number k of n.
+// The motion of point k of n.
 using Motion_of = std::function<Linear_motion_2(double k, double n)>;
 
 const std::map<std::string, Motion_of>& kinds() {

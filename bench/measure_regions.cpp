@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One run by the plain loop, by regions one after the other, and by regions on all threads, three
-// times in turn: the times of the last round, and the ratios of all, sorted.
+// One run by the sequential loop, in time windows on one thread, and in windows on all threads,
+// three times in turn: the times of the last round, and the sorted ratios of all rounds.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace {
 using nlohmann::json;
 using Kinetic = Kinetic_delaunay_triangulation_2<>;
 
-// One run of what `make` makes by regions.
+// One run in time windows.
 template <class Make>
 json run_by_regions(const Setup& setup, const Make& make, std::size_t threads) {
   auto kinetic = make();

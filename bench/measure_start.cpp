@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run begins with, beside a static triangulation of the same points; and the events of
-// accelerated points, beside those of straight ones.
+// The start of a run, beside a static triangulation of the same points; and the events of
+// accelerated points, beside those of points without acceleration.
 #include <algorithm>
 #include <random>
 
@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-// Seconds of an event until the given time.
+// Mean seconds per event until the given time.
 template <class Traits, class Motion>
 double seconds_per_event(const std::vector<Motion>& motions, double until) {
   Kinetic_delaunay_triangulation_2<Traits> kinetic(motions);
@@ -62,7 +62,7 @@ json measure_accelerated(const Setup& setup) {
     motion.acceleration.x = component(random);
     motion.acceleration.y = component(random);
   }
-  // Speeds that accelerate stay of the size of the straight ones.
+  // So speeds keep their order of magnitude.
   const double until = std::min(setup.until, 5.0);
   return median_round([&]() -> json {
     const double of_straight = seconds_per_event<Linear_kinetic_traits_2>(straight, until);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A program that turns some of its points at each step and looks at the triangulation only between
-// the steps: with a kinetic triangulation, and with a static one built anew for each step.
+// Steps at which some velocities change, and after which the triangulation is read: a kinetic
+// triangulation beside a static rebuild at each step.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -16,9 +16,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double shares[] = {0, 0.01, 0.1, 0.5, 1};  // of the points that turn at a step
-constexpr double lengths[] = {0.01, 0.1, 1};         // of a step, in distances of neighbors
-constexpr double neighbor_distance = 10;             // there are 100 points in 100 x 100
+constexpr double shares[] = {0, 0.01, 0.1, 0.5,
+                             1};              // of the points whose velocities change at a step
+constexpr double lengths[] = {0.01, 0.1, 1};  // of a step, in distances of neighbors
+constexpr double neighbor_distance = 10;      // there are 100 points in 100 x 100
 constexpr int measured_steps = 2;
 
 double mean_speed(const std::vector<Linear_motion_2>& motions) {
@@ -27,8 +28,8 @@ double mean_speed(const std::vector<Linear_motion_2>& motions) {
   return sum / static_cast<double>(motions.size());
 }
 
-// Seconds per step of both ways. The steps follow each other, the first one is not counted. Points
-// may leave the square, so each round begins anew.
+// Seconds per step of both ways, without the first step. Points may leave the square, so each round
+// has a new triangulation.
 json measure_round(const Setup& setup, double share, double duration, std::mt19937_64& random) {
   std::vector<Linear_motion_2> motions = setup.motions();
   std::vector<Point_id> all(motions.size());

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs of many kinds of input with one thread and with the threads that there are, in turn: what
-// the latter takes of the wall time and of the time of the processor of the former. Where windows
-// do not pay it is to be little more.
+// Runs of many kinds of input with one thread and with all threads, in turn: the ratios of wall
+// time and processor time. If windows do not pay, they should be little above 1.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -26,7 +25,7 @@ namespace {
 using nlohmann::json;
 using Motions = std::vector<Linear_motion_2>;
 
-// Of this process, with the system's share.
+// The user and system time of this process.
 double processor_seconds() {
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
@@ -83,7 +82,7 @@ Motions rows(std::size_t points) {
   return result;
 }
 
-// In dense groups that move apart and through each other.
+// Dense groups that move apart and through each other.
 Motions clusters(std::size_t points, std::mt19937_64& random) {
   std::normal_distribution<double> normal(0, 1);
   constexpr std::size_t groups = 7;

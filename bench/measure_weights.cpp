@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The regular triangulation of discs beside the Delaunay triangulation of their centres: of one
-// size, where both have the same events; of sizes that differ, without hidden points; and of random
-// weights that hide about half of the points.
+// The regular triangulation of discs beside the Delaunay triangulation of their centers: equal
+// discs, with the same events; weights that differ but hide few points; and weights that hide about
+// half of the points.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -38,7 +38,7 @@ Run run(const std::vector<Motion>& motions, double until) {
       static_cast<double>(kinetic.number_of_hidden_points()) / static_cast<double>(motions.size())};
 }
 
-// The centres with the weights that `weight` gives for a random number in [0, 1).
+// The centers with weights: `weight` of a random number in [0, 1).
 template <class Weight>
 std::vector<Disc_motion_2> weighted(const std::vector<Linear_motion_2>& motions, unsigned seed,
                                     const Weight& weight) {

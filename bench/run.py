@@ -15,8 +15,8 @@ PROGRAM = ROOT / "build" / "bench" / "bin" / "kinetri_bench"
 # How long each number of points is simulated.
 UNTIL = {100: 10, 1_000: 10, 10_000: 3, 100_000: 1, 1_000_000: 0.2}
 
-# How long 1000 discs that cover that share of the plane are simulated: some 50 000 collisions. More
-# discs are simulated for as much less time.
+# How long 1000 discs that cover that share of the plane are simulated: some 50 000 collisions. The
+# time is in inverse proportion to their number.
 DISCS_UNTIL = {0.1: 250, 0.3: 100, 0.5: 50}
 
 # The same for discs of different sizes that cover 0.3 of the plane, by the greatest radius over the
@@ -26,14 +26,14 @@ SIZES_UNTIL = {1: 20, 10: 20, 100: 40}
 # How long the events of points with weights are measured.
 WEIGHTS_UNTIL = {1_000: 3, 10_000: 1}
 
-# Each of their runs is the median of several.
+# Run at most three times, since each run is already a median.
 OBSERVED_MODES = ("encounters", "components")
 
 SCENARIOS = ("uniform", "gaussian", "constant-speed", "one-mover", "lattice-jitter")
 
 
 class Target(typing.NamedTuple):
-    """What a figure should be: at most or at least the bound."""
+    """The bound that a figure should keep, an upper or a lower one."""
 
     sign: str
     bound: float
@@ -43,11 +43,11 @@ class Target(typing.NamedTuple):
 
 
 def at_most(bound):
-    """No target where there is no bound."""
+    """No target if there is no bound."""
     return None if bound is None else Target("<=", bound)
 
 
-# The targets: at most these, and for discs at least.
+# The targets: upper bounds, except for collisions.
 EVENT_OVER_REBUILD_POINT = {1_000: 1.8, 10_000: 1.8, 100_000: 2.2, 1_000_000: 4.0}  # on uniform
 EVENT_OVER_BASELINE_EVENT = 0.9
 ROOT_SOLVES_PER_EVENT = 1.3  # on uniform
@@ -71,14 +71,14 @@ CLOSEST_PAIR_MILLISECONDS = {100_000: 30}
 # With 5 others in range of a point.
 ENCOUNTERS_OVER_BARE = {100_000: 3}
 
-# A time per event of fewer events says nothing.
+# With fewer events, times per event are not shown.
 FEWEST_EVENTS = 1000
 
 EXAMPLES = """examples:
   bench/run.py --quick            some five minutes: mostly n = 1000 and 10 000
   bench/run.py                    every scenario
   bench/run.py --large --runs 3   also n = 100 000 and 1 000 000, on `uniform`
-  bench/run.py --json out.json    keeps what each run measured
+  bench/run.py --json out.json    keeps the results of all runs
 """
 
 
@@ -91,7 +91,7 @@ def parse_arguments():
     parser.add_argument("--large", action="store_true", help="100 000 and 1 000 000 points as well")
     parser.add_argument("--seed", type=int, default=1, help="seed of the scenarios (1)")
     parser.add_argument("--program", type=pathlib.Path, default=PROGRAM, help="kinetri_bench")
-    parser.add_argument("--json", type=pathlib.Path, help="file for all that was measured")
+    parser.add_argument("--json", type=pathlib.Path, help="file for the results of all runs")
     arguments = parser.parse_args()
     if arguments.runs < 1:
         parser.error("--runs must be at least 1")
@@ -106,8 +106,8 @@ def build():
 
 
 def measurements(arguments):
-    """(mode, scenario, points, runs) of each measurement; of discs, their area fraction is the
-    scenario, and of discs of different sizes the ratio of these."""
+    """(mode, scenario, points, runs) of each measurement. For discs the scenario is their area fraction,
+    for discs of different sizes the ratio of these."""
     runs = arguments.runs
     scenarios = ("uniform", "constant-speed") if arguments.quick else SCENARIOS
     sizes = (1_000, 10_000)
@@ -173,7 +173,7 @@ def measure(arguments):
 
 
 def run_root_solves(run):
-    """Those of the events alone: the start's are for certificates that any run has to make."""
+    """Root solves without those of the start."""
     return run["counters"]["root_solves"] - run["initial_root_solves"]
 
 
@@ -221,7 +221,7 @@ def event_rows(scenario, points, runs):
     yield "event: ns", each(lambda run: 1e9 * run["seconds_per_event"]), None
 
 
-# What is printed of discs, by its key in a run, and its target.
+# Figures of discs: the key in a run, and the target.
 DISC_FIGURES = (
     ("collisions / second", "collisions_per_second", None),
     ("collisions / second of the cell list", "baseline_collisions_per_second", None),
@@ -235,8 +235,7 @@ DISC_FIGURES = (
     ("share of the triangulation in the time", "share_of_triangulation", None),
 )
 
-# What is printed of a start, of accelerated points and of changes, by its key in a run, and its
-# target, which may be by number of points.
+# Figures of other modes: the key in a run, and the bound, perhaps by number of points.
 START_FIGURES = (
     ("start: triangulation, ns per point", "build_ns", None),
     ("start: certificates and queue, ns per point", "first_certificates_ns", None),
@@ -259,14 +258,12 @@ CHANGE_FIGURES = (
     ("erasure: ns", "erase_ns", None),
     ("erasure / static removal", "erase_over_static", ERASE_OVER_STATIC),
 )
-# Of discs, an event of the regular triangulation.
 WEIGHT_FIGURES = (
     ("event of discs of one size / of their centers", "equal_over_delaunay", EQUAL_DISCS_OVER_POINTS),
     ("event of weights that differ / of points without", "unequal_over_delaunay", None),
     ("event with half of the points hidden / without", "hiding_over_unequal", None),
     ("share of hidden points", "hidden_share", None),
 )
-# Of a run that is observed.
 ENCOUNTER_FIGURES = (
     ("run with encounters / bare run", "over_bare", ENCOUNTERS_OVER_BARE),
     ("more with encounters: ns per event and encounter", "extra_ns_per_event_and_encounter", None),
@@ -349,7 +346,7 @@ def rows(results):
                 yield what, f"discs {scenario}", points, [run[key] for run in runs], target
         elif mode == "sizes":
             for what, key, target in DISC_FIGURES:
-                # The ratio must not fall as the sizes spread.
+                # The ratio must not be less than that of equal discs.
                 if target is not None:
                     one_size = results[mode, min(SIZES_UNTIL), points]
                     target = Target(">=", statistics.median(run[key] for run in one_size))
@@ -363,7 +360,7 @@ def number(value):
 
 
 def print_aligned(lines, left):
-    """Prints the columns; the first `left` are flush left."""
+    """Prints the columns, the first `left` of them left-aligned."""
     widths = [max(len(line[i]) for line in lines) for i in range(len(lines[0]))]
     for line in lines:
         cells = [
@@ -375,7 +372,7 @@ def print_aligned(lines, left):
 
 def print_ratios(results):
     lines = [("figure", "scenario", "n", "median", "least", "most", "target", "")]
-    # By figure, so that sizes and scenarios stand below each other.
+    # Grouped by figure.
     by_figure = {}
     for row in rows(results):
         by_figure.setdefault(row[0], []).append(row)
@@ -410,7 +407,7 @@ def print_paper_table(results):
                 )
             )
     print("\nEvents on `uniform`: eager (uncertified, to the first root) and lazy (Kinetri, whose")
-    print("scheduled entries include those for another look)\n")
+    print("scheduled entries include rechecks)\n")
     print_aligned(lines, 0)
 
 
@@ -427,13 +424,13 @@ def print_steps(results):
         medians = (f"{statistics.median(values):.2f}" for values in by_length.values())
         lines.append((str(points), f"{100 * share:g} %", *medians))
     lengths = (f"step of {length:g}" for length in by_length)
-    print("\nA step of the triangulation that is kept / a static rebuild. The length of a step is the")
-    print("mean way of a point, in distances of neighbors\n")
+    print("\nTime of a step / of a static rebuild. The length of a step is the mean path of a point,")
+    print("in distances of neighbors\n")
     print_aligned([("n", "points that turn", *lengths), *lines], 0)
 
 
 def print_disagreements(results):
-    """Says where the uncertified baseline and Kinetri do not end in the same triangulation."""
+    """Prints the settings in which the uncertified baseline ends in another triangulation than Kinetri."""
     for (mode, scenario, points), runs in results.items():
         if mode != "events":
             continue

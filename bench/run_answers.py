@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures encounters, components and densities of a crowd beside programs that look at each frame.
+"""Measures encounters, components and densities of a crowd beside programs that examine each frame.
 
-Both sides answer from the same recorded places. The frame-based programs use scipy: a k-d tree for the
-pairs of each frame, its connected components, and its Voronoi diagrams. They see nothing between two frames:
-how much that is stands in the table. The package is that on PYTHONPATH: build/release/python, for example.
+Both sides get the same recorded positions. The frame-based programs use scipy: for each frame a k-d tree for
+the pairs, connected components, and a Voronoi diagram. The table shows what they miss between frames. The
+package is that on PYTHONPATH: build/release/python, for example.
 """
 import argparse
 import importlib
@@ -53,7 +53,7 @@ def encounters_by_frame(times, places, distance):
 
 
 def components_by_frame(places, distance):
-    """How many components there are in each frame."""
+    """The number of components in each frame."""
     import numpy as np
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import connected_components

@@ -4,6 +4,8 @@
 
 The C++ figures are those of `kinetri_bench arrays`, run in turn with the same in Python. The package is
 that on PYTHONPATH: build/release/python after `cmake --build --preset release`, for example.
+
+The command `flock` measures a flock beside scipy instead: run_python.py flock --help.
 """
 import argparse
 import json
@@ -19,11 +21,12 @@ PROGRAM = ROOT / "build" / "bench" / "bin" / "kinetri_bench"
 EXAMPLES = """examples:
   PYTHONPATH=build/test/python bench/run_python.py --quick
   PYTHONPATH=build/test/python bench/run_python.py --frames 5700 --people 700
+  PYTHONPATH=build/test/python bench/run_python.py flock --birds 10000 --steps 50
 """
 
 
 def seconds(function):
-    """Of one call, and its result."""
+    """The seconds of one call, and its result."""
     start = time.perf_counter()
     result = function()
     return time.perf_counter() - start, result
@@ -35,7 +38,7 @@ def in_cpp(program, points, until, seed):
 
 
 def in_python(points, until, seed, rounds):
-    """The medians of the same in Python, and whether the events are as many."""
+    """The medians of the same in Python, and the number of events."""
     import numpy as np
 
     import kinetri
@@ -75,7 +78,7 @@ def turn_overhead(points, seed, rounds=200):
 
 
 def import_seconds(rounds):
-    """Of a fresh process that imports NumPy before, which everybody has imported already."""
+    """The seconds of the import in a new process, after that of NumPy."""
     code = "import numpy, time; t = time.perf_counter(); import kinetri; print(time.perf_counter() - t)"
     return statistics.median(
         float(subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout)
@@ -83,7 +86,7 @@ def import_seconds(rounds):
 
 
 def crowd(people, frames, seed):
-    """A crowd in a corridor of 60 x 20: times, and places of shape (frames, people, 2)."""
+    """A crowd in a corridor of 60 x 20: times, and positions of shape (frames, people, 2)."""
     import numpy as np
 
     rng = np.random.default_rng(seed)
@@ -101,7 +104,7 @@ def crowd(people, frames, seed):
 
 
 def crowd_in_kinetri(times, places, box):
-    """The areas of all cells at each frame: one triangulation, which moves from frame to frame."""
+    """The areas of all cells at each frame, by one triangulation that moves from frame to frame."""
     import numpy as np
 
     import kinetri
@@ -157,7 +160,55 @@ def crowd_in_scipy(places, box):
     return areas
 
 
+def flock_beside_scipy(birds, steps, length):
+    """(mean path in a step over the distance of neighbors, seconds of a step, seconds of a rebuild), medians."""
+    import flock
+    import numpy as np
+    from scipy.spatial import Delaunay
+
+    import kinetri
+
+    flock.STEP = length
+    side = 60 * (birds / 200) ** 0.5  # the density of the example
+    positions, velocities = kinetri.scenario("constant-speed", birds, seed=4, side=side, speed=5)
+    kd = kinetri.KineticDelaunay(positions - side / 2, velocities)
+    rows = []
+    for step in range(1, steps + 1):
+        velocities, before = flock.steer(kd), kd.positions()
+
+        def kept():
+            kd.set_velocities(velocities)
+            kd.advance_to(step * length)
+            return kd.edges()
+
+        kept_seconds, edges = seconds(kept)
+        positions = kd.positions()
+        rebuilt_seconds, _ = seconds(lambda: Delaunay(positions))
+        neighbors = np.linalg.norm(positions[edges[:, 0]] - positions[edges[:, 1]], axis=1)
+        path = np.linalg.norm(positions - before, axis=1)
+        rows.append((path.mean() / neighbors.mean(), kept_seconds, rebuilt_seconds))
+    return np.median(rows, axis=0)
+
+
+def flock_main(words):
+    parser = argparse.ArgumentParser(
+        prog="run_python.py flock",
+        description="The flock of examples/python/flock.py, in which all birds turn at each step: set_velocities, "
+        "advance_to and edges beside a new scipy.spatial.Delaunay of the same positions, in turn. Prints medians.")
+    parser.add_argument("--birds", type=int, default=1000, help="number of birds (1000)")
+    parser.add_argument("--steps", type=int, default=100, help="number of steps (100)")
+    parser.add_argument("--lengths", type=float, nargs="+", default=[0.01, 0.1, 0.4, 0.8], metavar="SECONDS",
+                        help="lengths of a step (0.01 0.1 0.4 0.8)")
+    arguments = parser.parse_args(words)
+    sys.path.insert(0, str(ROOT / "examples" / "python"))
+    for length in arguments.lengths:
+        path, kept, rebuilt = flock_beside_scipy(arguments.birds, arguments.steps, length)
+        print(f"{length} s, {path:.2f} distances: {1e3 * kept:.2f} ms, SciPy {1e3 * rebuilt:.2f} ms", flush=True)
+
+
 def main():
+    if sys.argv[1:2] == ["flock"]:
+        return flock_main(sys.argv[2:])
     parser = argparse.ArgumentParser(description=__doc__, epilog=EXAMPLES,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="without the million points, and 200 frames")

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures kinetri-video: on clips whose motion is known, and on any other clip.
 
-Each clip is encoded with points that move, and beside that, at no more bits, with as many points at rest on
-a grid, and with points placed anew in each frame, of which there are fewer then. x264 is what `kinetri-video
-compare` shows. Needs NumPy.
+Each clip is encoded with moving points and, at no more bits, with as many points at rest on a grid, and with
+fewer points that are placed anew in each frame. The figures of x264 are those of `kinetri-video compare`.
+Needs NumPy.
 """
 import argparse
 import pathlib

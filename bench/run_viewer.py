@@ -3,8 +3,8 @@
 """Measures the page of --html in a headless chromium: how long it takes to open, and how long a frame takes
 while the run plays, while its time is dragged, while the picture is dragged, and while it is zoomed.
 
-A frame is the time from one drawing to the next; its script is the part in which the page's own code runs.
-Chromium draws without a graphics card here, so that the figures are those of a slow machine.
+A frame is the time from one drawing to the next; its script is the time of the page's own code in it. Chromium
+draws without a graphics card, as on a slow machine.
 """
 import argparse
 import pathlib
@@ -23,7 +23,7 @@ EXAMPLES = """examples:
 """
 FRAMES = 40
 
-# Plays as a reader would, for FRAMES frames. In the list: how long each took.
+# Plays FRAMES frames. The result is a list of their times.
 PLAYING = """new Promise((done) => {
   const frames = [];
   let last = 0;
@@ -37,7 +37,7 @@ PLAYING = """new Promise((done) => {
   };
   requestAnimationFrame(next);
 })"""
-# Draws FRAMES times, after CHANGE each time. In the list: how long each frame took, and its script.
+# Draws FRAMES times, each time after CHANGE. The result is a list of the times of frames and scripts.
 FRAME_TIMES = """new Promise((done) => {
   const frames = [], scripts = [];
   let last = 0, count = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The queue of the uncertified kinetic Delaunay triangulation: a 4-ary heap of (double, id) with
-// the position of each id, so that an entry is moved or taken out in place. Each id has at most one
-// entry. Ties are in no order.
+// The queue of the uncertified kinetic Delaunay triangulation: a 4-ary heap of (double, id) that
+// stores the position of each id, so that entries can be moved and removed. Each id has at most one
+// entry. The order of ties is unspecified.
 #ifndef KINETRI_BENCH_TIME_HEAP_H
 #define KINETRI_BENCH_TIME_HEAP_H
 
@@ -31,7 +31,7 @@ class Time_heap {
 
   bool empty() const { return heap_.empty(); }
   const Entry& top() const { return heap_.front(); }
-  /// The entries of which one is the next after the top, or fewer.
+  /// The entries among which the next one after the top is, if there is one.
   std::span<const Entry> after_top() const {
     return {heap_.data() + 1, std::min(arity, heap_.size() - 1)};
   }
@@ -65,7 +65,7 @@ class Time_heap {
     position_[entry.id] = static_cast<std::uint32_t>(position);
   }
 
-  // Chosen without branches, which would be predicted badly.
+  // Without branches, which would often be mispredicted.
   std::size_t least_child(std::size_t first) const {
     const auto least = [this](std::size_t a, std::size_t b) {
       return heap_[b].time < heap_[a].time ? b : a;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The queue of the cell list of discs: ids by time in a wheel of short intervals, each a list, so
-// that an entry is moved in constant time. An interval comes round again and again, and its entries
-// may be of any round. Each id has one entry. Ties are in no order. Source: G. Paul, A complexity
-// O(1) priority queue for event driven molecular dynamics simulations, J. Comput. Phys. 221 (2007),
-// whose lists for later rounds are not needed where few entries are that late.
+// The queue of the cell list of discs: a timing wheel of short intervals, each a list of ids, so
+// that an entry is moved in constant time. Entries of an interval may belong to any round. Each id
+// has one entry. The order of ties is unspecified. Source: G. Paul, A complexity O(1) priority
+// queue for event driven molecular dynamics simulations, J. Comput. Phys. 221 (2007), without its
+// lists for later rounds, since few entries are that late.
 #ifndef KINETRI_BENCH_TIME_WHEEL_H
 #define KINETRI_BENCH_TIME_WHEEL_H
 
@@ -22,8 +22,7 @@ class Time_wheel {
  public:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  /// Gives each id its time, from 0 on: that of its number in `times`. The intervals are such that
-  /// there are some as long as these times go on as they begin.
+  /// Gives id k the time times[k]. The width of intervals is chosen by the median of the times.
   void reset(std::span<const double> times) {
     std::vector<double> sorted(times.begin(), times.end());
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
@@ -39,7 +38,8 @@ class Time_wheel {
 
   double time(std::uint32_t id) const { return entries_[id].time; }
 
-  /// Gives `id` another time, not before that of the last one that `next` has returned.
+  /// Gives `id` another time. Precondition: it is not before that of the last id that `next`
+  /// returned.
   void set(std::uint32_t id, double time) {
     const Entry& entry = entries_[id];
     if (entry.next != none) entries_[entry.next].previous = entry.previous;
@@ -47,7 +47,7 @@ class Time_wheel {
     insert(id, time);
   }
 
-  /// The id whose time is the first; none if that is after `until`.
+  /// The id with the least time; `none` if that is after `until`.
   std::uint32_t next(double until) {
     const std::uint64_t last = interval(until);
     for (;; ++present_) {

@@ -30,13 +30,13 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Of the time in which the points pass their distance from one another at their relative speed.
+// Relative to the time in which the points pass their distance at their relative speed.
 constexpr double window_share = 0.65;
 
-// Two certificates at a time: the compilers' vectors, which every 64-bit processor has in hardware.
+// A vector type of GCC and Clang, for two certificates at a time.
 using Pair = double __attribute__((vector_size(16)));
 
-// The difference of two motions: place now, and per unit of time.
+// The difference of two motions: position now, and velocity.
 template <class Number>
 struct Difference {
   Number x, y;
@@ -218,14 +218,14 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> Uncertified_kinetic_delauna
 
 // ---- certificates ----
 
-// The time of the first failure, or in lazy mode possibly that of the next look, of a certificate
-// with coefficients `c` in the time from now on.
+// The time of the first failure of a certificate with coefficients `c` in the time from now on; in
+// lazy mode perhaps the time of the next recheck.
 template <std::size_t M>
 double Uncertified_kinetic_delaunay::look(const std::array<double, M>& c, double scale,
                                           bool just_flipped) {
   if (!just_flipped) return c[0] < 0 ? now_ : now_ + first_look(c, scale);
-  // The root that is now is divided out. A next root so close that rounding hides it is passed
-  // over; the next look at the edge, when one of its triangles changes, finds it violated.
+  // The root at the present time is divided out. A next root so close that rounding hides it is
+  // missed; when a triangle of the edge changes, the edge is found violated.
   std::array<double, M - 1> quotient;
   std::copy(c.begin() + 1, c.end(), quotient.begin());
   return quotient[0] <= 0 ? never : now_ + first_look(quotient, scale);
@@ -269,8 +269,8 @@ double Uncertified_kinetic_delaunay::orientation_look(const Vertex& p, const Ver
 }
 
 // As in the exact triangulation: the in-circle certificate for an edge between finite triangles,
-// the orientation of its triangle for a hull edge, and a left turn of the hull for an edge to the
-// infinite vertex.
+// the orientation of the triangle for a hull edge, and that of three hull vertices for an infinite
+// edge.
 double Uncertified_kinetic_delaunay::next_look(const Edge& edge, bool just_flipped) {
   const auto& [face, i] = edge;
   const Face_handle neighbor = face->neighbor(i);
@@ -305,8 +305,8 @@ void Uncertified_kinetic_delaunay::set_time(std::uint32_t edge, double time) {
   }
 }
 
-// Flips as CGAL does: each of the two faces keeps one outer edge in its place and hands the other
-// one to its neighbor.
+// Flips as CGAL does: each of the two faces keeps one outer edge and gives the other one to its
+// neighbor.
 void Uncertified_kinetic_delaunay::flip(std::uint32_t edge) {
   const auto [face, i] = edges_[edge];
   const Face_handle neighbor = face->neighbor(i);
@@ -377,8 +377,7 @@ void Uncertified_kinetic_delaunay::advance_to(double time) {
   while (!queue_.empty() && queue_.top().time <= time) {
     const auto [when, edge] = queue_.top();
     now_ = std::max(now_, when);
-    // Large inputs wait for memory: ask for the faces that are probably next, and for what is
-    // around the next one.
+    // Prefetches the faces that are probably next, and the surroundings of the next one.
     for (const Time_heap::Entry& next : queue_.after_top()) {
       __builtin_prefetch(&*edges_[next.id].face);
     }

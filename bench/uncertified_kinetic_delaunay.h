@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rival: a kinetic Delaunay triangulation of linear motions on CGAL's topology that computes in
-// doubles and certifies nothing. It is what one writes who wants speed and takes input in general
-// position for granted: rounding can give it wrong events, and coinciding points or several events
-// at one time can make it wrong for good.
+// The baseline: a kinetic Delaunay triangulation of linear motions on CGAL's topology that computes
+// in doubles, without certificates, and assumes general position. Rounding may cause wrong events,
+// and coinciding points or simultaneous events a permanently wrong triangulation.
 //
-// Measured: the lazy way beats the eager one, windows of 0.5 to 0.9 of the time scale do better
-// than shorter and longer ones, the outer certificates of a flip in pairs do better than one by
-// one, replacing the first entry costs as much as popping and pushing, asking memory early for the
-// next faces pays but for their corners and neighbors too does not, and compiler options that relax
-// rounding and errno change nothing.
+// Measured: faster are lazy mode, windows of 0.5 to 0.9 of the time scale, outer certificates of a
+// flip in pairs, and prefetching of the next faces. No difference: replacing the first entry
+// instead of popping and pushing, prefetching corners and neighbors of all next faces, and compiler
+// options that relax rounding and errno.
 #ifndef KINETRI_BENCH_UNCERTIFIED_KINETIC_DELAUNAY_H
 #define KINETRI_BENCH_UNCERTIFIED_KINETIC_DELAUNAY_H
 
@@ -32,7 +30,7 @@ namespace kinetri::bench {
 
 using Static_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// A vertex with its place at time 0, which is its point, and its velocity.
+/// A vertex with its velocity; its point is the position at time 0.
 template <class VertexBase = CGAL::Triangulation_vertex_base_2<Static_kernel>>
 class Moving_vertex_base_2 : public VertexBase {
  public:
@@ -61,19 +59,19 @@ class alignas(64) Numbered_edges_face_base_2 : public FaceBase {
   std::array<std::uint32_t, 3> edge = {};
 };
 
-/// How far a certificate is looked into the future.
+/// How far ahead certificates are computed.
 enum class Outlook_range {
   unlimited,  ///< eager: to its first failure, whenever that is
-  window,     ///< lazy: over a window of time, at whose end it is looked at again
+  window,     ///< lazy: over a time window, at whose end they are rechecked
 };
 
 struct Uncertified_counters {
-  std::uint64_t certificates = 0;  ///< looked at
-  std::uint64_t root_solves = 0;   ///< of these, the ones whose coefficients' signs do not tell
-  std::uint64_t scheduled = 0;     ///< entries of the queue, those for another look included
-  std::uint64_t looked_again = 0;  ///< entries that came to the front for another look
+  std::uint64_t certificates = 0;  ///< computed
+  std::uint64_t root_solves = 0;   ///< those of these that need a root search
+  std::uint64_t scheduled = 0;     ///< entries of the queue, including rechecks
+  std::uint64_t looked_again = 0;  ///< executed rechecks
   std::uint64_t executed = 0;      ///< flips
-  std::uint64_t discarded = 0;     ///< entries replaced or taken out before they came to the front
+  std::uint64_t discarded = 0;     ///< entries replaced or removed before their time
 };
 
 /// The triangulation, from time 0 on. Preconditions: at least three points, not all collinear;
@@ -129,8 +127,8 @@ class Uncertified_kinetic_delaunay {
   Tds tds_;
   Vertex_handle infinite_;
   std::vector<Edge> edges_;               // by number
-  std::vector<std::uint8_t> look_again_;  // by number: its entry is no failure
-  bool holds_ = false;                    // what the last look found is no failure
+  std::vector<std::uint8_t> look_again_;  // by number: whether its entry is a recheck
+  bool holds_ = false;                    // whether the last time computed is that of a recheck
   Time_heap queue_;
   Uncertified_counters counters_;
   double build_seconds_ = 0;
