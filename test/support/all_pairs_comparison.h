@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A simulation beside the oracle that looks at all pairs.
+// A simulation beside the oracle that compares all pairs.
 #ifndef KINETRI_TEST_SUPPORT_ALL_PAIRS_COMPARISON_H
 #define KINETRI_TEST_SUPPORT_ALL_PAIRS_COMPARISON_H
 
@@ -15,19 +15,19 @@
 
 namespace kinetri::test {
 
-/// What has been compared so far.
+/// Counts of what has been compared.
 struct All_pairs_totals {
   std::size_t runs = 0;
   std::size_t contacts = 0;
-  std::size_t pressed = 0;  ///< runs that ended with points that are pressed
+  std::size_t pressed = 0;  ///< runs that ended with a resting contact
 };
 
-/// A change of a point that is scheduled. The point need not be there.
+/// A scheduled change of a point, which need not exist.
 template <class Motion>
 struct All_pairs_change {
   double time = 0;
-  Point_id id = no_point;        ///< the next one for an insertion
-  std::optional<Motion> motion;  ///< none to erase the point
+  Point_id id = no_point;        ///< of an insertion the next id
+  std::optional<Motion> motion;  ///< empty: erase the point
 };
 
 namespace detail {
@@ -50,7 +50,7 @@ inline std::string contact_text(Event_kind kind, Point_id a, Point_id b,
   return out.str();
 }
 
-/// What is wrong with an event where the oracle has `expected`; empty if it is the same contact.
+/// The difference between an event and the contact that the oracle expects; empty if there is none.
 inline std::string contact_problem(const Event& event,
                                    const std::optional<All_pairs_contact>& expected) {
   const Point_id b = event.point_b.value_or(no_point);
@@ -67,9 +67,9 @@ inline std::string contact_problem(const Event& event,
 
 }  // namespace detail
 
-/// Runs a simulation and the oracle up to `until`, or up to so many contacts, and audits the
-/// simulation at every instant. Returns what is different or wrong; empty if nothing is.
-/// Precondition: `changes` are in the order of their times, and no two are of one time.
+/// Runs a simulation and the oracle up to `until`, or to a limit of contacts, and audits the
+/// simulation at every instant. Returns the first problem, or an empty string. Precondition: the
+/// times of `changes` are strictly increasing.
 template <class Traits>
 std::string difference_from_all_pairs(
     const std::vector<typename Traits::Motion>& motions, const Simulation_options& options,
@@ -98,7 +98,7 @@ std::string difference_from_all_pairs(
       } catch (const Endless_contacts_error&) {
         is_pressed = true;
       } catch (const Coincident_trajectories_error&) {
-        // After the contacts before it, one leaves two points on one trajectory.
+        // A contact has given two points the same trajectory.
         is_over = true;
       }
       for (; compared < contacts.events.size(); ++compared) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The slow, obvious oracle for discs: the exact times of the contacts of all pairs, and of all
-// points with all walls, one after the other. It knows no triangulation. It shares with the library
-// the algebra, and what responses make of a motion.
+// A slow, simple oracle for discs: the exact contact times of all pairs, and of all points with all
+// walls. It has no triangulation. It shares with the library only the algebra and the functions
+// that change motions.
 #ifndef KINETRI_TEST_SUPPORT_ALL_PAIRS_SIMULATOR_H
 #define KINETRI_TEST_SUPPORT_ALL_PAIRS_SIMULATOR_H
 
@@ -31,7 +31,7 @@ struct All_pairs_contact {
   Algebraic_number time;
   Event_kind kind = Event_kind::wall;
   Point_id a = no_point;
-  Point_id b = no_point;  ///< of a wall, which of the four
+  Point_id b = no_point;  ///< of a wall contact, the index of the wall
 
   bool operator<(const All_pairs_contact& other) const {
     if (time != other.time) return time < other.time;
@@ -40,7 +40,7 @@ struct All_pairs_contact {
   }
 };
 
-/// The radius at a time, straight from the definition; the same number for all points.
+/// The radius at a time, by its definition; of points, the common radius.
 template <class Motion>
 Rational radius_at(const Motion& motion, const Rational& t, const Simulation_options& options) {
   if constexpr (HasWeight<Motion>) {
@@ -63,10 +63,10 @@ class All_pairs_simulator {
 
   const std::map<Point_id, Motion>& motions() const { return motions_; }
 
-  /// Whether a contact has come for which no response is left.
+  /// Whether the run has ended with a resting contact.
   bool is_pressed() const { return is_pressed_; }
 
-  /// Whether two points have one trajectory.
+  /// Whether two points have the same trajectory.
   bool has_twins() const {
     for (auto one = motions_.begin(); one != motions_.end(); ++one) {
       for (auto other = std::next(one); other != motions_.end(); ++other) {
@@ -76,16 +76,16 @@ class All_pairs_simulator {
     return false;
   }
 
-  /// Goes to `time`. Precondition: there is no contact before that time.
+  /// Precondition: there is no contact before that time.
   void advance_to(const Algebraic_number& time) { time_ = time; }
 
-  /// The motion of the point from now on, which may be a new one; none if it is erased.
+  /// Gives a point, perhaps a new one, a motion from now on; empty: erases it.
   void set_motion(Point_id id, const std::optional<Motion>& motion) {
     change(id, motion);
     finish_changes();
   }
 
-  /// Executes the next contact if it is at or before `until` and nobody is pressed.
+  /// Executes the next contact if it is at or before `until`. None if it is a resting contact.
   std::optional<All_pairs_contact> step(const Algebraic_number& until) {
     const All_pairs_contact* first = nullptr;
     for (const auto& [key, contact] : contacts_) {
@@ -124,7 +124,7 @@ class All_pairs_simulator {
     });
   }
 
-  // The first time from `from` on at which p is not positive and falls.
+  // The first time from `from` on at which p is not positive and decreases.
   static std::optional<Algebraic_number> fall(const Polynomial& p, const Algebraic_number& from) {
     if (p.degree() < 1) return std::nullopt;
     const Polynomial slope = derivative(p);
@@ -160,7 +160,7 @@ class All_pairs_simulator {
         time ? std::optional(All_pairs_contact{*time, Event_kind::collision, a, b}) : std::nullopt;
   }
 
-  // Of the pairs with a point, and of the point with the walls.
+  // All contacts of a point.
   void find_contacts(Point_id id) {
     std::erase_if(contacts_, [&](const auto& entry) {
       const auto& [a, b, is_wall] = entry.first;
@@ -199,7 +199,7 @@ class All_pairs_simulator {
     return sign_just_after(derivative(gap(p, q)), time_) == CGAL::NEGATIVE;
   }
 
-  // Whether a pair has been apart at some time since then, up to now, with its present motions.
+  // Whether a pair, with its present motions, has been apart at some time from `since` to now.
   bool has_separated(const Edge_ids& pair, const Algebraic_number& since) const {
     const Polynomial p = gap(motions_.at(pair[0]), motions_.at(pair[1]));
     if (sign_at(p, time_) == CGAL::POSITIVE) return true;
@@ -212,7 +212,7 @@ class All_pairs_simulator {
     });
   }
 
-  // Ends the passes of a point that are over.
+  // Removes pairs of a point that pass through each other no more.
   void end_passes(Point_id id) {
     std::erase_if(passing_, [&](const auto& pass) {
       const auto& [pair, since] = pass;
@@ -313,8 +313,8 @@ class All_pairs_simulator {
   Algebraic_number time_;
   std::map<Point_id, Motion> motions_;
   std::map<std::tuple<Point_id, Point_id, bool>, std::optional<All_pairs_contact>> contacts_;
-  std::map<Edge_ids, Algebraic_number> passing_;  // let pass by a response, since when
-  std::set<Point_id> changed_;                    // in the present contact
+  std::map<Edge_ids, Algebraic_number> passing_;  // pairs that pass through each other, since when
+  std::set<Point_id> changed_;                    // by the present contact
   bool is_pressed_ = false;
 };
 

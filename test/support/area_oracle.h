@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The areas of Voronoi cells within a region, from the places of all points: each convex part of
-// the region is cut, in exact arithmetic, by the bisectors of all pairs of points.
+// Areas of Voronoi cells within a region, by cutting each convex part of the region with the
+// bisectors of all pairs of points in exact arithmetic.
 #ifndef KINETRI_TEST_SUPPORT_AREA_ORACLE_H
 #define KINETRI_TEST_SUPPORT_AREA_ORACLE_H
 
@@ -26,17 +26,16 @@ struct Region {
   std::vector<std::vector<Vector_2>> convex_parts;
 };
 
-/// A place, and the weight there.
+/// A position and a weight.
 using Weighted_place = std::pair<Static_point, Rational>;
 
-/// The part of a polygon whose points are as near to `p` as to `q`, or nearer: have at most the
-/// power to it.
+/// The part of a polygon whose points have at most the same power to `p` as to `q`.
 inline std::vector<Static_point> nearer_part(const std::vector<Static_point>& polygon,
                                              const Weighted_place& p, const Weighted_place& q) {
   const auto power = [](const Static_point& v, const Weighted_place& r) {
     return Rational(CGAL::squared_distance(v, r.first) - r.second);
   };
-  // Positive where nearer to q.
+  // Positive if v is nearer to q.
   const auto excess = [&](const Static_point& v) { return Rational(power(v, p) - power(v, q)); };
   std::vector<Static_point> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -70,7 +69,7 @@ inline Rational exact_area(const Region& region) {
   return sum;
 }
 
-/// The areas by id. Of points that are alike the first has that of the cell.
+/// The areas by id. Of equal points the first has the cell.
 inline std::map<Point_id, Rational> exact_areas(const std::map<Point_id, Weighted_place>& places,
                                                 const Region& region) {
   std::map<Point_id, Rational> result;
@@ -90,8 +89,8 @@ inline std::map<Point_id, Rational> exact_areas(const std::map<Point_id, Weighte
   return result;
 }
 
-/// The areas must be those of the exact cells, but for rounding: of a few units in the last place
-/// of `largest`, the largest coordinate of the region and the points, on each side.
+/// Expects the areas of the exact cells, up to an error on each side of a few units in the last
+/// place of `largest`, the largest coordinate of the region and the points.
 inline void expect_areas(std::span<const double> areas, const Query_oracle& oracle,
                          const Region& region, double largest) {
   std::map<Point_id, Weighted_place> places;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The slow, obvious oracle for few moving points: every time at which any three are collinear, any
-// four cocircular or any two in one place is found, and between these times the Delaunay edges are
-// found by looking at all pairs and all circles. Where four points stay cocircular, determinants
-// with x y, and then with x^2, in place of x^2 + y^2 decide, and their roots are such times too. It
-// shares with the library only the algebra. Points may come, turn, jump and go: between two such
-// changes all is as it is without.
+// A slow, simple oracle for few moving points. It finds all critical times, at which three points
+// are collinear, four cocircular or two coincide, and between these the Delaunay edges by examining
+// all pairs and circles. If four points stay cocircular, determinants with x y and then x^2 in
+// place of x^2 + y^2 decide, and their roots are critical times too. It shares with the library
+// only the algebra. Points may be inserted, erased, and given other motions.
 #ifndef KINETRI_TEST_SUPPORT_BRUTE_FORCE_SIMULATOR_H
 #define KINETRI_TEST_SUPPORT_BRUTE_FORCE_SIMULATOR_H
 
@@ -24,8 +23,8 @@
 
 namespace kinetri::test {
 
-/// The determinants that decide whether d is inside the circle of a, b, c, the first that is not
-/// zero (at all times, where the points move): with x^2 + y^2, x y or x^2 in the last column.
+/// Determinants with x^2 + y^2, x y or x^2 in the last column. The first that is not zero (for
+/// moving points: not zero at all times) decides whether d is inside the circle of a, b, c.
 inline std::array<Rational, 3> in_circle_determinants(const Static_point& a, const Static_point& b,
                                                       const Static_point& c,
                                                       const Static_point& d) {
@@ -40,14 +39,15 @@ inline std::array<Rational, 3> in_circle_determinants(const Static_point& a, con
           with([](const auto& v) { return v.x() * v.x(); })};
 }
 
-/// The Delaunay edges of static points, which stay cocircular where they are.
+/// The Delaunay edges of static points. Cocircular points count as cocircular at all times.
 inline std::set<Edge_ids> static_edges(const std::vector<Static_point>& points) {
   std::set<Edge_ids> result;
   const auto n = static_cast<Point_id>(points.size());
   for (Point_id a = 0; a < n; ++a) {
     for (Point_id b = a + 1; b < n; ++b) {
-      // Of the circles through a and b, each point to the left allows those on one side of its own
-      // circle, each point to the right those on the other side.
+      // a and b have an edge if and only if some circle through them has no point inside. Each
+      // point to the left bounds the centers of these circles from one side, each point to the
+      // right from the other.
       bool is_edge = true;
       std::vector<Point_id> left;
       std::vector<Point_id> right;
@@ -79,8 +79,8 @@ inline std::set<Edge_ids> static_edges(const std::vector<Static_point>& points) 
   return result;
 }
 
-/// The polynomial of degree at most `degree` with the values of `value` at 0, 1, ..., degree, up to
-/// a positive factor: by Newton's divided differences.
+/// The polynomial of degree at most `degree` that interpolates `value` at 0, 1, ..., degree, up to
+/// a positive factor. Newton's divided differences.
 inline Polynomial interpolate(int degree, const std::function<Rational(const Rational&)>& value) {
   std::vector<Rational> differences;
   for (int i = 0; i <= degree; ++i) differences.push_back(value(Rational(i)));
@@ -110,7 +110,7 @@ std::vector<Algebraic_number> critical_times(const std::vector<Motion>& motions,
                                              const Algebraic_number& start) {
   constexpr int d = std::same_as<Motion, Linear_motion_2> ? 1 : 3;  // greatest degree
   std::vector<Algebraic_number> times;
-  // Whether there is such a polynomial, but zero.
+  // Adds the roots of a polynomial. Returns false if it is zero.
   const auto add_roots = [&](int degree, const std::function<Rational(const Rational&)>& value) {
     const Polynomial p = interpolate(degree, value);
     if (p.is_zero()) return false;
@@ -153,17 +153,17 @@ std::set<Edge_ids> edges_at(const std::vector<Motion>& motions, const Rational& 
   return static_edges(points);
 }
 
-/// A run of points that come, turn, jump and go at times that its user chooses.
+/// A run of points that change at times that the caller chooses.
 class Brute_force_simulator {
  public:
   explicit Brute_force_simulator(const Algebraic_number& start) : time_(start) {}
 
   const Algebraic_number& time() const { return time_; }
 
-  /// Of the points that are there now.
+  /// The motions of the present points.
   const std::map<Point_id, Linear_motion_2>& motions() const { return motions_; }
 
-  /// The motion of the point from now on, whether it is there already or not.
+  /// Gives a point, perhaps a new one, a motion from now on.
   void set_motion(Point_id id, const Linear_motion_2& motion) {
     motions_[id] = motion;
     find_critical_times();
@@ -173,7 +173,7 @@ class Brute_force_simulator {
     find_critical_times();
   }
 
-  /// The times after now at which the triangulation may change if no point does, sorted.
+  /// The later times at which the triangulation may change, if no point is changed, sorted.
   const std::vector<Algebraic_number>& critical_times() const { return critical_times_; }
 
   /// Precondition: no critical time is between now and `time`; it may be `time` itself.
@@ -183,7 +183,7 @@ class Brute_force_simulator {
     std::erase_if(critical_times_, is_past);
   }
 
-  /// The edges just after now, by the ids of the points: those up to the next critical time.
+  /// The edges, by point ids, just after the present time: those until the next critical time.
   std::set<Edge_ids> edges() const {
     const Algebraic_number end = critical_times_.empty()
                                      ? Algebraic_number(Rational(time_.upper() + 1))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Moving points on whose certificates a filter could be wrong.
+// Moving points for which the filter's certificates are difficult.
 #ifndef KINETRI_TEST_SUPPORT_CERTIFICATES_H
 #define KINETRI_TEST_SUPPORT_CERTIFICATES_H
 
@@ -42,7 +42,7 @@ class Certificates {
         for (auto& a : m) a = {{small(), small()}, {small(), small()}, 0};
         break;
       case 2:
-        // On a circle, but for a few units in the last place, and hardly moving.
+        // On a circle, up to a few units in the last place, and slow.
         for (auto& a : m) {
           const double angle = real();
           const double radius = 1 + std::ldexp(small(), -50);
@@ -71,8 +71,8 @@ class Certificates {
         for (auto& a : m) a.epoch = 1e5 * small() + real();
         break;
       case 6: {
-        // A unit square that moves fast, from places far apart: its coordinates cancel, but for the
-        // rounding of the places.
+        // A unit square that moves fast, given at different epochs: coordinates cancel up to
+        // rounding.
         const Vector_2 common = {1e6 * real(), 1e6 * real()};
         constexpr std::array<Vector_2, 4> square = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
         for (std::size_t i = 0; i < m.size(); ++i) {
@@ -83,7 +83,7 @@ class Certificates {
         break;
       }
       case 7:
-        // A point passes a resting circle along a tangent, but for some units in the last place.
+        // A point moves along a tangent of a circle at rest, up to some units in the last place.
         m = {{{{-1, 0}, {0, 0}, 0}, {{0, -1}, {0, 0}, 0}, {{1, 0}, {0, 0}, 0}, {}}};
         m[3] = {{small() - 4 + real() / 32, 1 + std::ldexp(small(), -52 + 4 * integer_(random_))},
                 {1, std::ldexp(small(), -40)},
@@ -112,8 +112,7 @@ class Certificates {
   std::uniform_int_distribution<int> integer_{-3, 3};
 };
 
-/// The linear motions with higher derivatives of the size of their velocities, in every mixture of
-/// degrees.
+/// The linear motions with higher derivatives in proportion to velocities, of mixed degrees.
 inline std::array<Polynomial_motion_2, 4> bent(const std::array<Linear_motion_2, 4>& lines,
                                                std::mt19937_64& random) {
   std::uniform_real_distribution<double> share(-1, 1);
@@ -122,7 +121,7 @@ inline std::array<Polynomial_motion_2, 4> bent(const std::array<Linear_motion_2,
     result[i] = polynomial_motion(lines[i]);
     const Vector_2 v = lines[(i + 1) % 4].velocity;
     const auto times = [&](double factor) { return Vector_2{v.x * factor, v.y * factor}; };
-    // Integers stay integers.
+    // Keeps integers.
     const bool is_coarse = v.x == std::round(v.x) && v.y == std::round(v.y);
     const auto factor = [&] { return is_coarse ? std::round(2 * share(random)) : share(random); };
     if (random() % 3 > 0) result[i].acceleration = times(factor());
@@ -131,7 +130,7 @@ inline std::array<Polynomial_motion_2, 4> bent(const std::array<Linear_motion_2,
   return result;
 }
 
-/// The flavor of an instance of a test, as a name.
+/// The name of a test's flavor.
 inline std::string flavor_name(const testing::TestParamInfo<int>& instance) {
   std::string name = Certificates::name(instance.param);
   std::ranges::replace_if(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The components of "at most so far apart" found from all pairs: the pieces of constant motion of a
-// run, the closed intervals of time in which two points are linked, and union-find over these.
+// Components of points in range, from all pairs: the pieces of constant motion of a run, the closed
+// time intervals in which two points are linked, and union-find.
 #ifndef KINETRI_TEST_SUPPORT_COMPONENT_ORACLE_H
 #define KINETRI_TEST_SUPPORT_COMPONENT_ORACLE_H
 
@@ -27,7 +27,7 @@ struct Motion_piece {
   Algebraic_number to;
 };
 
-/// Records the motions of all points of a simulation. Those that end when they begin are dropped.
+/// Records the motions of all points of a simulation, except those without duration.
 template <class Traits>
 class Motion_recorder : public Event_observer {
  public:
@@ -77,7 +77,7 @@ class Motion_recorder : public Event_observer {
   std::vector<Motion_piece<Motion>> ended_;
 };
 
-/// Union-find without any finesse.
+/// Simple union-find.
 class Partition {
  public:
   void add(Point_id id) { parents_.emplace(id, id); }
@@ -90,7 +90,7 @@ class Partition {
   bool are_joined(Point_id a, Point_id b) const {
     return contains(a) && contains(b) && root(a) == root(b);
   }
-  /// The sizes of the components, the greatest first.
+  /// The sizes of the components in descending order.
   std::vector<std::size_t> sizes() const {
     std::map<Point_id, std::size_t> sizes;
     for (const auto& [id, parent] : parents_) ++sizes[root(id)];
@@ -164,14 +164,15 @@ struct Closed_interval {
   bool contains_after(const Algebraic_number& t) const { return begin <= t && t < end; }
 };
 
-/// The squared distance less the square of the range, but for a positive factor.
+/// The squared distance minus the squared range, up to a positive factor.
 template <class Motion>
 Polynomial excess(const Motion& p, const Motion& q, double range) {
   const Rational r = to_rational(range);
   return primitive_polynomial(sum(squared_distance(p, q), {r * r}, -1));
 }
 
-/// The times from `from` to `to` at which two points are at most `range` apart, where from < to.
+/// The times from `from` to `to` at which two points are at most `range` apart. Precondition: from
+/// < to.
 template <class Motion>
 std::vector<Closed_interval> near_times(const Motion& p, const Motion& q, double range,
                                         const Algebraic_number& from, const Algebraic_number& to) {
@@ -196,7 +197,7 @@ std::vector<Closed_interval> near_times(const Motion& p, const Motion& q, double
   return result;
 }
 
-/// What there is over a run: when each point is there, and when two are linked.
+/// Of a run, the times at which points exist, and those at which pairs are linked.
 class Component_oracle {
  public:
   struct Link {

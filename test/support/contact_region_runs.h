@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs by regions of simulations, with contacts and walls, beside the plain loop.
+// Optimistic parallel execution of simulations, compared with the sequential loop.
 #ifndef KINETRI_TEST_SUPPORT_CONTACT_REGION_RUNS_H
 #define KINETRI_TEST_SUPPORT_CONTACT_REGION_RUNS_H
 
@@ -20,7 +20,7 @@
 
 namespace kinetri::test {
 
-/// Points in a square of the given side, some distance apart, with speeds up to `speed`.
+/// Points in a square, at least `apart` from each other, with velocity components up to `speed`.
 inline std::vector<Linear_motion_2> gas(std::size_t n, double side, double apart, double speed,
                                         unsigned seed) {
   std::mt19937_64 random(seed);
@@ -41,7 +41,7 @@ inline std::vector<Linear_motion_2> gas(std::size_t n, double side, double apart
   return result;
 }
 
-/// Points on a lattice with whole velocities, so that much happens at one time.
+/// Points on a lattice with integer velocities, so that many events are simultaneous.
 inline std::vector<Linear_motion_2> on_lattice(std::size_t n, std::size_t columns, unsigned seed) {
   std::mt19937_64 random(seed);
   const auto whole = [&] { return static_cast<double>(random() % 7) - 3; };
@@ -72,15 +72,15 @@ std::string difference_of_simulations(const Simulation_2<Traits>& one,
   return {};
 }
 
-/// Of a contact the disc of less mass vanishes.
+/// Erases the disc with the smaller mass.
 inline Contact_response_2 erase_lighter(const Contact_2& contact) {
   Contact_response_2 result;
   (contact.mass_a < contact.mass_b ? result.erases_a : result.erases_b) = true;
   return result;
 }
 
-/// What differs between the plain loop and a run by regions, both in pieces that end at `times`,
-/// with and without observers of the latter. Before each piece change(simulation) is called.
+/// The difference between the sequential loop and parallel execution, with and without observers,
+/// in pieces that end at `times`. Calls change(simulation) before each piece.
 template <class Traits = Linear_kinetic_traits_2>
 std::string difference_from_loop(
     const std::vector<typename Traits::Motion>& motions, const Simulation_options& options,
@@ -136,7 +136,7 @@ std::string difference_from_loop(
   return {};
 }
 
-/// Points that come, turn and go in a square of the given side, now or within a unit of time.
+/// Changes some points in a square of the given side, or schedules changes within a unit of time.
 inline void change_some_points(Simulation_2<Linear_kinetic_traits_2>& simulation, double side,
                                std::mt19937_64& random) {
   const auto number = [&](double least, double greatest) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The fixture of tests that have an empty directory.
+// A fixture with an empty directory.
 #ifndef KINETRI_TEST_SUPPORT_DIRECTORY_TEST_H
 #define KINETRI_TEST_SUPPORT_DIRECTORY_TEST_H
 
@@ -20,9 +20,9 @@ class Directory_test : public testing::Test {
   std::string directory() const { return directory_.path(); }
   /// The path of the file `name` in it.
   std::string file(const std::string& name) const { return directory_.file(name); }
-  /// The names of all that is in it, sorted.
+  /// The names of all entries, sorted.
   Entries entries() const { return directory_.entries(); }
-  /// The names of all that is in its directory `name`, sorted.
+  /// The names of all entries of its directory `name`, sorted.
   Entries entries(const std::string& name) const { return entries_of(file(name)); }
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Moving discs on whose certificates a filter could be wrong: centres of every flavor, with radii
-// and weights of every kind.
+// Moving discs for which the filter's certificates are difficult: centers of every flavor, with
+// radii and weights of every kind.
 #ifndef KINETRI_TEST_SUPPORT_DISC_CERTIFICATES_H
 #define KINETRI_TEST_SUPPORT_DISC_CERTIFICATES_H
 
@@ -18,15 +18,15 @@
 
 namespace kinetri::test {
 
-/// Kinds of radii and weights, for centres of one flavor.
+/// Kinds of radii and weights.
 enum Kind_of_radii {
   equal,
   different,
   ratios,
   growing,
   weights,
-  touching,    // the first two, at the time, but for a few units in the last place
-  cancelling,  // small differences of large numbers at the time
+  touching,    // the first two at the start time, up to a few units in the last place
+  cancelling,  // small differences of large numbers at the start time
   wild,
   kinds
 };
@@ -37,7 +37,7 @@ class Disc_certificates {
  public:
   Disc_certificates(int flavor, unsigned seed) : flavor_(flavor), centres_(seed), random_(seed) {}
 
-  /// For certificates from the time t on.
+  /// For certificates that start at the time t.
   std::array<Disc, 4> next(int kind, double t) {
     const auto lines = centres_.next(flavor_);
     std::array<Disc, 4> m;

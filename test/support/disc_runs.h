@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Simulations of discs that are watched from outside: the paths of all points, and the least
-// distances between them, found from the motions alone.
+// Simulations of discs, and the least distances between discs, computed from the motions alone.
 #ifndef KINETRI_TEST_SUPPORT_DISC_RUNS_H
 #define KINETRI_TEST_SUPPORT_DISC_RUNS_H
 
@@ -30,7 +29,7 @@ struct Recorder : Event_observer {
     return chosen([kind](const Simulation_event& event) { return event.kind == kind; });
   }
 
-  /// Those of walls and discs.
+  /// The contacts with walls and of discs.
   std::vector<Simulation_event> contacts() const {
     return chosen([](const Simulation_event& event) {
       return event.kind == Event_kind::wall || event.kind == Event_kind::collision;
@@ -116,7 +115,7 @@ Conserved conserved(const Simulation_2<Traits>& simulation) {
   return sum;
 }
 
-/// Follows all points by their motions, and knows the least distance that any two ever had.
+/// Computes the least distance of any two points over a run from their motions.
 class Distance_watcher : public Simulation::Observer {
  public:
   explicit Distance_watcher(Simulation& simulation) : simulation_(simulation) {
@@ -133,7 +132,7 @@ class Distance_watcher : public Simulation::Observer {
     if (event.kind == Event_kind::wall || event.kind == Event_kind::collision) remember();
   }
 
-  /// Looks at the paths since the last change, up to `time`.
+  /// Examines the paths from the last change to `time`.
   void look_until(double time) {
     for (std::size_t i = 0; i < motions_.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
@@ -182,7 +181,8 @@ class Distance_watcher : public Simulation::Observer {
   Number least_ = std::numeric_limits<Number>::infinity();
 };
 
-/// Steps to `until` with an audit after each instant; what is wrong, or nothing.
+/// Steps to `until` with an audit after each instant. Returns the first problem, or an empty
+/// string.
 inline std::string audited_run(Simulation& simulation, double until, Audit_level level) {
   const auto problem = [&](Audit_level l) -> std::string {
     const Audit_report report = simulation.audit(l);

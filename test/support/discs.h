@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Moving discs for tests: random ones from fixed seeds, and what they are at a rational time.
+// Moving discs for tests: random ones from fixed seeds, and their values at a rational time.
 #ifndef KINETRI_TEST_SUPPORT_DISCS_H
 #define KINETRI_TEST_SUPPORT_DISCS_H
 
@@ -19,27 +19,27 @@ namespace kinetri::test {
 
 using Static_disc = Static_kernel::Weighted_point_2;
 
-/// The radius of `disc` at time `t`, straight from the definition.
+/// The radius at time `t`, by its definition.
 template <class Disc>
 Rational radius_at(const Disc& disc, const Rational& t) {
   return to_rational(disc.radius) + to_rational(disc.growth) * (t - to_rational(disc.epoch));
 }
 
-/// The weight of `disc` at time `t`, straight from the definition.
+/// The weight at time `t`, by its definition.
 template <class Disc>
 Rational weight_at(const Disc& disc, const Rational& t) {
   const Rational radius = radius_at(disc, t);
   return radius * radius + to_rational(disc.weight);
 }
 
-/// The weighted point that `disc` is at time `t`.
+/// The weighted point at time `t`.
 template <class Disc>
 Static_disc disc_at(const Disc& disc, const Rational& t) {
   return {place_at(centre(disc), t), weight_at(disc, t)};
 }
 
-/// Random discs of the flavors that matter: 0 ordinary, 1 of tiny integers (degenerate), 2 of wild
-/// magnitudes, 3 of far-away epochs, 4 points with weights of either sign, 5 of equal radii.
+/// Random discs: 0 ordinary, 1 of tiny integers (degenerate), 2 of wild magnitudes, 3 of far-away
+/// epochs, 4 points with weights of either sign, 5 of equal radii.
 class Disc_source {
  public:
   static constexpr int flavors = 6;

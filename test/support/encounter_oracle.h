@@ -22,7 +22,7 @@
 
 namespace kinetri::test {
 
-/// The motions that each point has had, as an observer is told of them.
+/// Records the motions of each point as an observer.
 template <class Traits>
 class Leg_recorder : public Event_observer {
  public:
@@ -32,14 +32,14 @@ class Leg_recorder : public Event_observer {
   struct Leg {
     Motion motion;
     Algebraic_number since;
-    std::optional<Algebraic_number> until = std::nullopt;  // none as long as it goes on
-    bool is_initial = false;  // the point has been there before the first time
-    bool is_last = false;     // the point has left at the end
+    std::optional<Algebraic_number> until = std::nullopt;  // none while it lasts
+    bool is_initial = false;  // the point existed before the first time
+    bool is_last = false;     // the point was erased at the end
 
-    // Whether it is a motion of the point before, or after, what happens at a time.
+    // Whether the point has it just before, or just after, the events of a time.
     bool is_before(const Algebraic_number& t) const { return since < t || is_initial; }
     bool is_after(const Algebraic_number& t) const { return *until > t || goes_on; }
-    bool goes_on = false;  // at the present time
+    bool goes_on = false;  // lasts at the present time
   };
 
   template <class Observed>  // a simulation or a triangulation
@@ -55,7 +55,7 @@ class Leg_recorder : public Event_observer {
   explicit Leg_recorder(Simulation_2<Traits>& simulation)
       : Leg_recorder(simulation, simulation.triangulation()) {}
 
-  /// By id, in the order of time; those that go on end now.
+  /// By id, in the order of time. Motions that last get the present time as their end.
   std::vector<std::vector<Leg>> legs() const {
     auto result = legs_;
     for (auto& legs_of_point : result) {
@@ -82,7 +82,7 @@ class Leg_recorder : public Event_observer {
     if (!legs.empty() && !legs.back().until) {
       if (triangulation_.contains(id) && triangulation_.motion(id) == legs.back().motion) return;
       legs.back().until = time;
-      // Of several motions of one time only the last one counts.
+      // Of several motions that begin at one time only the last one counts.
       if (legs.back().since == time && !legs.back().is_initial) legs.pop_back();
     }
     if (triangulation_.contains(id)) {
@@ -100,7 +100,7 @@ namespace encounter_oracle {
 
 using Coefficients = std::vector<Rational>;
 
-/// The coefficients of the polynomial of that degree with these values.
+/// The coefficients of the polynomial that interpolates `value`.
 template <class Value>
 Coefficients interpolation(int degree, Value value) {
   // Newton's divided differences at 0, 1, ..., degree.
@@ -130,12 +130,12 @@ Rational radius_of(const Motion& motion, double radius, const Rational& t) {
   }
 }
 
-/// What is asked of a pair while it has two motions.
+/// Functions of time of a pair with given motions.
 struct Functions {
   Coefficients squared_distance;
   Coefficients radii;   // their sum
-  Polynomial excess;    // negative where the gap is less than the range
-  Polynomial critical;  // zero where the gap has a minimum
+  Polynomial excess;    // negative if the gap is less than the range
+  Polynomial critical;  // zero at minima of the gap
 
   template <class Motion>
   Functions(const Motion& p, const Motion& q, double radius, double range) {
@@ -165,7 +165,7 @@ struct Functions {
       const Rational s = value(slope, t);
       return Rational(s * s - 4 * radii[1] * radii[1] * value(squared_distance, t));
     }));
-    // The gap may be constant but for a bend.
+    // Zero if the gap is piecewise linear.
     if (critical.is_zero()) critical = primitive_polynomial(slope);
   }
 };
@@ -182,7 +182,7 @@ inline std::vector<Algebraic_number> roots_between(const Polynomial& p, const Al
 
 using Time_interval = std::pair<Algebraic_number, Algebraic_number>;
 
-/// The maximal intervals of [a, b] at which a polynomial is not positive.
+/// The maximal intervals in [a, b] in which a polynomial is not positive.
 inline std::vector<Time_interval> not_positive(const Polynomial& p, const Algebraic_number& a,
                                                const Algebraic_number& b) {
   std::vector<Algebraic_number> times = {a};
@@ -206,8 +206,8 @@ inline std::vector<Time_interval> not_positive(const Polynomial& p, const Algebr
 
 }  // namespace encounter_oracle
 
-/// The encounters of those motions at that range, in the order that Encounters gives. `radius` is
-/// the common one of points.
+/// The encounters of these motions, in the order of Encounters. `radius` is the common radius of
+/// points.
 template <class Legs>
 std::vector<Encounter> expected_encounters(const std::vector<std::vector<Legs>>& legs,
                                            double radius, double range) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Results of the filters against exact arithmetic.
+// Checks results of the filters by exact arithmetic.
 #ifndef KINETRI_TEST_SUPPORT_FILTER_RESULTS_H
 #define KINETRI_TEST_SUPPORT_FILTER_RESULTS_H
 
@@ -18,12 +18,12 @@
 
 namespace kinetri::test {
 
-/// Whether `result` from `after` on is true of the certificate with the polynomial `p`; the root
-/// at `after`, if the certificate vanishes there, does not count.
+/// Expects that `result`, from `after` on, is true of the certificate with the polynomial `p`. A
+/// root at `after` does not count.
 inline void expect_true(const Filter_result& result, const Polynomial& p,
                         const Algebraic_number& after) {
   if (result.kind == Filter_result::Kind::unknown) return;
-  // Strictly positive: no root at all, not even a touch, before the end.
+  // Strictly positive: no root before the end, not even a touch.
   ASSERT_FALSE(p.is_zero());
   ASSERT_EQ(sign_just_after(p, after), CGAL::POSITIVE);
   const auto root = first_root_after(p, after);
@@ -45,13 +45,13 @@ inline void expect_true(const Filter_result& result, const Polynomial& p,
   }
 }
 
-/// The rounding mode of a case: each in turn.
+/// The rounding modes, by turns.
 inline int rounding_mode(int number_of_case) {
   constexpr std::array<int, 4> modes = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
   return modes[static_cast<std::size_t>(number_of_case) % modes.size()];
 }
 
-/// What `filter` says in a rounding mode, which it leaves as it is.
+/// The result of `filter` in a rounding mode, which it must not change.
 template <class Filter>
 auto in_mode(int mode, const Filter& filter) {
   std::fesetround(mode);
@@ -61,14 +61,14 @@ auto in_mode(int mode, const Filter& filter) {
   return result;
 }
 
-/// How many in-circle certificates a filter has decided, and of these how many fail.
+/// The number of in-circle certificates that a filter decided, and of those that fail.
 struct Decided {
   int all = 0;
   int failures = 0;
 };
 
-/// Checks what the filters say in a rounding mode about the certificates of four points from `t`
-/// on, about their negatives, and how either goes on after its failure.
+/// Checks the filters in a rounding mode on the certificates of four points from `t` on, on their
+/// negations, and on the negations after a failure.
 template <class Motion>
 void expect_true_certificates(const std::array<Motion, 4>& m, double t, int mode,
                               Decided& decided) {
@@ -84,7 +84,7 @@ void expect_true_certificates(const std::array<Motion, 4>& m, double t, int mode
     if (testing::Test::HasFatalFailure() || result.kind != Filter_result::Kind::fails) {
       return result.kind;
     }
-    // After its failure, the negated certificate goes on from a root.
+    // After a failure the negated certificate starts at a root.
     const auto root = first_root_after(certificate, t);
     EXPECT_TRUE(root);
     if (root) {
@@ -113,8 +113,8 @@ void expect_true_certificates(const std::array<Motion, 4>& m, double t, int mode
   }
 }
 
-/// Checks what the filter says in a rounding mode about the in-circle certificates of two times
-/// four points at once, from `t` on. Adds to `decided` how many it has decided.
+/// Checks the filter in a rounding mode on two in-circle certificates at once, from `t` on. Adds
+/// the number of decided ones to `decided`.
 template <class Motion>
 void expect_true_pair(const std::array<Motion, 4>& m, const std::array<Motion, 4>& n, double t,
                       int mode, int& decided) {
@@ -132,16 +132,16 @@ void expect_true_pair(const std::array<Motion, 4>& m, const std::array<Motion, 4
   }
 }
 
-/// How many certificates failed, and of the five after each flip, how many hold and how many of
-/// these a filter has decided.
+/// The number of failed certificates; of the five after each flip, the number that hold, and of
+/// these the number that a filter decided.
 struct Decided_after_flips {
   int flips = 0;
   int positive = 0;
   int decided = 0;
 };
 
-/// Checks what the filter says in a rounding mode about the five certificates after the flip of the
-/// points `m` with the points `beyond`, at the bracket of the first failure from `t` on.
+/// Checks the filter in a rounding mode on the five certificates after a flip of the points `m`,
+/// with the points `beyond`, at the bracket of the first failure from `t` on.
 template <class Motion>
 void expect_true_after_flip(std::array<Motion, 4> m, const std::array<Motion, 4>& beyond, double t,
                             int mode, Decided_after_flips& counts) {
@@ -153,7 +153,7 @@ void expect_true_after_flip(std::array<Motion, 4> m, const std::array<Motion, 4>
   }
   if (failure.kind != Filter_result::Kind::fails) return;
   ++counts.flips;
-  // Two corners have changed places, so that what has failed is positive from then on.
+  // Two corners are swapped, so that the failed certificate is positive from then on.
   const Flip_neighborhood<Motion> around = {{&m[1], &m[0], &m[2], &m[3]},
                                             {&beyond[0], &beyond[1], &beyond[2], &beyond[3]}};
   const auto results = in_mode(mode, [&] { return filter_after_flip(around, failure.bounds); });

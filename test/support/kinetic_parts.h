@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parts of a kinetic triangulation, each with those that it knows and no others: for tests of
-// one part.
+// The parts of a kinetic triangulation, each with only the parts that it uses, for tests of one
+// part.
 #ifndef KINETRI_TEST_SUPPORT_KINETIC_PARTS_H
 #define KINETRI_TEST_SUPPORT_KINETIC_PARTS_H
 
@@ -17,7 +17,7 @@
 
 namespace kinetri::test {
 
-/// A point that stays in its place.
+/// A point at rest.
 inline Linear_motion_2 resting(double x, double y) {
   return {{x, y}, {0, 0}};
 }
@@ -52,7 +52,7 @@ struct Topology_part {
   using Triangulation = typename Topology::Triangulation;
   using Time = Algebraic_number;
 
-  /// Of the motions just after a time, as CGAL makes it.
+  /// The triangulation just after a time, made by CGAL.
   explicit Topology_part(const std::vector<Motion>& motions, const Time& start = 0.0)
       : topology({start, Time_side::after}) {
     const std::vector<Point_2> points = points_of<Point_2>(motions);
@@ -94,7 +94,7 @@ struct Certification_part : Topology_part<Traits> {
   using typename Base::Time;
   using typename Base::Two_sided_edge;
 
-  /// When the certificate of an edge fails: checked again as often as it only holds.
+  /// The failure of an edge's certificate, which is rechecked while it only holds.
   std::optional<std::pair<detail::Entry_kind, Time>> failure(const Two_sided_edge& edge,
                                                              Time after) const {
     for (;;) {
@@ -118,7 +118,7 @@ struct Certification_part : Topology_part<Traits> {
   detail::Certification<Traits> certification{Traits(), this->topology};
 };
 
-/// The same with a schedule, in which all edges are.
+/// The same with a schedule of all edges.
 template <class Traits = Linear_kinetic_traits_2>
 struct Schedule_part : Certification_part<Traits> {
   using Base = Certification_part<Traits>;
@@ -131,8 +131,9 @@ struct Schedule_part : Certification_part<Traits> {
     schedule.schedule_all();
   }
 
-  /// What is wrong with the invariant of the schedule: an edge has an entry if and only if its
-  /// certificate may fail after the present time; this is its failure, or an earlier time.
+  /// A violation of the invariant of the schedule: an edge has an entry if and only if its
+  /// certificate may fail after the present time; the entry is the failure, or a recheck at an
+  /// earlier time.
   std::string problem() const {
     std::size_t entries = 0;
     for (const Two_sided_edge& edge : this->all_edges()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs of the kinetic triangulation that are looked at while they go. Each function says what is
-// wrong, in one line, or nothing: for tests that stop and for tests that shrink.
+// Runs of the kinetic triangulation with checks. Each function returns a problem in one line, or an
+// empty string, so that both GoogleTest and rapidcheck can use it.
 #ifndef KINETRI_TEST_SUPPORT_KINETIC_RUNS_H
 #define KINETRI_TEST_SUPPORT_KINETIC_RUNS_H
 
@@ -25,7 +25,7 @@ std::set<Edge_ids> edges_of(const Kinetic& kinetic) {
   return {edges.begin(), edges.end()};
 }
 
-/// All events, and the edges as they leave them.
+/// Records all events, and applies them to the edges.
 class Event_recorder : public Kinetic_delaunay::Observer {
  public:
   template <class Kinetic>
@@ -53,7 +53,7 @@ inline std::ostream& operator<<(std::ostream& out, const Kinetic_event& event) {
   return out << " at " << event.time;
 }
 
-/// What the audit finds, with the time.
+/// The first failure of the audit, with the time.
 template <class Kinetic>
 std::string audit_problem(const Kinetic& kinetic, Audit_level level) {
   const Audit_report report = kinetic.audit(level);
@@ -63,9 +63,9 @@ std::string audit_problem(const Kinetic& kinetic, Audit_level level) {
   return text.str();
 }
 
-/// Runs to `until`, or to the last event, instant by instant, with an audit after each (which looks
-/// at a rational time before the next one), and a full one at both ends. Each instant must have the
-/// time that was announced, and the events must account for every change of the edges.
+/// Runs to `until`, or to the last event, instant by instant, with an audit after each and a full
+/// audit at both ends. Each instant must have the announced time, and the events must account for
+/// every change of the edges.
 template <class Kinetic>
 std::string audited_run(Kinetic& kinetic, const std::optional<Algebraic_number>& until,
                         Audit_level level) {
@@ -95,7 +95,7 @@ std::string audited_run(Kinetic& kinetic, const std::optional<Algebraic_number>&
   return problem;
 }
 
-/// How two sequences of events differ: in number, kind, exact time, edges, or points.
+/// The first difference of two sequences of events: in number, kind, exact time, edges, or points.
 inline std::string difference(const std::vector<Kinetic_event>& one,
                               const std::vector<Kinetic_event>& other) {
   std::ostringstream text;

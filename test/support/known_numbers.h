@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Algebraic numbers of which all is known: a + sqrt(c), and rationals that do not look rational,
-// with 6000 bits of each, equal ones by construction.
+// Algebraic numbers with known values of 6000 bits: a + sqrt(c), and rationals that are given as
+// roots of polynomials.
 #ifndef KINETRI_TEST_SUPPORT_KNOWN_NUMBERS_H
 #define KINETRI_TEST_SUPPORT_KNOWN_NUMBERS_H
 
@@ -17,13 +17,13 @@ inline Rational two_to(long exponent) {
   return scaled_by_power_of_two(1, exponent);
 }
 
-/// A number and what is known about it.
+/// A number and its known value.
 struct Specimen {
   Algebraic_number number;
   Known_root truth;
 };
 
-/// The position of the root a + sqrt(c), or of the rational a where c is zero.
+/// The number a + sqrt(c); if c is zero, the rational a.
 struct Value {
   Rational a;
   Rational c;
@@ -37,7 +37,7 @@ inline void add_to(Known_polynomial& p, const Value& v, int multiplicity = 1) {
   }
 }
 
-/// The root with the value `v`, which the polynomial has been given.
+/// The root with the value `v`. Precondition: the polynomial has it.
 inline Known_root root_at(const Known_polynomial& p, const Value& v) {
   const Big_float value = v.c.is_zero() ? oracle_value(v.a) : oracle_value(v.a, v.c, true);
   for (const Known_root& root : p.roots()) {
@@ -61,7 +61,7 @@ inline Specimen make_specimen(const Value& v, const std::vector<Value>& others, 
   return {plain ? Algebraic_number(v.a) : isolated_root(p, root, random), root};
 }
 
-/// Equal, far and nearly equal numbers of either sign.
+/// Equal, distant and nearly equal numbers of either sign.
 inline std::vector<Value> some_values() {
   std::vector<Value> result;
   const Rational tiny = two_to(-250);
@@ -82,7 +82,7 @@ inline Comparison_result order_of(const Known_root& a, const Known_root& b) {
   return order < 0 ? CGAL::SMALLER : order > 0 ? CGAL::LARGER : CGAL::EQUAL;
 }
 
-/// The rational itself, or one that has no binary64 number, or tie, between it and the number.
+/// The rational itself, or one so near that no binary64 number or tie is between.
 inline Rational stand_in(const Known_root& truth) {
   return truth.rational ? *truth.rational : rounded(truth.value, 5000);
 }

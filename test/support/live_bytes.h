@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How many bytes a program has allocated and not freed, by operator new and by GMP, which does not
-// use it. Exact, unlike what the C library tells, which counts what it keeps for the next call. And
-// an allocation that fails. To be included in one source file of a program.
+// The exact number of bytes that a program has allocated and not freed, by operator new and by GMP,
+// which does not use it. Also lets an allocation fail. To be included in one source file of a
+// program.
 #ifndef KINETRI_TEST_SUPPORT_LIVE_BYTES_H
 #define KINETRI_TEST_SUPPORT_LIVE_BYTES_H
 
@@ -19,7 +19,7 @@ namespace kinetri::test {
 
 inline std::atomic<std::size_t> live_byte_count = 0;
 
-/// After so many more allocations by operator new one fails; none if negative.
+/// The number of allocations by operator new before one fails; negative: none fails.
 inline std::atomic<std::int64_t> allocations_before_failure = -1;
 
 inline void count_allocation() {

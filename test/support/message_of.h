@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What an error says.
+// The message of an error.
 #ifndef KINETRI_TEST_SUPPORT_MESSAGE_OF_H
 #define KINETRI_TEST_SUPPORT_MESSAGE_OF_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Moving points for tests: random ones from fixed seeds, and the exact static points they are at a
-// rational time.
+// Moving points for tests: random ones from fixed seeds, and their exact positions at a rational
+// time.
 #ifndef KINETRI_TEST_SUPPORT_MOTIONS_H
 #define KINETRI_TEST_SUPPORT_MOTIONS_H
 
@@ -30,7 +30,7 @@ namespace kinetri::test {
 using Static_kernel = CGAL::Simple_cartesian<Rational>;
 using Static_point = Static_kernel::Point_2;
 
-/// The place of `m` at time `t`, straight from the definition.
+/// The position of `m` at time `t`, by its definition.
 inline Static_point place_at(const Linear_motion_2& m, const Rational& t) {
   const Rational elapsed = t - to_rational(m.epoch);
   return {to_rational(m.position.x) + to_rational(m.velocity.x) * elapsed,
@@ -61,8 +61,8 @@ inline std::vector<Linear_motion_2> random_motions(std::size_t n, double side, d
   return motions;
 }
 
-/// n distinct trajectories with integer places in [0, size) and integer velocities in
-/// [-speed, speed]: so small a choice that most instants are degenerate.
+/// n distinct trajectories with integer positions in [0, size) and integer velocities in [-speed,
+/// speed]. If these ranges are small, most instants are degenerate.
 inline std::vector<Linear_motion_2> grid_motions(std::size_t n, int size, int speed,
                                                  unsigned seed) {
   std::mt19937_64 random(seed);
@@ -81,8 +81,7 @@ inline std::vector<Linear_motion_2> grid_motions(std::size_t n, int size, int sp
   return motions;
 }
 
-/// n distinct trajectories of all degrees up to `degree`, the places and derivatives small
-/// integers.
+/// n distinct trajectories of degrees up to `degree`, with small integer positions and derivatives.
 inline std::vector<Polynomial_motion_2> polynomial_grid_motions(std::size_t n, int size, int speed,
                                                                 int degree, unsigned seed) {
   std::mt19937_64 random(seed);
@@ -128,7 +127,7 @@ inline std::vector<Polynomial_motion_2> random_polynomial_motions(std::size_t n,
   return motions;
 }
 
-/// Puts a row of a points file behind the text.
+/// Appends a row of a points file.
 inline void append_row(std::string& text, std::initializer_list<double> numbers) {
   for (const double number : numbers) {
     char buffer[40];
@@ -138,7 +137,7 @@ inline void append_row(std::string& text, std::initializer_list<double> numbers)
   text.back() = '\n';
 }
 
-/// The motions as a points file has them, for failure messages.
+/// The motions as a points file, for failure messages.
 template <class Range>
 requires std::same_as<std::ranges::range_value_t<Range>, Polynomial_motion_2> std::string describe(
     const Range& motions) {

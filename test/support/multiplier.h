@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How long randomized tests are.
+// The length of randomized tests.
 #ifndef KINETRI_TEST_SUPPORT_MULTIPLIER_H
 #define KINETRI_TEST_SUPPORT_MULTIPLIER_H
 
@@ -8,7 +8,7 @@
 
 namespace kinetri::test {
 
-/// How many times the usual number of random cases to run: KINETRI_TEST_MULTIPLIER, or 1.
+/// The factor for the number of random cases: KINETRI_TEST_MULTIPLIER, or 1.
 inline int multiplier() {
   const char* text = std::getenv("KINETRI_TEST_MULTIPLIER");
   const int value = text == nullptr ? 1 : std::atoi(text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Expecting that a precondition is broken, and that the message says which one.
+// Expects a violated precondition with a given message.
 #ifndef KINETRI_TEST_SUPPORT_PRECONDITION_ERROR_H
 #define KINETRI_TEST_SUPPORT_PRECONDITION_ERROR_H
 
@@ -12,8 +12,8 @@
 
 namespace kinetri::test {
 
-/// What the Precondition_error that `function` throws says is wrong, without the condition and its
-/// place; "no precondition was broken" if it throws none.
+/// The problem that the message of a thrown Precondition_error names, without the condition and its
+/// location; "no precondition was broken" if none is thrown.
 template <class Function>
 std::string precondition_problem(Function function) {
   try {

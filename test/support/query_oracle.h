@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is asked at one time, and the answers of an oracle that looks at all points, pairs, edges
-// and triangles at their exact places.
+// Queries at one time, compared with an oracle that examines all points, pairs, edges and triangles
+// in exact arithmetic.
 #ifndef KINETRI_TEST_SUPPORT_QUERY_ORACLE_H
 #define KINETRI_TEST_SUPPORT_QUERY_ORACLE_H
 
@@ -43,8 +43,8 @@ Rational weight_at(const Motion& motion, const Rational& t) {
   }
 }
 
-/// The points of a triangulation at a rational time, and what a look at all of them says. Where
-/// points have weights, powers take the place of squared distances.
+/// The points of a triangulation at a rational time, and answers by exhaustive search. With
+/// weights, powers replace squared distances.
 class Query_oracle {
  public:
   template <class Kinetic>
@@ -82,7 +82,7 @@ class Query_oracle {
   const Static_point& place(Point_id id) const { return places_.at(id); }
   const Rational& weight(Point_id id) const { return weights_.at(id); }
 
-  /// Of the place `q` to the point `id`.
+  /// The power of the position `q` to the point `id`.
   Rational power(const Static_point& q, Point_id id) const {
     return CGAL::squared_distance(q, place(id)) - weight(id);
   }
@@ -122,7 +122,7 @@ class Query_oracle {
     return result;
   }
 
-  /// The k nearest points, in the order of their distances and ids; no_point where there are fewer.
+  /// The k nearest points by distance and id, filled with no_point.
   std::vector<Point_id> nearest_neighbors(Point_id id, std::size_t k) const {
     std::vector<std::pair<Rational, Point_id>> others;
     for (const auto& [other, p] : places_) {
@@ -158,8 +158,8 @@ class Query_oracle {
     return {};
   }
 
-  /// Whether a line through two points has the place strictly on one side, and all points on the
-  /// other or on it. If all points are collinear: whether the place is not between two.
+  /// Whether a line through two points separates the position strictly from all points. If all
+  /// points are collinear: whether the position is not a point and not between two.
   bool is_outside_hull(const Static_point& q) const {
     if (!is_flat_) {
       return std::ranges::any_of(hull_lines_, [&](const auto& line) {
@@ -179,22 +179,22 @@ class Query_oracle {
     return a != c && CGAL::are_strictly_ordered_along_line(a, b, c);
   }
 
-  /// A side of a Voronoi cell: the part of the bisector from `source` to `target`, where these are
-  /// not at infinity.
+  /// A side of a Voronoi cell: the part of the bisector from `source` to `target`; none is
+  /// infinity.
   struct Side {
     std::optional<Static_point> source;
     std::optional<Static_point> target;
   };
 
-  /// A cell: its sides, by the point across; without sides the plane, one position, or nothing.
+  /// A cell: its sides by neighbor; without sides, the plane, one position, or empty.
   struct Cell {
     std::map<Point_id, Side> sides = {};
     std::optional<Static_point> position = std::nullopt;
     bool is_empty = false;
   };
 
-  /// The cell of `id`: of each bisector the part that no other point is nearer to. Of points with
-  /// one bisector in one direction the farthest is named, of those in one place the first.
+  /// The cell of `id`: the part of each bisector to which no other point is nearer. Of neighbors
+  /// with the same bisector in one direction the farthest is named, of coinciding ones the first.
   Cell cell(Point_id id) const {
     Cell result;
     bool is_plane = true;
@@ -226,8 +226,8 @@ class Query_oracle {
   }
 
  private:
-  // The point a + s d of the bisector of p and u, d to the left of u - p, is as near to p as to w
-  // where 2 (w - p).(a + s d - p) <= |w - p|^2 + weight of p - weight of w.
+  // The point a + s d of the bisector of p and u, d to the left of u - p, is at least as near to p
+  // as to w if 2 (w - p).(a + s d - p) <= |w - p|^2 + weight of p - weight of w.
   std::optional<Side> side(Point_id id, Point_id other) const {
     const Static_point& p = place(id);
     const auto toward = place(other) - p;
@@ -267,7 +267,7 @@ class Query_oracle {
   bool is_flat_ = true;
 };
 
-/// The cell must consist of the sides that the oracle has, joined at their ends.
+/// Expects that the cell consists of the sides of the oracle, joined at their ends.
 inline void expect_same_cell(const Voronoi_cell_2<Exact_position_2>& cell,
                              const Query_oracle& oracle, Point_id id) {
   const auto [expected, position, is_empty] = oracle.cell(id);
@@ -328,7 +328,7 @@ inline void expect_same_cell(const Voronoi_cell_2<Exact_position_2>& cell,
   EXPECT_EQ(static_point((*cell.rays)[1]) - Static_point(CGAL::ORIGIN), left);
 }
 
-/// The rounded cell must be the exact one with each number rounded.
+/// Expects that the rounded cell is the exact one with each number rounded.
 inline void expect_rounded(const Voronoi_cell_2<Vector_2>& rounded,
                            const Voronoi_cell_2<Exact_position_2>& cell) {
   const auto is_rounded = [](const Vector_2& r, const Exact_position_2& p) {
@@ -346,8 +346,8 @@ inline void expect_rounded(const Voronoi_cell_2<Vector_2>& rounded,
   }
 }
 
-/// Rounded positions of all points, and without weights the nearest neighbors, one by one and all
-/// at once, and the k nearest: few, and more than there are.
+/// Checks the rounded positions of all points and, without weights, the nearest neighbors, one by
+/// one and all at once, and the k nearest, for k = 3 and for k greater than the number of points.
 template <class Queries>
 void expect_right_for_all_points(const Queries& queries, Point_id next_id,
                                  const Query_oracle& oracle) {
@@ -395,8 +395,7 @@ void expect_right_for_all_points(const Queries& queries, Point_id next_id,
   }
 }
 
-/// Where the points of the triangulation are, or near: the points, middles of pairs, places on
-/// grids and in between.
+/// Positions to ask for: points, midpoints of pairs, and positions on a grid and between.
 inline std::vector<Vector_2> places_to_ask(const Query_oracle& oracle, std::mt19937_64& random) {
   std::vector<Vector_2> result;
   std::uniform_int_distribution<int> halves(-3, 13);
@@ -420,7 +419,7 @@ inline std::vector<Vector_2> places_to_ask(const Query_oracle& oracle, std::mt19
   return result;
 }
 
-/// Everything that can be asked at a rational time, against the oracle.
+/// Compares all queries at a rational time with the oracle.
 template <class Kinetic>
 void expect_right_answers(const Kinetic& kinetic, const Algebraic_number& time, const Rational& t,
                           std::mt19937_64& random) {
@@ -449,7 +448,7 @@ void expect_right_answers(const Kinetic& kinetic, const Algebraic_number& time, 
   }
 }
 
-/// The value of a time where it is a rational number that is easily found.
+/// The value of a time if it is known or easily found to be rational.
 inline std::optional<Rational> rational_value(const Algebraic_number& time) {
   const Double_interval interval = time.tight_interval();
   if (interval.lower == interval.upper) return to_rational(interval.lower);

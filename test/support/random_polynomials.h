@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Random numbers, and polynomials whose roots and multiplicities are known because they are built
-// from them: the oracle of the algebra tests.
+// Random numbers, and polynomials built from known roots and multiplicities: the oracle of the
+// algebra tests.
 #ifndef KINETRI_TEST_SUPPORT_RANDOM_POLYNOMIALS_H
 #define KINETRI_TEST_SUPPORT_RANDOM_POLYNOMIALS_H
 
@@ -29,7 +29,7 @@ inline unsigned long scaled_count(unsigned long count) {
   return count * static_cast<unsigned long>(multiplier());
 }
 
-/// Random numbers that are the same with every standard library, as its distributions are not.
+/// Random numbers that do not depend on the standard library, as its distributions do.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -98,7 +98,7 @@ class Random {
 using Big_float = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>,
                                                 boost::multiprecision::et_off>;
 
-/// A number of many more bits than any test needs to tell two different roots apart.
+/// Far more bits than any test needs to distinguish two roots.
 inline constexpr mpfr_prec_t oracle_precision = 6000;
 
 inline Big_float oracle_value(const Rational& x) {
@@ -131,7 +131,7 @@ inline Rational rounded(const Big_float& x, unsigned bits) {
 struct Known_root {
   Big_float value;
   int multiplicity = 0;
-  std::optional<Rational> rational;  // none: irrational
+  std::optional<Rational> rational;  // empty: irrational
   Polynomial minimal;                // the irreducible polynomial with this root
 };
 
@@ -146,7 +146,7 @@ inline Polynomial quadratic_factor(const Rational& a, const Rational& c) {
   return primitive_polynomial(std::vector<Rational>{a * a - c, -2 * a, 1});
 }
 
-/// A product of factors, built up one by one, together with its real roots in ascending order.
+/// A product of factors, with its real roots in ascending order.
 class Known_polynomial {
  public:
   explicit Known_polynomial(Integer constant = 1) : polynomial_{std::move(constant)} {}
@@ -160,7 +160,8 @@ class Known_polynomial {
                        [&](const Known_root& r) { return r.value == value; });
   }
 
-  /// Times (t - root)^multiplicity, up to a positive factor. No effect where it is a root already.
+  /// Multiplies by (t - root)^multiplicity, up to a positive factor. No effect if it is a root
+  /// already.
   void add_rational(const Rational& root, int multiplicity) {
     const Big_float value = oracle_value(root);
     if (has_root(value)) return;
@@ -169,8 +170,9 @@ class Known_polynomial {
     insert({value, multiplicity, root, factor});
   }
 
-  /// Times ((t - a)^2 - c)^multiplicity, up to a positive factor; both roots are irrational.
-  /// Precondition: c > 0 is not the square of a rational. No effect where they are roots already.
+  /// Multiplies by ((t - a)^2 - c)^multiplicity, up to a positive factor; both roots are
+  /// irrational. Precondition: c > 0 is not the square of a rational. No effect if they are roots
+  /// already.
   void add_irrational_pair(const Rational& a, const Rational& c, int multiplicity) {
     const Big_float value = oracle_value(a, c, true);
     if (has_root(value)) return;
@@ -180,7 +182,7 @@ class Known_polynomial {
     insert({oracle_value(a, c, false), multiplicity, std::nullopt, factor});
   }
 
-  /// Times a factor that is positive everywhere.
+  /// Multiplies by a factor that is positive everywhere.
   void add_rootless(const Rational& a, const Rational& c, int multiplicity) {
     multiply(quadratic_factor(a, -boost::multiprecision::abs(c) - Rational(1, 7)), multiplicity);
   }
@@ -201,9 +203,8 @@ class Known_polynomial {
   std::vector<Known_root> roots_;
 };
 
-/// `root` of the known square-free polynomial `p` as an algebraic number, its isolating interval
-/// anything from as wide as the neighbouring roots allow to very narrow. A rational root of a
-/// polynomial of higher degree does not look rational.
+/// `root` of the square-free polynomial `p` as an algebraic number with an isolating interval of
+/// random width. A rational root is not recognizable if the degree of `p` is more than 1.
 /// Precondition: all multiplicities are 1.
 inline Algebraic_number isolated_root(const Known_polynomial& p, const Known_root& root,
                                       Random& random) {
@@ -221,13 +222,13 @@ inline Algebraic_number isolated_root(const Known_polynomial& p, const Known_roo
     const Rational scale = random.coin() ? Rational(1) : Rational(random.integer(5, 9), 10);
     return scaled_by_power_of_two(scale, -exponent - narrower);
   };
-  // Few digits suffice where the ends are far from the root.
+  // Fewer digits suffice, since the ends are far from the root.
   const Rational centre = root.rational ? *root.rational : rounded(root.value, 2000);
   return Algebraic_number(square_free_part(p.polynomial()), centre - radius(), centre + radius());
 }
 
-/// Whether the number is the known one: exactly for a rational; else by the minimal polynomial,
-/// which must divide the number's, and the isolating interval, which must contain the known value.
+/// Whether the number is the known one. For an irrational: the minimal polynomial divides the
+/// number's, and the isolating interval contains the known value.
 inline testing::AssertionResult is_the_number(const Algebraic_number& number,
                                               const Known_root& truth) {
   if (truth.rational) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Random tracks for tests of what observes a simulation of tracks.
+// Random tracks for tests of observers.
 #ifndef KINETRI_TEST_SUPPORT_RANDOM_WALKS_H
 #define KINETRI_TEST_SUPPORT_RANDOM_WALKS_H
 
@@ -14,8 +14,8 @@ namespace kinetri::test {
 
 using Tracks = std::vector<std::vector<Observation_2>>;
 
-/// Random walks on a grid, with pauses, gaps and meetings. No two share a trajectory: each has a
-/// multiple of `fraction` of its own. All coordinates are shifted by `origin`.
+/// Random walks on a grid, with pauses, gaps and meetings. Multiples of `fraction`, different for
+/// each walk, make trajectories distinct. All coordinates are shifted by `origin`.
 inline Tracks random_walks(std::size_t number, unsigned seed, double origin = 0,
                            double fraction = 0x1p-10) {
   std::mt19937_64 random(seed);

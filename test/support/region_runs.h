@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs by regions beside the plain loop.
+// Optimistic parallel execution, compared with the sequential loop.
 #ifndef KINETRI_TEST_SUPPORT_REGION_RUNS_H
 #define KINETRI_TEST_SUPPORT_REGION_RUNS_H
 
@@ -24,7 +24,7 @@ namespace kinetri::test {
 using detail::Region_counters;
 using detail::Region_options;
 
-/// Events that nobody needs the triangulation for.
+/// Records events, without a look at the triangulation.
 class Log : public Event_observer {
  public:
   bool looks_at_triangulation() const override { return false; }
@@ -34,9 +34,9 @@ class Log : public Event_observer {
     rebuilds.push_back({events.size(), time, {edges.begin(), edges.end()}});
   }
 
-  /// Edges that were said to be rebuilt.
+  /// A report of rebuilt edges.
   struct Rebuild {
-    std::size_t events;  ///< before
+    std::size_t events;  ///< number of events before it
     Algebraic_number time;
     std::vector<Edge_ids> edges;
 
@@ -48,7 +48,7 @@ class Log : public Event_observer {
   std::vector<Rebuild> rebuilds;
 };
 
-/// What differs between two states, but counts of how the run was made.
+/// The difference of two states, except for counts that depend on how the run was made.
 template <class Traits>
 std::string difference_of_states(const Kinetic_triangulation_2<Traits>& one,
                                  const Kinetic_triangulation_2<Traits>& other) {
@@ -80,8 +80,8 @@ inline void add(Region_counters& sum, const Region_counters& counters) {
   sum.cut_off += counters.cut_off;
 }
 
-/// What differs between the plain loop and a run by regions, both in pieces that end at `times`;
-/// with and without observers of the latter.
+/// The difference between the sequential loop and parallel execution, with and without observers,
+/// in pieces that end at `times`.
 template <class Traits = Linear_kinetic_traits_2>
 std::string difference_from_loop(const std::vector<typename Traits::Motion>& motions,
                                  const std::vector<Algebraic_number>& times,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The kinetic triangulation against the brute-force simulator, over a whole run.
+// Compares the kinetic triangulation with the brute-force simulator over a whole run.
 #ifndef KINETRI_TEST_SUPPORT_SAME_RUN_H
 #define KINETRI_TEST_SUPPORT_SAME_RUN_H
 
@@ -24,13 +24,13 @@ class Same_run {
   Same_run(const std::vector<Motion>& motions, const Algebraic_number& start)
       : motions_(motions), kinetic_(motions, start), recorder_(kinetic_), previous_(start) {}
 
-  /// What differs between `start` and the last critical time; empty if nothing does.
+  /// The first difference between `start` and the last critical time; empty if there is none.
   std::string problem() {
     std::vector<Algebraic_number> times = critical_times(motions_, previous_);
     times.emplace_back(Rational((times.empty() ? previous_ : times.back()).upper() + 1));
     std::set<Edge_ids> edges = recorder_.edges;
     for (const Algebraic_number& time : times) {
-      // Everything between two critical times is alike: look at one time of it.
+      // Nothing changes between two critical times, so one time between suffices.
       const Rational between = simplest_between(previous_, time);
       const std::string found = problem_at(between, edges);
       if (!found.empty()) return found + " at " + between.str();
@@ -41,8 +41,8 @@ class Same_run {
   }
 
  private:
-  // Advances to `time`, before which the last critical time is previous_; `edges` are those of just
-  // before that one, and become those of `time`.
+  // Advances to `time`; previous_ is the last critical time before it. `edges` are those just
+  // before previous_, and become those at `time`.
   std::string problem_at(const Rational& time, std::set<Edge_ids>& edges) {
     const std::size_t first = recorder_.events.size();
     kinetic_.advance_to(Algebraic_number(time));
@@ -54,7 +54,7 @@ class Same_run {
       if (recorder_.events[i].time != previous_) return "an event at no critical time before";
     }
     if (count == 0 && actual != edges) return "a change without an event";
-    // Where the edges are right as they were, no certificate has failed.
+    // If the edges did not change, no certificate has failed.
     if (count > 0 && actual == edges) return "events that change nothing";
     edges = actual;
     return audit_problem(kinetic_, Audit_level::reference);
@@ -66,9 +66,8 @@ class Same_run {
   Algebraic_number previous_;
 };
 
-/// What differs between the kinetic triangulation and the brute-force simulator from `start` to the
-/// last critical time, in the edges between all of them and in the times at which they change;
-/// empty if nothing does.
+/// The first difference, from `start` to the last critical time, in edges or in the times at which
+/// they change; empty if there is none.
 inline std::string difference_from_brute_force(const std::vector<Linear_motion_2>& motions,
                                                const Algebraic_number& start = Algebraic_number()) {
   return Same_run<Linear_kinetic_traits_2>(motions, start).problem();

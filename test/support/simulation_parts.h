@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parts of a simulation, each with those that it knows and no others: for tests of one part.
+// The parts of a simulation, each with only the parts that it uses, for tests of one part.
 #ifndef KINETRI_TEST_SUPPORT_SIMULATION_PARTS_H
 #define KINETRI_TEST_SUPPORT_SIMULATION_PARTS_H
 
@@ -14,7 +14,7 @@
 
 namespace kinetri::test {
 
-/// Discs, where they are, and which are beside which.
+/// Discs and their triangulation.
 template <class Traits = Linear_kinetic_traits_2>
 struct Geometry_part {
   using Motion = typename Traits::Motion;
@@ -23,7 +23,7 @@ struct Geometry_part {
                 const Algebraic_number& start = 0.0)
       : setup(Traits(), options), triangulation(discs, start) {}
 
-  /// The pairs whose discs overlap at a rational time: by looking at all pairs.
+  /// The pairs of discs that overlap at a rational time, found among all pairs.
   std::set<Edge_ids> overlaps_at(const Rational& t) const {
     std::set<Edge_ids> result;
     const Point_id n = triangulation.next_id();
@@ -59,7 +59,7 @@ struct Contact_schedule_part : Geometry_part<Traits> {
   detail::Contact_schedule<Traits> schedule{this->geometry, records, division, counters};
 };
 
-/// The same with a tracker, which knows nothing yet.
+/// The same with an empty tracker.
 template <class Traits = Linear_kinetic_traits_2>
 struct Tracker_part : Contact_schedule_part<Traits> {
   using Contact_schedule_part<Traits>::Contact_schedule_part;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A directory for the files of one test, and short ways to read and write files.
+// A directory for the files of one test; reads and writes files.
 #ifndef KINETRI_TEST_SUPPORT_TEMPORARY_DIRECTORY_H
 #define KINETRI_TEST_SUPPORT_TEMPORARY_DIRECTORY_H
 
@@ -40,7 +40,7 @@ inline std::vector<std::string> entries_of(const std::filesystem::path& director
   return result;
 }
 
-/// An empty directory that is removed, with all that is in it, at the end of the test.
+/// An empty directory that is removed with its contents at the end of the test.
 class Temporary_directory {
  public:
   Temporary_directory() {

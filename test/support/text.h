@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Looking for things in text.
+// Searches in text.
 #ifndef KINETRI_TEST_SUPPORT_TEXT_H
 #define KINETRI_TEST_SUPPORT_TEXT_H
 
@@ -9,14 +9,14 @@
 
 namespace kinetri::test {
 
-/// How often `part` is there.
+/// The number of occurrences of `part`.
 inline std::size_t count(const std::string& text, const std::string& part) {
   std::size_t result = 0;
   for (auto i = text.find(part); i != std::string::npos; i = text.find(part, i + 1)) ++result;
   return result;
 }
 
-/// From `begin` up to `end` behind it.
+/// The text between `begin` and the next `end`.
 inline std::string between(const std::string& text, const std::string& begin,
                            const std::string& end) {
   const auto from = text.find(begin);

@@ -21,13 +21,13 @@ inline Tracks_file tracks_of(const std::string& text, Tracks_format format, doub
   return read_tracks(in, "t.csv", format, fps);
 }
 
-/// By content, or as the options say.
+/// With options.
 inline Tracks_file read_options(const std::string& text, const Tracks_file_options& options) {
   std::istringstream in(text);
   return read_tracks(in, "t.csv", options);
 }
 
-/// fps has no meaning for rows, and so even this one is no mistake.
+/// fps has no meaning for rows, so 0 is allowed.
 inline Tracks_file rows(const std::string& text) {
   return tracks_of(text, Tracks_format::rows, 0);
 }
@@ -36,7 +36,7 @@ inline Tracks_file frames(const std::string& text, double fps = 25) {
   return tracks_of(text, Tracks_format::frames, fps);
 }
 
-/// A file of tracks as text that is easy to compare: "a: 0 (1, 2) line 2, ...; b: ...".
+/// A file of tracks as text for comparison: "a: 0 (1, 2) line 2 ...; b: ...".
 inline std::string shown(const Tracks_file& file) {
   std::ostringstream out;
   for (const Track& track : file.tracks) {
@@ -48,7 +48,7 @@ inline std::string shown(const Tracks_file& file) {
   return out.str();
 }
 
-/// Whether a message has this piece.
+/// Whether the text contains the piece.
 inline bool has_piece(const std::string& text, const std::string& piece) {
   return text.find(piece) != std::string::npos;
 }
@@ -63,7 +63,7 @@ inline std::string frames_error(const std::string& text, double fps = 25) {
   return message_of<Input_error>([&] { frames(text, fps); });
 }
 
-/// The promises that hold for every file: the order of tracks and observations, and the sum.
+/// Checks the order of tracks and observations, and the number of observations.
 inline void expect_well_formed(const Tracks_file& file) {
   std::size_t sum = 0;
   for (std::size_t i = 0; i < file.tracks.size(); ++i) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run, and the run of the same points seen otherwise: mirrored, moved, scaled, with another
-// clock, backwards. Everything but the numbers must be the same; and, where the axes are not those
-// of the original, the diagonals between points that stay cocircular.
+// A run and its transformations: mirrored, moved, scaled in space or time, reversed. Events must
+// correspond, except for diagonals of points that stay cocircular if the axes change.
 #ifndef KINETRI_TEST_SUPPORT_TRANSFORMED_RUN_H
 #define KINETRI_TEST_SUPPORT_TRANSFORMED_RUN_H
 
@@ -61,7 +60,7 @@ inline Algebraic_number affine_image(const Algebraic_number& a, const Rational& 
   return {primitive_polynomial(image), std::min(lower, upper), std::max(lower, upper)};
 }
 
-/// What is between the critical times of a run: times[i] < critical[i] < times[i + 1].
+/// Times between the critical times of a run: times[i] < critical[i] < times[i + 1].
 struct Run_outline {
   explicit Run_outline(const std::vector<Linear_motion_2>& motions)
       : critical(critical_times(motions, Algebraic_number())) {
@@ -78,10 +77,10 @@ struct Run_outline {
   std::vector<Algebraic_number> critical;
   std::vector<Rational> times;
   std::vector<std::set<Edge_ids>> expected;  ///< at the times
-  double end = 1;                            ///< a whole number after all of them
+  double end = 1;                            ///< an integer after all of them
 };
 
-/// The points of a run as a transformation shows them.
+/// A run of transformed points.
 class Transformed_run {
  public:
   Transformed_run(const std::vector<Linear_motion_2>& motions, const Transformation& by,
@@ -93,8 +92,8 @@ class Transformed_run {
 
   const std::vector<Linear_motion_2>& motions() const { return motions_; }
 
-  /// What is not as it is in the original: the edges between the critical times, and the times of
-  /// all events.
+  /// The first difference from the original in the edges between critical times or the times of
+  /// events.
   std::string problem() const {
     Kinetic_delaunay kinetic(motions_);
     Event_recorder recorder(kinetic);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The triangles of a triangulation in terms of ids, and those of a recording that is played.
+// The triangles of a triangulation by ids, and those of a played recording.
 #ifndef KINETRI_TEST_SUPPORT_TRIANGLES_H
 #define KINETRI_TEST_SUPPORT_TRIANGLES_H
 
@@ -34,7 +34,7 @@ class Triangle_player {
     EXPECT_EQ(triangles_.size(), recording.initial_triangles.size());
   }
 
-  /// The events are executed in order.
+  /// Precondition: events are executed in order.
   void execute(std::size_t event) {
     for (; next_ != end_ && next_->event == event; ++next_) {
       if (next_->is_added) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Input that cannot be read: paths, and a stream that breaks.
+// Input that cannot be read: wrong paths, and a failing stream.
 #ifndef KINETRI_TEST_SUPPORT_WRONG_INPUT_H
 #define KINETRI_TEST_SUPPORT_WRONG_INPUT_H
 
@@ -19,8 +19,7 @@
 
 namespace kinetri::test {
 
-/// Expects that what cannot be read is named with its path. `read` is given a path; what it reads
-/// is called `content` in messages.
+/// Expects that errors name the path. `read` takes a path; messages call the input `content`.
 template <class Read>
 void expect_bad_paths_are_named(const std::string& content, Read read) {
   const Temporary_directory directory;
@@ -40,7 +39,7 @@ void expect_bad_paths_are_named(const std::string& content, Read read) {
   EXPECT_NE(message(directory.file("secret")).find("Permission denied"), std::string::npos);
 }
 
-/// Gives the text, and then breaks.
+/// Supplies the text, and then throws.
 class Breaking_buffer : public std::streambuf {
  public:
   explicit Breaking_buffer(std::string text) : text_(std::move(text)) {}
