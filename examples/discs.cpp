@@ -57,7 +57,7 @@ static bool let_grains_collide() {
       {{{4, 5}, {1, 0}}, 2}, {{{10, 5}, {0, 0}}, 1}, {{{13, 5}, {0, 0}}, 0.5}};
   kinetri::Simulation_options options;
   options.box = kinetri::Box_2{0, 0, 20, 10};
-  options.rim_touches = true;  // each disc's own rim
+  options.rim_touches = true;  // the boundary of each disc
   options.response = kinetri::collide_elastically;
   options.masses = {4, 1, 0.25};
   options.refuses_overlaps = true;

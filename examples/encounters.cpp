@@ -6,7 +6,7 @@
 #include <vector>
 
 int main() {
-  // Boats with radios, in kilometres and hours. A radio reaches 5 km.
+  // Boats with radios, in kilometers and hours. A radio reaches 5 km.
   const std::vector<kinetri::Linear_motion_2> boats = {
       {{0, 0}, {8, 0}},    // eastward
       {{24, 3}, {-8, 0}},  // westward

@@ -28,7 +28,7 @@ int main() {
     std::cout << "t = " << kdt.current_time().to_double() << ", events " << events << ':';
     print_edges(kdt);
   }
-  kdt.advance_to(10);  // no event is left before 10; this advances the clock
+  kdt.advance_to(10);  // no event is left; this advances the clock
 
   if (!kdt.next_event_time()) std::cout << "no further event\n";
   const kinetri::Vector_2 position = rounded_place(kdt.motion(4), 10);

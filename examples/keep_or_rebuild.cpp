@@ -10,8 +10,8 @@
 
 using Triangulation = kinetri::Kinetic_delaunay_triangulation_2<>;
 
-// Each bird follows the nearest one, if that one is older: has a smaller id. Only those that really
-// turn are named, all of them in one call. Returns their number.
+// Each bird follows the nearest one if that has a smaller id. One call changes all velocities that
+// differ. Returns their number.
 static std::size_t turn(Triangulation& kdt, double now) {
   const auto nearest = kinetri::Kinetic_queries_2(kdt, now).nearest_neighbors();
   std::vector<kinetri::Point_id> ids;

@@ -12,7 +12,7 @@
 using Triangulation = kinetri::Kinetic_delaunay_triangulation_2<>;
 using Time = Triangulation::Time;
 
-// Prints each event. Where an edge is removed, prints since when it existed.
+// Prints each event. If an edge is removed, prints since when it existed.
 class Neighborhoods : public kinetri::Event_observer {
  public:
   explicit Neighborhoods(const Triangulation& kdt) {

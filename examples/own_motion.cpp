@@ -12,7 +12,7 @@ using Simulation = kinetri::Simulation_2<kinetri::Polynomial_kinetic_traits_2>;
 // Balls of equal mass that lose half of their speed of approach. The velocities returned are
 // rounded; from then on the balls move exactly with these.
 static kinetri::Contact_response_2 bounce_softly(const kinetri::Contact_2& contact) {
-  const Vector_2& n = contact.separation;  // from the centre of a to the centre of b
+  const Vector_2& n = contact.separation;  // from the center of a to the center of b
   const Vector_2& a = contact.velocity_a;
   const Vector_2& b = contact.velocity_b;
   const double approach = ((b.x - a.x) * n.x + (b.y - a.y) * n.y) / (n.x * n.x + n.y * n.y);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lesson 7, user-defined traits: the certificates of straight lines, with a closing time after
-// which nothing is of interest. What fails later makes no event.
+// Lesson 7, user-defined traits: the certificates of linear motion up to a closing time. Later
+// failures are no events.
 #include <kinetri/kinetic/basic_kinetic_traits_2.h>
-// The definitions of the templates: the library has them compiled for its own traits only.
+// The definitions of the templates, which the library compiles for its own traits only.
 #include <kinetri/triangulation/audit_impl.h>
 #include <kinetri/triangulation/kinetic_delaunay_triangulation_2.h>
 #include <kinetri/triangulation/kinetic_triangulation_2_impl.h>
@@ -46,11 +46,11 @@ class Closing_traits : public Base {
   Certificate coincidence_certificate(const P& p, const P& q, const Time& t,
                                       const Interval& among) const {
     return cut(Base::coincidence_certificate(p, q, t, among),
-               [&](const Interval&) { return closing_; });  // never asked: the time is there
+               [&](const Interval&) { return closing_; });  // never called: the time is known
   }
 
  private:
-  // The bounds of the failure decide if they can; otherwise its exact time does.
+  // The bounds of the failure decide if possible, else its exact time.
   template <class Failure>
   Certificate cut(Certificate certificate, Failure failure) const {
     const auto& [lower, upper] = certificate.bounds;

@@ -34,8 +34,8 @@ static kinetri::Simulation_options in_a_box() {
   return options;
 }
 
-// Lets the discs grow until they cover the share of the box. Whether they do; if not, they have no
-// room left.
+// Lets the discs grow until they cover the share of the box. Returns false if they are jammed
+// before.
 static bool grow(Simulation& simulation, double share) {
   double end = *kinetri::time_of_share(simulation, share);
   kinetri::Jam_watch watch(kinetri::mean_radius(simulation, end));
@@ -44,7 +44,7 @@ static bool grow(Simulation& simulation, double share) {
       if (watch.is_jammed(simulation)) return false;
     }
     simulation.advance_to(end);
-    // Contacts have rounded radii down, so that there may be a little to grow still.
+    // Contacts round radii down, so the discs may have to grow a little more.
     end = *kinetri::time_of_share(simulation, share);
   }
   return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Lesson 6, queries: four points rest at the corners of a rectangle, and point 4 moves through it.
-// What is near what, at an exact time?
+// Which are near which, at an exact time?
 #include <kinetri/triangulation/kinetic_delaunay_triangulation_2.h>
 #include <kinetri/triangulation/queries_2.h>
 
@@ -38,7 +38,7 @@ static void ask_cgal(const Triangulation& kdt) {
   const Triangulation::Triangulation& dt = kdt.triangulation();
   std::cout << "vertices " << dt.number_of_vertices() << ", faces " << dt.number_of_faces() << '\n';
 
-  // The points of this triangulation move. A query point is one that rests.
+  // The points of this triangulation move. A query point is a point at rest.
   const kinetri::Moving_point_2 query({{5, 4}, {0, 0}});
   std::cout << "nearest to (5, 4): " << dt.nearest_vertex(query)->point().id() << '\n';
   const Triangulation::Face_handle face = dt.locate(query);

@@ -47,7 +47,7 @@ int main() {
   kinetri::Simulation_options options;
   options.box = kinetri::Box_2{0, 0, 16, 8};  // xmin, ymin, xmax, ymax
   options.radius = 0.5;
-  options.rim_touches = true;  // the rims of the stones touch the walls, not their centres
+  options.rim_touches = true;  // the boundaries of the stones touch the walls, not their centers
   options.response = kinetri::collide_elastically;
 
   Contacts contacts;  // outlives the simulation

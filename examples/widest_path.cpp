@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How wide a ship can leave a harbor while boats cross its entrance, and when the way closes.
+// How wide a ship can leave a harbor while boats cross its entrance, and when the path closes.
 #include <kinetri/observers/widest_path.h>
 #include <kinetri/triangulation/kinetic_delaunay_triangulation_2.h>
 
@@ -30,9 +30,9 @@ static std::vector<kinetri::Linear_motion_2> piles_and_boats() {
   return points;
 }
 
-// The first time at which no way for a ship that is wider than `width` is left, if that is not
-// after `until`. Each round looks for the widest way; it is the widest one at least until one of
-// its gaps is too narrow or the triangulation changes.
+// The first time up to `until` at which no path for a ship of this width is left. Each round finds
+// the bottleneck path, the widest one, which stays the widest at least until one of its gaps is too
+// narrow or the triangulation changes.
 static std::optional<Algebraic_number> closing_time(Sea& sea, double width, double until) {
   while (true) {
     const kinetri::Widest_path path = widest_path(sea, berth, open_sea);
@@ -45,7 +45,7 @@ static std::optional<Algebraic_number> closing_time(Sea& sea, double width, doub
   }
 }
 
-static void print_way(const Sea& sea) {
+static void print_path(const Sea& sea) {
   const kinetri::Widest_path path = widest_path(sea, berth, open_sea);
   const double t = sea.current_time().to_double();
   const auto [a, b] = *path.narrowest;
@@ -60,7 +60,7 @@ int main() {
     Sea sea(piles_and_boats());
     for (const double t : {0.0, 5.0, 6.0, 8.0, 14.0}) {
       sea.advance_to(t);
-      print_way(sea);
+      print_path(sea);
     }
   }
   bool is_right = true;

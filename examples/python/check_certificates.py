@@ -35,7 +35,7 @@ def signs(terms, t):
     return [(v > 0) - (v < 0) for v in (value(term, t) for term in terms)]
 
 
-def roots(p, lower, upper):  # how many different ones are in (lower, upper]; in [lower, lower] if both are the same
+def roots(p, lower, upper):  # the number of distinct ones in (lower, upper]; in [lower, lower] if both are equal
     if lower == upper:
         return int(value(p, lower) == 0)
     simple = sturm(divided(p, sturm(p)[-1])[0])
@@ -68,7 +68,7 @@ def check(row):
     for _ in range(row["multiplicity"] if lower == upper else 0):
         after = derivative(after)
     assert value(after, upper) < 0, "it is not negative after the event"
-    if value(p, start) <= 0:  # it fails at the very time from which it was asked for
+    if value(p, start) <= 0:  # it fails at the start time
         assert start == lower and not touches, "it has failed before"
         return
     assert row["multiplicity"] % 2 and roots(p, start, upper) == 1 + len(row["touches"]), "other roots before the event"

@@ -5,14 +5,14 @@ import pandas as pd
 
 import kinetri
 
-# The corridor, in metres: 20 long, 4 wide, and 2 wide from x = 10 to x = 14. It need not be convex.
+# The corridor, in meters: 20 long, 4 wide, and 2 wide from x = 10 to x = 14. It need not be convex.
 CORRIDOR = np.array([[0, 0], [9, 0], [10, 1], [14, 1], [15, 0], [20, 0],
                      [20, 4], [15, 4], [14, 3], [10, 3], [9, 4], [0, 4]])
 FRAMES_PER_SECOND = 2
 
 
 def recording(people=60, seed=5):
-    """An invented recording as a table: frame, person, x, y. Who walks in the bottleneck walks slowly."""
+    """An invented recording as a table: frame, person, x, y. People in the bottleneck walk slowly."""
     rng = np.random.default_rng(seed)
     rows = []
     for person in range(people):
@@ -30,7 +30,7 @@ def recording(people=60, seed=5):
 
 
 def densities(tracks, frames):
-    """A row for each person and frame: where, and how many people a square metre of the own cell."""
+    """A row for each person and frame: the position, and the density, 1 over the area of the own cell."""
     walk = tracks.simulation()
     rows = []
     for frame in frames:

@@ -5,7 +5,7 @@ import pandas as pd
 
 import kinetri
 
-NEAR = 50.0  # metres
+NEAR = 50.0  # meters
 
 
 def recording(animals=12, hours=24, seed=3):
@@ -39,7 +39,7 @@ def main():
     print("most of the time together:")
     print(together.to_string(index=False))
 
-    # The table says how many groups there are from each time until that of the next row.
+    # Each row has the number of groups until the time of the next row.
     groups = tracks.components(NEAR)
     spans = groups["time"].diff().shift(-1).fillna(tracks.end - groups["time"].iloc[-1]) / 3600
     hours = spans.groupby(groups["components"]).sum().round(2).rename("hours").reset_index()

@@ -19,14 +19,14 @@ print("t = 0:", text(kd.edges()))
 # From event to event, up to and including time 10.
 while events := kd.step(until=10):
     print(f"t = {float(kd.time):.6g}, events {events}: {text(kd.edges())}")
-kd.advance_to(10)  # no event is left before 10; this advances the clock
+kd.advance_to(10)  # no event is left; this advances the clock
 
 print("next event:", kd.next_event_time())
 print("at t = 10 the boat is at", kd.positions()[4].tolist())
 print("its neighbors:", kd.neighbors(4).tolist())
 print("audit passed:", bool(kd.audit()))
 
-# The same run again, as a table; <NA> where no edge goes or comes.
+# The same run again, as a table; <NA> if no edge is removed or added.
 kd = kinetri.KineticDelaunay(positions, velocities)
 events = kd.record(until=10)
 print(kinetri.to_dataframe(events).drop(columns=["time_lo", "time_hi", "point_a", "point_b"]))

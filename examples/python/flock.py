@@ -6,14 +6,14 @@ from scipy.sparse.csgraph import connected_components
 
 import kinetri
 
-SIGHT = 15.0  # metres: neighbors farther away are not seen
-NEAR = 2.0  # metres: who is nearer is too near
-SLOWEST, FASTEST = 4.0, 8.0  # metres a second
+SIGHT = 15.0  # meters: neighbors farther away are not seen
+NEAR = 2.0  # meters: the least comfortable distance
+SLOWEST, FASTEST = 4.0, 8.0  # meters per second
 STEP = 0.1  # seconds
 
 
 def seen(flock):
-    """Who sees whom: for each edge that is short enough, both directions; and the vector from a to b."""
+    """Who sees whom: for each edge that is short enough, both directions, and the vector from a to b."""
     places = flock.positions()
     edges = flock.edges()
     vectors = places[edges[:, 1]] - places[edges[:, 0]]
@@ -24,7 +24,7 @@ def seen(flock):
 
 
 def sums(birds, values, size):
-    """For each bird the sum of its rows."""
+    """The sum of the rows of each bird."""
     return np.column_stack([np.bincount(birds, column, size) for column in values.T])
 
 
@@ -52,7 +52,7 @@ def order(flock):
 
 
 def groups(flock):
-    """The number of parts that do not see one another."""
+    """The number of groups that do not see one another."""
     a, b, _ = seen(flock)
     size = flock.next_id
     return connected_components(coo_array((np.ones(len(a)), (a, b)), shape=(size, size)))[0]

@@ -6,7 +6,7 @@ import kinetri
 
 
 class Collisions:
-    """A response: the discs collide elastically, and what they push each other is summed up."""
+    """A response: the discs collide elastically, and their momentum transfers are summed up."""
 
     def __init__(self):
         self.number = 0
@@ -27,12 +27,12 @@ def speed_ratio(gas):
 
 
 def pressure(gas, collisions, time):
-    """p A / (N k T) by the virial theorem, A being where the centres can be."""
+    """p A / (N k T) by the virial theorem, A being the area in which the centers can be."""
     return 1 + collisions.pushes / (2 * gas.energy() * time)
 
 
 def henderson(share):
-    """The same by Henderson's equation (1975), of a gas without walls."""
+    """The same by Henderson's equation (1975), for a gas without walls."""
     return (1 + share**2 / 8) / (1 - share) ** 2
 
 
@@ -48,7 +48,7 @@ def main():
         gas.advance_to(30)
         print(f"{share:5.1f} {collisions.number:11d} {before:10.3f} {speed_ratio(gas):9.3f} "
               f"{pressure(gas, collisions, 20):9.3f} {henderson(share):10.3f}")
-        assert abs(gas.energy() / energy - 1) < 1e-12  # kept up to rounding
+        assert abs(gas.energy() / energy - 1) < 1e-12  # conserved up to rounding
 
 
 if __name__ == "__main__":

@@ -48,6 +48,6 @@ def main():
     print_table(table)
 
 
-# The processes import this file: they must not begin the study again.
+# The processes import this file and must not start the study again.
 if __name__ == "__main__":
     main()

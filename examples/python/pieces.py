@@ -18,7 +18,7 @@ def given_motions():
 
 
 def cocircular_points():
-    """On a lattice, too: the diagonals of the squares do not depend on what has passed."""
+    """On a lattice, too: the diagonals of the squares do not depend on the past."""
     positions, velocities = kinetri.scenario("lattice", 25, seed=1, movers="one")
     events = kinetri.run_in_pieces(positions, velocities, until=12.0, pieces=2)
     whole = kinetri.KineticDelaunay(positions, velocities).record(until=12.0)
@@ -26,7 +26,7 @@ def cocircular_points():
 
 
 def simulation():
-    """Contacts change motions: a simulation goes from checkpoint to checkpoint, each perhaps a job."""
+    """Contacts change motions: a simulation runs from checkpoint to checkpoint, each perhaps a job."""
     discs = kinetri.packing(100, share=0.5, seed=3)
     whole = kinetri.Simulation(**discs, rim=True, collisions="elastic").record(until=4.0)
     pieces = []
@@ -41,7 +41,7 @@ def simulation():
     print("the same bytes:", np.concatenate(pieces).tobytes() == whole.tobytes())
 
 
-# The processes import this file: they must not begin the runs again.
+# The processes import this file and must not start the runs again.
 if __name__ == "__main__":
     given_motions()
     cocircular_points()

@@ -19,7 +19,7 @@ def run(folder, runs):
     tasks = int(os.environ["SLURM_ARRAY_TASK_COUNT"])
     mine = runs[task::tasks]
     results = [study(**arguments) for arguments in mine]
-    # Under its own name only once it is whole: a task that is killed leaves nothing that is gathered.
+    # It gets its name when it is complete, so that a task that is killed leaves nothing to gather.
     file = folder / f"part_{task}_of_{tasks}.json"
     unfinished = file.with_suffix(".unfinished")
     unfinished.write_text(json.dumps(results))
