@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# For a program in apps that is built alone: how it is compiled. If it says so by KINETRI_NEEDED, also the
-# libraries, of an installed Kinetri (CMAKE_PREFIX_PATH), and what programs share (apps/cli).
+# For a program in apps that is built alone: its compile settings and, if it sets KINETRI_NEEDED, the libraries
+# of an installed Kinetri (CMAKE_PREFIX_PATH) and the code that programs share (apps/cli).
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()

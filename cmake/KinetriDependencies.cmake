@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Finds the libraries that Kinetri::kinetri needs, and those that Kinetri::io is linked with where they are.
-# Used by the build and, installed, by KinetriConfig.cmake, so that an installed library names no path of the
-# machine it was built on.
+# Finds the libraries that Kinetri::kinetri needs, and the optional ones of Kinetri::io. Used by the build and,
+# installed, by KinetriConfig.cmake, so that an installed library contains no path of the build machine.
 #
 # Defines Boost::headers, CGAL::CGAL, TBB::tbb, Kinetri::gmp and Kinetri::mpfr; sets kinetri_missing to what is
-# wrong, or to "". Sets KINETRI_OPTIONAL_LIBRARIES to those of sqlite and expat that are there, and defines
-# Kinetri::sqlite and Kinetri::expat. An installed Kinetri::io needs those that kinetri_needed names, and
-# kinetri_io_missing says which of them are not there.
+# wrong, or to "". Sets KINETRI_OPTIONAL_LIBRARIES to those of sqlite and expat that are found, and defines
+# Kinetri::sqlite and Kinetri::expat. An installed Kinetri::io needs those in kinetri_needed; kinetri_io_missing
+# names the missing ones.
 set(kinetri_missing "")
 set(kinetri_io_missing "")
 
 # CGAL reports a dozen details of its own configuration, and warns about every build that is not a
-# Release; whoever wants that sets this variable.
+# Release. Users who want that set this variable to FALSE.
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE CACHE BOOL
   "No warning by CGAL about build types other than Release")
 mark_as_advanced(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE)
@@ -45,13 +44,13 @@ foreach(name IN ITEMS gmp mpfr)
   endif()
 endforeach()
 
-# kinetri_optional(NAME HEADER LIBRARY PACKAGE): a library that Kinetri::io can be built without, but does not
-# work without where it was built with it.
+# kinetri_optional(NAME HEADER LIBRARY PACKAGE): a library that Kinetri::io can be built without. If it was built
+# with the library, it needs it.
 set(KINETRI_OPTIONAL_LIBRARIES "")
 macro(kinetri_optional name header library package)
   string(TOUPPER ${name} variable)
   if(NOT DEFINED kinetri_needed)
-    option(KINETRI_WITH_${variable} "Read tracks with the library ${library}, where it is" ON)
+    option(KINETRI_WITH_${variable} "Read tracks with the library ${library}, if it is found" ON)
     mark_as_advanced(KINETRI_WITH_${variable})
   endif()
   if((DEFINED kinetri_needed AND "${name}" IN_LIST kinetri_needed) OR

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# kinetri_find_library(NAME HEADER LIBRARY [FOLDER]): defines Kinetri::NAME where the header and the library are
-# there, the header perhaps in FOLDER of an include directory. The cache has KINETRI_NAME_INCLUDE_DIR and
-# KINETRI_NAME_LIBRARY, NAME in upper case.
+# kinetri_find_library(NAME HEADER LIBRARY [FOLDER]): defines Kinetri::NAME if the header, perhaps in FOLDER of an
+# include directory, and the library are found. Sets the cache variables KINETRI_NAME_INCLUDE_DIR and
+# KINETRI_NAME_LIBRARY, with NAME in upper case.
 function(kinetri_find_library name header library)
   if(TARGET Kinetri::${name})
     return()

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Which headers of CGAL and Boost a file includes. To read them takes most of the time of compiling a
-# small source, so they are compiled once (precompiled headers), but only for those sources that include
-# them all: what a source includes too little is an error still.
+# Precompiled headers of CGAL and Boost. Reading these takes most of the time of compiling a small source. They
+# are used only for sources that include all of them, so that a missing include is still an error.
 
-# kinetri_includes(FILE RESULT): what the file itself includes.
+# kinetri_includes(FILE RESULT): the direct includes of the file.
 function(kinetri_includes file result)
   get_property(is_known GLOBAL PROPERTY "kinetri_includes_${file}" SET)
   if(NOT is_known)
@@ -15,8 +14,8 @@ function(kinetri_includes file result)
   set(${result} ${lines} PARENT_SCOPE)
 endfunction()
 
-# kinetri_foreign_headers(FILE RESULT): the headers of CGAL and Boost that the file includes, itself or by
-# way of the project's headers, as <NAME>.
+# kinetri_foreign_headers(FILE RESULT): the headers of CGAL and Boost that the file includes directly or through
+# the project's headers, as <NAME>.
 function(kinetri_foreign_headers file result)
   set(files ${file})
   set(seen ${file})
@@ -42,13 +41,13 @@ function(kinetri_foreign_headers file result)
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
-# What headers about triangulations include, and those about algebraic numbers.
+# Those of headers about triangulations, and of headers about algebraic numbers.
 kinetri_foreign_headers(${PROJECT_SOURCE_DIR}/include/kinetri/triangulation/kinetic_triangulation_2.h
   KINETRI_TRIANGULATION_FOREIGN_HEADERS)
 kinetri_foreign_headers(${PROJECT_SOURCE_DIR}/include/kinetri/algebra/algebraic_number.h
   KINETRI_ALGEBRA_FOREIGN_HEADERS)
 
-# kinetri_includes_all(FILE RESULT HEADER...): whether the file includes all of these.
+# kinetri_includes_all(FILE RESULT HEADER...): whether the file includes all these headers.
 function(kinetri_includes_all file result)
   kinetri_foreign_headers(${file} found)
   set(missing ${ARGN})
@@ -60,8 +59,8 @@ function(kinetri_includes_all file result)
   endif()
 endfunction()
 
-# kinetri_use_precompiled(TARGET HEADER...): what is precompiled for the target, of these headers, is used for
-# those of its sources that include them all.
+# kinetri_use_precompiled(TARGET HEADER...): uses the target's precompiled headers, which are these, for those of
+# its sources that include all of them.
 function(kinetri_use_precompiled target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -fpch-preprocess)  # ccache needs it.
@@ -81,8 +80,8 @@ function(kinetri_use_precompiled target)
   endforeach()
 endfunction()
 
-# kinetri_precompile(TARGET HEADER...): these headers are compiled once for the target, and used for those of
-# its sources that include them all.
+# kinetri_precompile(TARGET HEADER...): precompiles these headers, and uses them for those of the target's sources
+# that include all of them.
 function(kinetri_precompile target)
   target_precompile_headers(${target} PRIVATE ${ARGN})
   kinetri_use_precompiled(${target} ${ARGN})

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the library, its headers, what find_package and pkg-config need to find it, the program
-# with its manual page and completions, and the documents. Nothing that is installed names the place
-# it is installed in: the copy may be moved.
+# Installs the libraries, their headers, files for find_package and pkg-config, the programs with manual pages
+# and completions, and the documents. No installed file names the prefix, so a copy may be moved.
 #
-# The components program, development, io and python become packages, in which the others, documentation
-# and zsh, are where Debian has such files (KinetriPackage.cmake). python/CMakeLists.txt installs python.
+# The components program, development, io and python become Debian packages, which also contain the components
+# documentation and zsh (KinetriPackage.cmake). python/CMakeLists.txt and apps/video install their own parts.
 option(KINETRI_INSTALL "Install the library" ${PROJECT_IS_TOP_LEVEL})
 if(NOT KINETRI_INSTALL)
   return()
@@ -18,7 +17,7 @@ set(zsh_dir ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 set(fish_dir ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 set(generated_dir ${PROJECT_BINARY_DIR}/package)
 
-# Before everything else, while what is not ours can be told from what is.
+# Runs before all other installation, to record which folders do not exist yet.
 if(PROJECT_IS_TOP_LEVEL)
   set(folders ${package_dir} ${pkgconfig_dir} ${bash_dir} ${zsh_dir} ${fish_dir}
     ${CMAKE_INSTALL_BINDIR} ${CMAKE_INSTALL_MANDIR}/man1)
@@ -40,7 +39,7 @@ if(PROJECT_IS_TOP_LEVEL)
     COMMENT "Removing what was installed" VERBATIM)
 endif()
 
-# The libraries. Shared ones go with the program, which needs them.
+# The libraries. Shared ones are in the component of the program, which needs them.
 set_target_properties(kinetri_io PROPERTIES INSTALL_RPATH "$ORIGIN")
 foreach(library IN ITEMS "kinetri Targets development" "kinetri_io IoTargets io")
   separate_arguments(library)
@@ -60,7 +59,7 @@ endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/include/kinetri/version.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinetri COMPONENT development)
 
-# find_package(Kinetri). Who links Kinetri::io as a static library needs those that it is linked with.
+# find_package(Kinetri). A static Kinetri::io needs its optional libraries when it is linked.
 set(kinetri_needed "")
 if(NOT BUILD_SHARED_LIBS)
   set(kinetri_needed "${KINETRI_OPTIONAL_LIBRARIES}")
@@ -76,7 +75,7 @@ install(FILES ${generated_dir}/KinetriConfig.cmake ${generated_dir}/KinetriConfi
   ${PROJECT_SOURCE_DIR}/cmake/KinetriFindLibrary.cmake
   DESTINATION ${package_dir} COMPONENT development)
 
-# pkg-config. The headers need C++20, and CGAL's a definition and an option that its target carries.
+# pkg-config. The headers need C++20, and those of CGAL the definitions and options of CGAL's target.
 file(RELATIVE_PATH pkgconfig_to_prefix /prefix/${pkgconfig_dir} /prefix)
 string(REGEX REPLACE "/$" "" pkgconfig_to_prefix "${pkgconfig_to_prefix}")
 set(pkgconfig_requires "gmp mpfr tbb")
@@ -98,7 +97,7 @@ foreach(part IN ITEMS "kinetri.pc development" "kinetri-io.pc io")
   install(FILES ${generated_dir}/${file} DESTINATION ${pkgconfig_dir} COMPONENT ${component})
 endforeach()
 
-# kinetri_install_page(FILE NAME COMPONENT [OPTIONAL]): a manual page, compressed where that is possible.
+# kinetri_install_page(FILE NAME COMPONENT [OPTIONAL]): a manual page, compressed if there is gzip.
 function(kinetri_install_page file name component)
   if(KINETRI_GZIP)
     set(file ${KINETRI_DOCUMENTS_DIR}/${name}.1.gz)
@@ -106,10 +105,10 @@ function(kinetri_install_page file name component)
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component} ${ARGN})
 endfunction()
 
-# kinetri_install_program(TARGET NAME COMPONENT [OPTIONAL]): a program, and what it has written about itself
-# (kinetri_program_documents); OPTIONAL: where it has been built. Zsh's completions have a component of their own.
+# kinetri_install_program(TARGET NAME COMPONENT [OPTIONAL]): a program, with its manual page and completions
+# (kinetri_program_documents); OPTIONAL: if it has been built. Completions of zsh are a component of their own.
 function(kinetri_install_program target name component)
-  # It finds an installed shared library next to it.
+  # Finds the installed shared library by a relative path.
   if(BUILD_SHARED_LIBS)
     file(RELATIVE_PATH bin_to_lib /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${CMAKE_INSTALL_LIBDIR})
     set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
@@ -132,9 +131,9 @@ if(TARGET kinetri_verify)
   kinetri_install_page(${PROJECT_SOURCE_DIR}/apps/verify/kinetri-verify.1 kinetri-verify program)
 endif()
 
-# kinetri_install_documents(DESTINATION OPTION...): README, guides, examples, as they link each other.
+# kinetri_install_documents(DESTINATION OPTION...): README, changelog and citation, guides and examples.
 function(kinetri_install_documents destination)
-  install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+  install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CITATION.cff
     DESTINATION ${destination} ${ARGN})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${destination} ${ARGN}
     FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg")

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Debian packages, made by `cpack` in a build directory: kinetri, the program; libkinetri-dev and
 # libkinetri-io-dev, the static libraries with their headers; and python3-kinetri, if the Python package is
-# built. (A shared library would be another, with a promise about its binary interface that a version before
-# 1.0 does not give.)
+# built. There is no package with a shared library, since versions before 1.0 have no stable binary interface.
 if(NOT PROJECT_IS_TOP_LEVEL OR NOT KINETRI_INSTALL OR NOT TARGET kinetri_program)
   return()
 endif()
@@ -13,7 +12,7 @@ if(BUILD_SHARED_LIBS)
   return()
 endif()
 
-# Whoever passes packages on puts their own name here: -DCPACK_PACKAGE_CONTACT="Name <address>".
+# Distributors set their own name: -DCPACK_PACKAGE_CONTACT="Name <address>".
 if(NOT CPACK_PACKAGE_CONTACT)
   set(CPACK_PACKAGE_CONTACT "Kinetri <kinetri@example.org>")
 endif()
@@ -76,7 +75,7 @@ if(KINETRI_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next}~), \
 python3-numpy")
-  # And, like everything that uses NumPy's binary interface, for one version of that.
+  # It is also for one version of NumPy's binary interface.
   if(EXISTS /usr/share/numpy3/versions)
     file(STRINGS /usr/share/numpy3/versions abi REGEX "^abi [0-9]+$")
     string(REPLACE "abi " ", python3-numpy-abi" abi "${abi}")
@@ -93,7 +92,7 @@ discs of any size, and recorded tracks, runs parameter studies on several
 machines, and shows runs in notebooks.")
 endif()
 
-# What Debian wants of every package, and what it has in other places.
+# Files that Debian requires in every package, and files that it has in other places.
 set(debian_dir ${PROJECT_SOURCE_DIR}/cmake/debian)
 set(files ${debian_dir}/copyright)
 if(KINETRI_GZIP)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Whether the Python package can be built: there is a Python with its headers, NumPy and pybind11. Sets
-# kinetri_python_default, and what find_package(Python) and find_package(pybind11) set.
+# Whether the Python package can be built: needs Python with its headers, NumPy and pybind11. Sets
+# kinetri_python_default and the variables of find_package(Python) and find_package(pybind11).
 
-# The first Python that has NumPy, of that on the PATH and that of the system; unless one is given.
+# Unless Python_EXECUTABLE is set: the first Python with NumPy, of that on the PATH and that of the system.
 function(kinetri_find_python)
   if(Python_EXECUTABLE)
     return()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The reference manual: the target `reference` makes it in the folder reference/html of the build,
-# where there are Doxygen and Python. The test docs.reference does the same.
+# The reference manual: the target `reference` writes it to the folder reference/html of the build, if Doxygen
+# and Python are found. The test docs.reference does the same.
 set(KINETRI_REFERENCE_DIR ${PROJECT_BINARY_DIR}/reference)
 find_program(KINETRI_DOXYGEN doxygen)
 mark_as_advanced(KINETRI_DOXYGEN)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What every target of the project is compiled with.
+# Compile settings of all targets of the project.
 
 if(KINETRI_SANITIZE AND NOT KINETRI_SANITIZE MATCHES "^(address,undefined|thread)$")
   message(FATAL_ERROR "KINETRI_SANITIZE is '${KINETRI_SANITIZE}'; expected 'address,undefined', 'thread' or nothing")
@@ -13,9 +13,9 @@ endif()
 function(kinetri_compile_settings target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  # GCC contracts a*b+c by default outside ISO mode; exactness proofs assume that nothing is contracted.
+  # GCC fuses a*b+c by default outside ISO mode; proofs of exactness assume that nothing is fused.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
-  # What __FILE__ says must not depend on where the library was built.
+  # __FILE__ must not depend on the build directory.
   target_compile_options(${target} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
   if(KINETRI_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
@@ -25,25 +25,25 @@ function(kinetri_compile_settings target)
     target_compile_options(${target} PUBLIC -fsanitize=${KINETRI_SANITIZE} -fno-sanitize-recover=all
       -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=${KINETRI_SANITIZE})
-    # With what the sanitizers add, g++ 12 sees uninitialized memory that is none.
+    # With sanitizers, g++ 12 has false warnings of uninitialized memory.
     target_compile_options(${target} PRIVATE
       $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   endif()
   if(KINETRI_COVERAGE)
-    # Not in the code of CGAL and the tests, which only makes it slow. Test programs run at once.
+    # Not in the code of CGAL and the tests, which would only be slow. Atomic, since test programs run in parallel.
     target_compile_options(${target} PRIVATE --coverage -fprofile-update=atomic
       "-fprofile-filter-files=${PROJECT_SOURCE_DIR}/(include|src|apps)/.*")
     target_link_options(${target} PUBLIC --coverage)
   endif()
 endfunction()
 
-# Where manual pages and completions of programs are written.
+# The folder for manual pages and completions of programs.
 set(KINETRI_DOCUMENTS_DIR ${PROJECT_BINARY_DIR}/documents)
 find_program(KINETRI_GZIP gzip)
 mark_as_advanced(KINETRI_GZIP)
 
-# kinetri_compressed_page(FILE NAME VARIABLE): the manual page of a program, compressed in the folder
-# KINETRI_DOCUMENTS_DIR where gzip is there; appended to the list VARIABLE.
+# kinetri_compressed_page(FILE NAME VARIABLE): if there is gzip, compresses the manual page of a program to
+# KINETRI_DOCUMENTS_DIR, and appends the result to the list VARIABLE.
 function(kinetri_compressed_page file name variable)
   if(KINETRI_GZIP)
     set(page ${KINETRI_DOCUMENTS_DIR}/${name}.1.gz)
@@ -54,8 +54,8 @@ function(kinetri_compressed_page file name variable)
   endif()
 endfunction()
 
-# kinetri_program_documents(TARGET NAME): the manual page, compressed where that is possible, and the completions
-# of a program, which it writes from its own tables, in the folder KINETRI_DOCUMENTS_DIR.
+# kinetri_program_documents(TARGET NAME): the manual page, also compressed if there is gzip, and the completions of
+# a program, which the program itself writes, in the folder KINETRI_DOCUMENTS_DIR.
 function(kinetri_program_documents target name)
   set(documents)
   foreach(document IN ITEMS "${name}.1 manual" "${name}.bash completion bash" "_${name} completion zsh"
@@ -73,10 +73,9 @@ function(kinetri_program_documents target name)
   add_custom_target(${prefix}_documents ALL DEPENDS ${documents})
 endfunction()
 
-# Most of the time of a small source is that of the headers of GMP, CGAL, pybind11 or nlohmann_json, and of
-# the templates that it instantiates once more. So sources are compiled several at a time; not in a debug build,
-# in which one changes a source at a time, and which clang-tidy goes by; nor where counters of coverage tell
-# sources apart.
+# Compiling a small source mostly takes the time of the headers of GMP, CGAL, pybind11 or nlohmann_json, and of
+# templates that others instantiate too. So several sources are compiled as one, except in a debug build, for
+# fast changes of one source and for clang-tidy, and with counters of coverage, which are by source.
 set(kinetri_compile_together ON)
 if(CMAKE_BUILD_TYPE STREQUAL "Debug" OR KINETRI_COVERAGE)
   set(kinetri_compile_together OFF)
@@ -84,8 +83,8 @@ endif()
 option(KINETRI_COMPILE_TOGETHER "Compile several sources at a time" ${kinetri_compile_together})
 mark_as_advanced(KINETRI_COMPILE_TOGETHER)
 
-# kinetri_compile_as_one(TARGET GROUP REGEX): the sources of the target that match, and are in no group
-# before, are compiled as one.
+# kinetri_compile_as_one(TARGET GROUP REGEX): compiles as one those sources of the target that match and are not in
+# a group yet.
 function(kinetri_compile_as_one target group regex)
   if(NOT KINETRI_COMPILE_TOGETHER)
     return()
@@ -101,7 +100,7 @@ function(kinetri_compile_as_one target group regex)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# kinetri_compile_in_batches(TARGET COUNT): the sources of the target are compiled COUNT at a time.
+# kinetri_compile_in_batches(TARGET COUNT): compiles the sources of the target COUNT at a time.
 function(kinetri_compile_in_batches target count)
   set_target_properties(${target} PROPERTIES
     UNITY_BUILD ${KINETRI_COMPILE_TOGETHER} UNITY_BUILD_MODE BATCH UNITY_BUILD_BATCH_SIZE ${count})

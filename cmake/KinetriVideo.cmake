@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Whether the program kinetri-video can be built, as kinetri is: OpenCV (core, imgproc, video), libpng and zstd are
-# there. Sets kinetri_video_default, and defines Kinetri::opencv_core, _imgproc, _video, Kinetri::png and
-# Kinetri::zstd where they are.
+# Whether the program kinetri-video can be built: needs OpenCV (core, imgproc, video), libpng and zstd. Sets
+# kinetri_video_default, and defines Kinetri::opencv_core, _imgproc, _video, Kinetri::png and Kinetri::zstd if
+# they are found.
 set(kinetri_video_default OFF)
 if((PROJECT_IS_TOP_LEVEL AND KINETRI_BUILD_PROGRAM) OR KINETRI_VIDEO)
   set(kinetri_video_missing "")
@@ -21,7 +21,7 @@ if((PROJECT_IS_TOP_LEVEL AND KINETRI_BUILD_PROGRAM) OR KINETRI_VIDEO)
     endif()
   endforeach()
   list(JOIN kinetri_video_missing " " kinetri_video_missing)
-  # As a library that is not sanitized, OpenCV hides from a sanitizer what it does.
+  # OpenCV is not sanitized, so ThreadSanitizer does not see its synchronization.
   if(kinetri_video_missing STREQUAL "" AND NOT KINETRI_SANITIZE STREQUAL "thread")
     set(kinetri_video_default ON)
   elseif(KINETRI_VIDEO)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the C++ source that holds the files of the viewer page (viewer/). One literal for each
-# file, since compilers need not take longer ones than 65 536 bytes.
+# Makes the C++ source with the files of the viewer page (viewer/). One literal for each file, since compilers
+# need not accept literals longer than 65 536 bytes.
 function(kinetri_viewer_assets output)
   set(folder ${PROJECT_SOURCE_DIR}/viewer)
   file(STRINGS ${folder}/scripts.txt scripts)

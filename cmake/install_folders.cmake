@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Run by `cmake --install` before it installs anything: adds to the file `record` every folder that is
-# not there yet and that the installation makes. uninstall.cmake removes these folders, and no others.
+# `cmake --install` runs this first: adds to the file `record` every folder that the installation will create.
+# uninstall.cmake removes these folders and no others.
 #
-# `folders` names the folders of the installed files; `trees` names the source folders that are
-# installed with all of their subfolders, each as SOURCE>DESTINATION.
+# `folders` has the folders of the installed files; `trees` the source folders that are installed with all
+# subfolders, each as SOURCE>DESTINATION.
 foreach(tree IN LISTS trees)
   string(REGEX MATCH "^(.*)>(.*)$" tree "${tree}")
   set(source "${CMAKE_MATCH_1}")

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Removes the files that the last `cmake --install` wrote, which MANIFEST lists, with what Python has
-# compiled of them, and then those folders that an installation made, which FOLDERS lists, as far as they
-# are empty. The name of a folder decides nothing.
+# Removes the files that the last `cmake --install` wrote (listed in MANIFEST), their files compiled by Python, and
+# then those folders that an installation created (listed in FOLDERS), if they are empty.
 cmake_minimum_required(VERSION 3.25)
 
-# Sets `result` to the pattern of that path: a bracket in a name begins no pattern.
+# Sets `result` to a pattern that matches only the path, even if it has a bracket.
 function(pattern_of path result)
   string(REPLACE "[" "[[]" pattern "${path}")
   set(${result} "${pattern}" PARENT_SCOPE)
@@ -39,7 +38,7 @@ if(EXISTS "${FOLDERS}")
   list(APPEND folders ${made})
 endif()
 list(REMOVE_DUPLICATES folders)
-# A folder follows its subfolders.
+# Subfolders first.
 list(SORT folders ORDER DESCENDING)
 foreach(folder IN LISTS folders)
   pattern_of("${folder}" literal)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs the Debian packages in a clean root, and uses them there. See --help.
+# Installs and uses the Debian packages in a clean root. See --help.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
@@ -42,7 +42,7 @@ packages=("$folder"/kinetri_*.deb "$folder"/libkinetri-dev_*.deb "$folder"/libki
   kinetri_fail "$folder holds ${#packages[@]} packages; expected one kinetri_*.deb, one libkinetri-dev_*.deb and one libkinetri-io-dev_*.deb"
 packages+=("$folder"/python3-kinetri_*.deb "$folder"/kinetri-*.whl)
 
-# What is done in the root: in a file, which bash there reads.
+# The script that runs in the root.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp -r "${packages[@]}" "$kinetri_root/test/install/consumer" "$work"
@@ -65,7 +65,7 @@ for wheel in kinetri-*.whl; do
   PYTHONPATH=wheel python3 use.py
 done
 
-# The Python package, of which nothing is left afterwards.
+# The Python package, and its removal.
 for package in ./python3-kinetri_*.deb; do
   apt-get install -y --no-install-recommends "$package"
   (cd /tmp && python3 /check/use.py)
@@ -85,7 +85,7 @@ zcat /usr/share/man/man1/kinetri.1.gz | grep -q '^\.TH KINETRI'
 test -s /usr/share/bash-completion/completions/kinetri
 test -s /usr/share/doc/kinetri/copyright
 
-# The library, with nothing but what it depends on and the tools.
+# The library, with only its dependencies and the tools.
 cd /check
 apt-get install -y --no-install-recommends ./libkinetri-dev_*.deb g++ cmake make pkg-config
 cmake -S consumer -B by_cmake -DCMAKE_BUILD_TYPE=Release

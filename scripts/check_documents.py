@@ -1,15 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks that the documentation shows what is there.
+"""Checks links and code in the documentation.
 
-- Every relative link in a Markdown file leads to a file, and to a heading of it where it names one.
+- Every relative link in a Markdown file leads to a file and, if it names one, to a heading there.
 - The program in README.md is the one that test/install builds.
-- What stands in a block of a page of docs/guide stands, line by line, in an example that the page
-  links: ```cpp or ```python in the program, ```text in what it prints, ```cmake and ```csv in files
-  that are linked. The block may be indented less than there. ```sh is for commands, which are not
-  checked.
-- Every program of examples/ and examples/python/ is shown by a page of docs/guide: whole if it has at
-  most 100 lines, and with its whole output.
+- The lines of a block in a page of docs/guide are in an example that the page links: ```cpp or
+  ```python in the program, ```text in its output, ```cmake and ```csv in a linked file. The block
+  may be indented less. ```sh is for commands, which are not checked.
+- A page of docs/guide shows every program of examples/ and examples/python/: the whole of it if it has
+  at most 100 lines, and its whole output.
 
 usage: check_documents.py [ROOT]
 
@@ -28,13 +27,13 @@ import check_tree  # noqa: E402
 SKIPPED_FOLDERS = re.compile(r"^(build.*|out|__pycache__|\..*)$")
 README_PROGRAM = pathlib.PurePath("test/install/consumer/main.cpp")
 
-# Where the lines of a block of the guide must stand: the ending of a linked file, which for what is
-# printed is that of the file beside the program.
+# By the language of a block of the guide: the ending of the linked file that must contain it. Output is in
+# the file beside the program.
 PROGRAMS = {"cpp": ".cpp", "python": ".py"}
 ENDINGS = {**PROGRAMS, "text": ".txt", "cmake": "CMakeLists.txt", "csv": ".csv"}
 UNCHECKED = {"sh"}
 
-# A program with at most so many lines is shown whole.
+# A program with at most this many lines is shown completely.
 SHORT_PROGRAM = 100
 
 FENCE = re.compile(r"^ {0,3}(```+|~~~+)\s*(\w*)\s*$")
@@ -77,7 +76,7 @@ def parse(text):
 
 
 def anchors(text):
-    """What the headings of a page are called in links, as GitHub does it."""
+    """The anchors of the headings of a page, as GitHub makes them."""
     result = set()
     counts = collections.Counter()
     for _, line in parse(text)[1]:
@@ -100,7 +99,7 @@ def links(prose):
 
 
 def split_target(page, target):
-    """(the file that a link of the page means, the heading or "")."""
+    """(the file of a link in the page, the anchor or "")."""
     path, _, anchor = target.partition("#")
     path = urllib.parse.unquote(path)
     return ((page.parent / path).resolve() if path else page), anchor
@@ -117,7 +116,7 @@ def link_problems(root, page, prose):
 
 
 def occurs(lines, text):
-    """Whether the lines stand in the text one after the other, all indented by as much more."""
+    """Whether the lines are consecutive in the text, perhaps indented more."""
     there = text.splitlines()
     for start in range(len(there) - len(lines) + 1):
         part = there[start : start + len(lines)]
@@ -127,7 +126,7 @@ def occurs(lines, text):
 
 
 def whole(file):
-    """The lines of a file that shows it whole: all but the comment at the top of a program."""
+    """The lines of a file without the comment at the top of a program."""
     lines = file.read_text(encoding="utf-8").splitlines()
     while file.suffix in PROGRAMS.values() and lines and lines[0].startswith(("//", "#!", "# ")):
         del lines[0]
@@ -135,8 +134,8 @@ def whole(file):
 
 
 def block_problems(page, blocks, prose, shown):
-    """What is wrong with the blocks of a page of the guide. Adds what it shows of each file: whether
-    that is all of it."""
+    """The problems of the blocks of a page of the guide. Adds to `shown`, by file, whether all of it is
+    shown."""
     linked = [split_target(page, target)[0] for _, target in links(prose)]
     linked += [file.with_suffix(".txt") for file in linked if file.suffix in PROGRAMS.values()]
     for block in blocks:
@@ -163,7 +162,7 @@ def readme_problems(root, blocks):
 
 
 def check(root):
-    """(number of pages looked at, the violations) below `root`."""
+    """(number of pages checked, the violations) below `root`."""
     root = root.resolve()
     violations = []
     count = 0

@@ -13,8 +13,8 @@ import sys
 sys.dont_write_bytecode = True
 import check_tree  # noqa: E402
 
-# A layer may include itself and every folder with a smaller number, and so neither of two folders
-# with the same number may include the other. A test may, and may use test/support and any library.
+# A layer may include itself and every layer with a smaller number. A test may also include a layer with the
+# same number, test/support and any library.
 LAYERS = {
     "base": 0,
     "algebra": 1,
@@ -43,7 +43,7 @@ NUMBER_TYPES = (
     "CGAL/FPU.h",
 )
 
-# What a layer may use besides the C++ standard library, by the beginning of the header's name.
+# The libraries of a layer besides the C++ standard library, by the beginning of the header's name.
 LIBRARIES = {
     "base": ("sanitizer/",),
     "algebra": NUMBER_TYPES,
@@ -63,7 +63,7 @@ LIBRARIES = {
 # CGAL's triangulations are below `triangulation` only.
 NOT_FOR = {"kinetic": re.compile(r"CGAL/\w*[Tt]riangulation")}
 
-# Checks event logs and shares no file with what wrote them: includes only its own folder and these.
+# The checker of event logs includes only its own folder and these.
 CHECKER = "apps/verify"
 LIBRARIES_OF_CHECKER = ("gmp.h", "gmpxx.h")
 
@@ -103,7 +103,7 @@ def includes(text):
 
 
 def target_of(root, path, name):
-    """The file of the project that `name`, included by `path`, means, relative to the root."""
+    """The file of the project, relative to the root, that `path` includes as `name`."""
     folders = [root / name for name in ("include", "src", "test", "apps", "apps/kinetri", ".")]
     for folder in [(root / path).parent] + folders:
         file = (folder / name).resolve()
@@ -113,7 +113,7 @@ def target_of(root, path, name):
 
 
 def own_include_problem(root, path, layer, name):
-    """What is wrong with the include of a file of the project, or None."""
+    """The problem of an include of a file of the project, or None."""
     if name == GENERATED:
         return None
     if name == UMBRELLA:
@@ -134,7 +134,7 @@ def own_include_problem(root, path, layer, name):
 
 
 def library_problem(path, layer, name):
-    """What is wrong with the include of a library's header, or None."""
+    """The problem of an include of a library's header, or None."""
     if path.parts[0] == "test" or STANDARD.match(name):
         return None
     if "/" not in name or name.startswith("sys/"):
@@ -147,7 +147,7 @@ def library_problem(path, layer, name):
 
 
 def checker_problem(root, path, name, quoted):
-    """What is wrong with an include of the checker of event logs, or None."""
+    """The problem of an include of the checker of event logs, or None."""
     if quoted:
         is_own = (root / path).parent.joinpath(name).is_file() and "/" not in name
     else:
@@ -156,7 +156,7 @@ def checker_problem(root, path, name, quoted):
 
 
 def check(root):
-    """(number of files looked at, the violations) below `root`."""
+    """(number of files checked, the violations) below `root`."""
     root = root.resolve()
     violations = []
     count = 0

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks that what the documents about the code call by a name of the code is there.
+"""Checks that names of the code in documents exist.
 
 usage: check_names.py [ROOT]
 
@@ -16,8 +16,8 @@ import sys
 sys.dont_write_bytecode = True
 import check_tree  # noqa: E402
 
-# Documents with names of the code, and the names in them that are not: of CGAL's former package, of
-# the reader's own code, and those that stand for others.
+# Documents with names of the code, and other names in them: of CGAL's former package, of the reader's code,
+# and placeholders.
 NAMES_OF_OTHERS = {
     "CONTRIBUTING.md": {"Upper_snake_case", "_2", "snake_case", "CamelCase", "name_"},
     "docs/ARCHITECTURE.md": set(),
@@ -76,7 +76,7 @@ def words_of_code(root):
 
 
 def code_in(line, block, last_column_only):
-    """The parts of a line that are code of ours."""
+    """The parts of a line that are code of Kinetri."""
     if block is not None:
         if block.startswith("// Kinetri"):
             yield COMMENT.sub("", line)
@@ -89,7 +89,7 @@ def code_in(line, block, last_column_only):
 
 
 def unknown_names(file, root, words):
-    """(line, what is wrong) for each name in the document that is not in the code."""
+    """(line, problem) for each name in the document that is not in the code."""
     document = file.relative_to(root).as_posix()
     known = words | NAMES_OF_OTHERS[document]
     folders = (root, root / "include", root / "include/kinetri", file.parent)
@@ -104,7 +104,7 @@ def unknown_names(file, root, words):
 
 
 def check(root):
-    """(number of documents looked at, the violations) below `root`."""
+    """(number of documents checked, the violations) below `root`."""
     root = root.resolve()
     words = words_of_code(root)
     violations = []

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks what every file of the project must have: its licence in the first lines, an include guard
-named after its path, in a source its own header before all others, no path of anybody's machine, no
-tab, no space at the end of a line, and a newline at the end. A test's names are in a namespace that is
-named after its file. A test must expect the message of each precondition.
+"""Checks all files of the project: the license is in the first lines; an installed header has an include
+guard named after its path and includes a public header; a source includes its own header first; there is
+no path of a machine, no tab, no space at the end of a line, and a newline at the end. The names of a test
+are in a namespace named after its file. A test expects the message of each precondition.
 
 usage: check_sources.py [ROOT]
 
@@ -23,22 +23,22 @@ LICENCE_LINES = 3
 SUFFIXES = {".h", ".cpp", ".cmake", ".in", ".py", ".sh", ".md", ".json", ".yml", ".yaml",
             ".html", ".css", ".js"}
 NAMES = {"CMakeLists.txt", ".clang-format", ".gitignore", "run"}
-# Folders that are not ours to check: what is built, what is hidden, and data that tests read.
+# Folders that are not checked: of builds, hidden ones, and data.
 SKIPPED_FOLDERS = re.compile(r"^(build.*|out|data|corpus|__pycache__|\..*)$")
 CHECKED_HIDDEN_FOLDERS = {".ci"}
 # Formats without comments.
 WITHOUT_LICENCE = {".json", ".gitignore", ".clang-format"}
 
-# Every public header includes it, itself or by way of the first public header that it includes: it stops
-# a compiler that is not set to C++20 before it reads anything else of ours.
+# Every installed header includes it, directly or through its first public header: it stops a compiler that
+# is not set to C++20 before other errors.
 FIRST_HEADER = "include/kinetri/base/platform.h"
 INCLUDE_OF_OURS = re.compile(r'#include "kinetri/')
 
 PRECONDITION = re.compile(r'\bKINETRI_PRECONDITION\([^;]*?"((?:[^"\\]|\\.)*)"')
-# It would take 2^32 items to break these.
+# To violate these needs 2^32 items.
 UNTESTED_PRECONDITIONS = {"the queue is full", "too many items"}
 
-# A home directory, or a directory that a build machine works in.
+# A home directory, or a working directory of a build machine.
 MACHINE_PATH = re.compile(r"(?<![\w.$}~])/(?:home|Users|root|work|workspace|builds|mnt)/[\w.-]+")
 
 
@@ -53,7 +53,7 @@ def files(root):
 
 
 def expected_guard(path):
-    """The include guard of a public header, KINETRI_LAYER_NAME_H."""
+    """The include guard of an installed header, KINETRI_LAYER_NAME_H."""
     return "_".join(re.sub(r"[^A-Za-z0-9]", "_", part) for part in path.parts[1:]).upper()
 
 
@@ -67,7 +67,7 @@ def header_of(path, root):
 
 
 def problems(path, text, root):
-    """(line, what is wrong) for each violation of the file `path`, relative to the root."""
+    """(line, problem) for each violation in the file `path`, relative to the root."""
     lines = text.splitlines()
     kind = path.name if path.name.startswith(".") else path.suffix
     if kind not in WITHOUT_LICENCE and not any(LICENCE in line for line in lines[:LICENCE_LINES]):
@@ -83,10 +83,10 @@ def problems(path, text, root):
         own = f'#include "{pathlib.PurePath(*header.parts[1:])}"'
         first = next((i for i, line in enumerate(lines) if line.startswith("#include")), 0)
         if lines[first : first + 1] != [own]:
-            # What proves that the header compiles alone (test/headers).
+            # This proves that the header compiles alone (test/headers).
             yield first + 1, f"expected {own} before all other headers"
     if path.parts[0] == "test" and path.name.endswith("_test.cpp"):
-        # Tests are compiled several at a time, and have helpers of the same name.
+        # Several tests are compiled as one, and have helpers of the same name.
         namespace = re.compile(rf"namespace \w[\w:]*\b({path.stem}|{path.parts[1]}_{path.stem}) {{")
         if not any(namespace.fullmatch(line) for line in lines):
             yield 1, f"expected a namespace ...::{path.stem} around the tests"
@@ -102,8 +102,7 @@ def problems(path, text, root):
 
 
 def untested_preconditions(root):
-    """(path, line, what is wrong) for each precondition whose message, or the first literal of it, is in
-    no test."""
+    """(path, line, problem) for each precondition whose message, or its first literal, is in no test."""
     tests = "".join(file.read_text(encoding="utf-8") for file in (root / "test").rglob("*.cpp"))
     tests = re.sub(r'"\s*\n\s*"', "", tests)  # A text in several literals is one text.
     for folder in ("include", "src"):
@@ -116,7 +115,7 @@ def untested_preconditions(root):
 
 
 def check(root):
-    """(number of files looked at, the violations) below `root`."""
+    """(number of files checked, the violations) below `root`."""
     root = root.resolve()
     violations = []
     count = 0

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the checks of the project (check_*.py) have in common: their command line, and what they print."""
+"""The command line and output of the checks of the project (check_*.py)."""
 import pathlib
 import sys
 
 
 def run(check, name, unit, usage):
-    """Runs `check` on the folder that the command line names, or on the project. It returns how many it
-    has looked at (of `unit`) and the violations, `FILE:LINE: what is wrong`, which are printed. Exits
-    with 0 if there are none, and something was looked at."""
+    """Runs `check` on the folder that the command line names, or on the project. `check` returns the number
+    of checked files (called `unit`) and the violations, `FILE:LINE: what is wrong`, which are printed.
+    Exits with 0 if there are none and at least one file was checked."""
     if len(sys.argv) > 2 or sys.argv[1:2] in (["-h"], ["--help"]):
         sys.exit(usage)
     root = pathlib.Path(sys.argv[1] if len(sys.argv) == 2 else pathlib.Path(__file__).parents[1])

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Builds with gcc's counters of coverage, runs the tests, and prints what they have reached. See --help.
+# Builds with gcc's counters of coverage, runs the tests, and prints the coverage. See --help.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
@@ -16,8 +16,8 @@ functions and branches were reached. The options are those of ctest: -LE slow le
 -R REGEX runs those whose names match.
 
 Not counted: branches that the compiler makes for exceptions, and those of KINETRI_ASSERT, which no
-test can take. Not run: what is compiled in builds of its own (the installed library, the program
-without optimization), and the soak test, which does a million times what others do once.
+test can take. Not measured: code in separate builds (the installed library, the program without
+optimization). Not run: the soak test, which only repeats what others do.
 EOF
 }
 
@@ -27,7 +27,7 @@ build_dir="$kinetri_root/build/coverage"
 kinetri_build "$build_dir" coverage -DCMAKE_CXX_COMPILER=g++
 
 kinetri_say "Testing ..."
-# The counters of earlier runs, which would be added to.
+# Counters of earlier runs would be added to.
 find "$build_dir" -name '*.gcda' -delete
 kinetri_quietly "testing" "$build_dir/test.log" ctest --test-dir "$build_dir" --parallel "$(kinetri_jobs)" \
   --timeout 3600 --no-tests=error --output-on-failure --exclude-regex '^soak' "$@"

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What Doxygen reads in place of a file of the project (docs/Doxyfile.in, FILTER_PATTERNS), so that
-headers and documents need no commands of Doxygen. Lines keep their numbers.
+"""Converts a file of the project for Doxygen (docs/Doxyfile.in, FILTER_PATTERNS), so that headers and
+documents need no commands of Doxygen. Lines keep their numbers.
 
 usage: doxygen_filter.py FILE
 
-Of a header, the comment at its beginning is that of the file; what is in it belongs to the group
-of its layer (docs/groups.dox); a comparison that is defaulted says what it does; explicit
-instantiations and friends, which Doxygen takes for declarations, are not seen; and a block in a
-comment, indented by three blanks or more, is shown as it stands. Of a document, headings get names,
-so that links to them find them; a link to a file that is no page is its text.
+In a header, the first comment documents the file; its declarations belong to the group of its layer
+(docs/groups.dox); defaulted comparisons get a comment; explicit instantiations and friends, which
+Doxygen takes for declarations, are removed; and blocks in comments, indented by three blanks or more,
+are shown verbatim. In a document, headings get anchors for links; a link to a file that is not a page
+becomes its text.
 """
 import pathlib
 import re
@@ -21,17 +21,17 @@ NAMESPACE_END = "}  // namespace kinetri"
 HIDDEN = re.compile(r"^(extern template|\s*friend class) ")
 DEFAULTED_COMPARISON = re.compile(r"^\s*friend .*operator(==|<=>)\(.*\) = default;$")
 PLAIN_COMMENT = re.compile(r"^//(?!/)")
-# A line of a comment that is set off as a block.
+# A line of a block in a comment.
 INDENTED = re.compile(r"^\s*///   ")
 EMPTY = re.compile(r"^\s*///$")
-# The end of a comment that tells of what follows.
+# The end of a comment about the next line.
 TOLD = re.compile(r"^\s*///(?! @})")
 HEADING = re.compile(r"^#+ (.*\S)\s*$")
 CODE = re.compile(r"`([^`]+)`")
 # [text](target), not that of an image.
 LINK = re.compile(r"(?<!!)\[([^]]+)\]\((?!https?:)([^)#]*)(#[^)]*)?\)")
 
-# An image with the folders of its file.
+# An image in another folder.
 IMAGE = re.compile(r"(!\[[^]]*\]\()(?!https?:)[^)]*/([^)/]+\))")
 
 
@@ -61,12 +61,12 @@ def header(lines, layer):
 
 
 def slug(heading):
-    """The anchor of a heading, as it is where documents are shown with the repository."""
+    """The anchor of a heading on a code host."""
     return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
 
 
 def name(path, anchor):
-    """The name of a heading in Doxygen, which has to be the only one in all documents."""
+    """The name of a heading in Doxygen, unique in all documents."""
     return re.sub(r"\W", "_", path.with_suffix("").as_posix()) + "-" + anchor
 
 
@@ -83,7 +83,7 @@ def document(lines, path, root):
         file = (root / path.parent / target).resolve() if target else root / path
         if file.suffix != ".md":
             return text
-        # Of a path with a space Doxygen makes no link: a document is named by its first heading.
+        # Doxygen makes no link to a path with a space: a document is named by its first heading.
         if not anchor and file == root / "README.md":
             return f"[{text}](@ref index)"
         anchor = anchor[1:] if anchor else slug(first_heading(file))
@@ -106,12 +106,12 @@ def document(lines, path, root):
 
 
 def filtered(file, root):
-    """The text of the file as Doxygen shall see it."""
+    """The text of the file for Doxygen."""
     lines = file.read_text(encoding="utf-8").split("\n")
     if file.suffix == ".md":
         lines = document(lines, file.relative_to(root), root)
     else:
-        # A header beside the folders of the layers belongs to the lowest one.
+        # A header outside the folders of the layers belongs to the lowest one.
         folder = file.parent.name
         lines = header(lines, "base" if folder == "kinetri" else folder)
     return "\n".join(lines)

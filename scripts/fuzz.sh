@@ -61,7 +61,7 @@ code=0
 for target in "${chosen[@]}"; do
   corpus="$dir/corpus/$target"
   mkdir -p "$corpus"
-  # The other targets read this many bytes at most; without seeds, libFuzzer would begin with few.
+  # The other targets read at most 300 bytes. Without seeds, libFuzzer would begin with short inputs.
   seeds=() lengths=(-max_len=300 -len_control=0)
   if [[ $target == points_file ]]; then
     lengths=(-max_len=20000)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Everything that is checked without running it. See --help.
+# Static checks. See --help.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
@@ -45,8 +45,7 @@ while (($# > 0)); do
 done
 cd "$kinetri_root"
 
-# on_files PROGRAM ARGUMENT... -- PATTERN...: runs the program on the files with these names, if it is
-# installed.
+# on_files PROGRAM ARGUMENT... -- PATTERN...: runs the program on the files that match; 77 if it is not installed.
 on_files() {
   local command=() names=() files
   while [[ $1 != -- ]]; do command+=("$1") && shift; done

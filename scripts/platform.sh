@@ -31,8 +31,8 @@ case ${1:-} in
 esac
 shift
 
-# unpack_packages ARCHITECTURE FOLDER PACKAGE...: what these packages, and all that they need, contain,
-# but for the C and C++ libraries, which the compiler has. apt-get gets a state of its own.
+# unpack_packages ARCHITECTURE FOLDER PACKAGE...: unpacks these packages and their dependencies, except the C and
+# C++ libraries, which the compiler has. apt-get uses a separate state.
 unpack_packages() {
   local architecture=$1 folder=$2 state=$2.apt archive
   shift 2

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# What scripts/demo.sh, test.sh, coverage.sh, lint.sh and fuzz.sh have in common: the packages they
-# need, and the calls of CMake. Source it for its functions, or run it to install what is missing:
+# Functions of scripts/demo.sh, test.sh, coverage.sh, lint.sh, fuzz.sh, platform.sh and check_deb.sh: the packages
+# they need, and the calls of CMake. Source it, or run it to install missing packages:
 #
 #   scripts/setup.sh demo|test|browser|python|video|coverage|lint|fuzz|arm64|libcxx
 
@@ -15,30 +15,30 @@ kinetri_fail() {
   exit 1
 }
 
-# kinetri_misused WHAT: says what is wrong with the command line, and what is right (usage). Exits.
+# kinetri_misused WHAT: prints the mistake in the command line, and the usage. Exits.
 kinetri_misused() {
   printf 'error: %s\n\n' "$*" >&2
   usage >&2
   exit 2
 }
 
-# kinetri_packages PURPOSE: the Debian packages needed, as `package` or, where a program
-# that came from elsewhere will do as well, `package=program`.
+# kinetri_packages PURPOSE: the Debian packages needed, as `package` or, if a program from elsewhere suffices,
+# `package=program`.
 kinetri_packages() {
   printf '%s\n' g++=c++ cmake=cmake libboost-dev libcgal-dev libcli11-dev libexpat1-dev \
     libgmp-dev libmpfr-dev libsqlite3-dev libtbb-dev nlohmann-json3-dev
-  # Either build tool will do; Ninja is the one to install.
+  # make suffices; otherwise Ninja is installed.
   command -v make >/dev/null || printf '%s\n' ninja-build=ninja
   if [[ $1 != demo ]]; then
     printf '%s\n' gnuplot-nox=gnuplot libgtest-dev librapidcheck-dev pkg-config=pkg-config \
       python3=python3
   fi
-  # For the tests that are skipped without them: the viewer page's, those of pictures as PNG, and the
-  # reference manual's. (Films are tested where ffmpeg, which is large, is there.)
+  # For tests that are skipped without them: of the viewer page, of PNG pictures, and of the reference manual.
+  # (Films are tested if ffmpeg, which is large, is installed.)
   if [[ $1 == browser ]]; then
     printf '%s\n' chromium=chromium doxygen=doxygen librsvg2-bin=rsvg-convert
   fi
-  # The Python package, and what its tests and examples use.
+  # The Python package, its tests and its examples.
   if [[ $1 == python ]]; then
     printf '%s\n' pybind11-dev python3-dev python3-distributed python3-hypothesis python3-matplotlib \
       python3-mypy python3-numpy python3-pandas python3-pip python3-pytest python3-scipy \
@@ -50,18 +50,18 @@ kinetri_packages() {
   fi
   if [[ $1 == coverage ]]; then printf '%s\n' g++ gcovr=gcovr; fi
   if [[ $1 == lint ]]; then
-    # The viewer's scripts are checked where there is node, which nothing else needs.
+    # The viewer's scripts are checked if node, which nothing else needs, is installed.
     printf '%s\n' clang=clang++ clang-format-14 clang-tidy-14 pyflakes3=pyflakes3 \
       shellcheck=shellcheck
   fi
   # Other platforms (scripts/platform.sh).
   if [[ $1 == arm64 ]]; then printf '%s\n' g++-aarch64-linux-gnu qemu-user=qemu-aarch64; fi
   if [[ $1 == libcxx ]]; then printf '%s\n' clang-19 googletest libc++-19-dev libc++abi-19-dev; fi
-  # The sanitizers' and libFuzzer's libraries.
+  # Libraries of the sanitizers and libFuzzer.
   if [[ $1 == fuzz ]]; then printf '%s\n' clang=clang++ libclang-rt-dev; fi
 }
 
-# kinetri_missing PURPOSE: those of them that are not there, one a line.
+# kinetri_missing PURPOSE: those of them that are not installed, one per line.
 kinetri_missing() {
   local entry package program
   while IFS= read -r entry; do
@@ -75,7 +75,7 @@ kinetri_missing() {
   done < <(kinetri_packages "$1")
 }
 
-# kinetri_setup PURPOSE: installs the missing packages. Silent if there are none.
+# kinetri_setup PURPOSE: installs the missing packages. Prints nothing if there are none.
 kinetri_setup() {
   local missing
   if ! command -v dpkg-query >/dev/null; then
@@ -112,8 +112,8 @@ and run this again. Where they come from elsewhere than from packages, build wit
   cmake --preset $preset && cmake --build --preset $preset"
 }
 
-# kinetri_jobs: how many compilers to run at once: one a processor, but a gigabyte and a half of
-# free memory for each. KINETRI_JOBS overrides it.
+# kinetri_jobs: the number of compilers to run at once: at most one per processor, and one per 1.5 GB of available
+# memory. KINETRI_JOBS overrides it.
 kinetri_jobs() {
   if [[ -n ${KINETRI_JOBS:-} ]]; then
     printf '%s\n' "$KINETRI_JOBS"
@@ -126,25 +126,24 @@ kinetri_jobs() {
   printf '%s\n' $((processors < 1 ? 1 : processors))
 }
 
-# kinetri_show_progress LOG: says, again and again, which step the command that writes the log has come
-# to: on a terminal in one line, every two seconds; else in a line of its own, every 20 seconds.
+# kinetri_show_progress LOG: prints the step that the command that writes the log has reached: on a terminal in one
+# line, every two seconds; else in a new line, every 20 seconds.
 kinetri_show_progress() {
   local log=$1 every=20 line='  %s (%d s)\n' step
   if [[ -t 1 ]]; then every=2 line='\r\033[K  %s (%d s)'; fi
   every=${kinetri_progress_seconds:-$every}  # Set by tests.
   SECONDS=0
-  # A sleep that outlives this must not keep the output open; nor must this outlive the script.
+  # A sleep that outlives this function must not keep the output open. Ends with the script.
   while sleep "$every" >/dev/null 2>&1 && kill -0 $$ 2>/dev/null; do
-    # As Ninja, make and ctest write it.
+    # The formats of Ninja, make and ctest.
     step=$(grep -aoE '^(\[ *[0-9]+(/[0-9]+|%)\]| *[0-9]+/[0-9]+ Test)' "$log" | tail -n 1) || true
     # shellcheck disable=SC2059
     if [[ -n $step ]]; then printf "$line" "$step" "$SECONDS"; fi
   done
 }
 
-# kinetri_quietly WHAT LOG COMMAND...: runs the command with its output in the file LOG, and shows which
-# step it has come to. If it fails, shows the errors in there, or the end where none is to be
-# recognized, and exits.
+# kinetri_quietly WHAT LOG COMMAND...: runs the command with its output in the file LOG, and shows progress. If it
+# fails, prints the errors in the log, or its end if there are none, and exits.
 kinetri_quietly() {
   local what=$1 log=$2 code=0 watcher
   shift 2
@@ -168,7 +167,7 @@ kinetri_configure() {
   mkdir -p "$dir"
   if command -v ccache >/dev/null; then
     launcher=ccache
-    # Without this ccache keeps nothing that uses precompiled headers, as the tests do.
+    # Without this, ccache does not cache sources that use precompiled headers.
     export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros,include_file_mtime,include_file_ctime}
   fi
   configure=(cmake -S "$kinetri_root" --preset "$preset" -B "$dir"

@@ -67,7 +67,7 @@ log=$build_dir/test.log
 : >"$log"
 kinetri_show_progress "$log" &
 watcher=$!
-# Shown of it: the tests that fail, with their output, and those that are skipped.
+# Shows the tests that fail, with their output, and those that are skipped.
 ctest --test-dir "$build_dir" --parallel "$(kinetri_jobs)" --timeout 900 --no-tests=error \
   --output-on-failure "${options[@]}" </dev/null 2>&1 | tee "$log" |
   grep -vE '^ +Start +[0-9]+: |^ *[0-9]+/[0-9]+ Test .* Passed ' || true

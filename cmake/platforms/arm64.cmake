@@ -12,5 +12,5 @@ set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L /usr/aarch64-linux-gnu
   -E LD_LIBRARY_PATH=${KINETRI_SYSROOT}/usr/lib/aarch64-linux-gnu)
-# Checks of the compiler are made in projects of their own, which know no more than this.
+# Checks of the compiler are separate projects, which get only these variables.
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES KINETRI_SYSROOT)
