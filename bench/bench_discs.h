@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The discs that are measured: motions and radii.
 #ifndef KINETRI_BENCH_BENCH_DISCS_H
 #define KINETRI_BENCH_BENCH_DISCS_H
 

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Queries about all points at one time, each beside an alternative without the triangulation or
-// without its queries.
 #include <CGAL/Delaunay_triangulation_2.h>
 
 #include <limits>

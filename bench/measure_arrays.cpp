@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The operations of the Python package in C++, for bench/run_python.py.
 #include <algorithm>
 #include <numeric>
 #include <vector>

@@ -1,9 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Other motions of every tenth point at once, between two runs, with one thread and with two: the
-// times of the last round, and the sorted ratios of all rounds. With two threads the queue is
-// partitioned, as after a run of many events. The ratios of the runs show how idle the processors
-// were.
 #include <algorithm>
 #include <cstddef>
 #include <random>

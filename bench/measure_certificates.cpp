@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// In-circle certificates of quadrilaterals around edges, and certificates of contacts and distances
-// of neighbors, with filters and with exact arithmetic alone. Certificates that fail and those that
-// do not are measured separately.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Insertions, erasures and velocity changes ("turns") of single points at a fixed time, beside
-// CGAL's insertion and removal in a static triangulation of the same points.
 #include <random>
 
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"

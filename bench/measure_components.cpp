@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The cost of observing the components of points in range, and the spanning tree, beside the run
-// alone.
 #include <cmath>
 
 #include "kinetri/observers/connected_components.h"

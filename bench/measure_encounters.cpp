@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Encounters at a range with five others on average, beside the run without them and, for few
-// points, beside a comparison of all pairs in doubles.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The start of points that are collinear or otherwise degenerate: nanoseconds per point for growing
-// numbers of points, which should grow at most like the logarithm.
 #include <cmath>
 #include <cstddef>
 #include <functional>

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// One run by the sequential loop, in time windows on one thread, and in windows on all threads,
-// three times in turn: the times of the last round, and the sorted ratios of all rounds.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The start of a run, beside a static triangulation of the same points; and the events of
-// accelerated points, beside those of points without acceleration.
 #include <algorithm>
 #include <random>
 

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Steps at which some velocities change, and after which the triangulation is read: a kinetic
-// triangulation beside a static rebuild at each step.
 #include <algorithm>
 #include <cmath>
 #include <iterator>

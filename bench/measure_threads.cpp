@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Runs of many kinds of input with one thread and with all threads, in turn: the ratios of wall
-// time and processor time. If windows do not pay, they should be little above 1.
 #include <sys/resource.h>
 
 #include <algorithm>

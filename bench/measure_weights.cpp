@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The regular triangulation of discs beside the Delaunay triangulation of their centers: equal
-// discs, with the same events; weights that differ but hide few points; and weights that hide about
-// half of the points.
 #include <algorithm>
 #include <cmath>
 #include <random>

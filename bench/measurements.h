@@ -93,8 +93,9 @@ nlohmann::json measure_lattice_row(const Setup& setup);
 nlohmann::json measure_frames(const Setup& setup);
 
 /// Seconds for new motions of every tenth point at once, five times up to `until`, with one thread
-/// and with two, in turn. Throws std::runtime_error if the results differ, or if there are too few
-/// points and events for two threads.
+/// and with two, in turn; and the sorted ratios, also of the runs between, which show how idle the
+/// processors were. Throws std::runtime_error if the results differ, or if there are too few points
+/// and events for two threads.
 nlohmann::json measure_batches(const Setup& setup);
 
 /// Nanoseconds for each insertion, erasure and velocity change at one time, for CGAL's insertion
@@ -116,7 +117,7 @@ nlohmann::json measure_encounters(const Setup& setup);
 nlohmann::json measure_steps(const Setup& setup);
 
 /// One run to `until`: seconds by the sequential loop and in time windows, on one thread and on
-/// all, with counts of the windows.
+/// all, with counts of the windows; and the sorted ratios of three rounds.
 nlohmann::json measure_regions(const Setup& setup);
 
 /// The same with equal discs in a box, which collide.
@@ -127,7 +128,8 @@ nlohmann::json measure_contacts(const Setup& setup);
 nlohmann::json measure_threads(const Setup& setup);
 
 /// Nanoseconds per point of the start of points on a line, on two lines, on a circle, on a lattice,
-/// for 4096 points, 16 384 and so on, up to the number of the setup.
+/// for 4096 points, 16 384 and so on, up to the number of the setup. They should grow at most like
+/// the logarithm.
 nlohmann::json measure_lines(const Setup& setup);
 
 /// Seconds of a construction, of one change of the velocities of 1000 points, and of a run that

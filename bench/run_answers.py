@@ -90,7 +90,7 @@ def missed_encounters(exact, seen):
 
 
 def areas_of_frames(tracks, times, people):
-    """The area of each cell in each frame but the last, after which nobody is there."""
+    """The area of each cell in each frame but the last, at which the tracks end."""
     return tracks.areas(times[:-1], walkable=CORRIDOR)["area"].to_numpy().reshape(len(times) - 1, people)
 
 

@@ -34,7 +34,7 @@ if(PROJECT_IS_TOP_LEVEL OR KINETRI_PYTHON)
   endif()
 endif()
 
-# PREFIX/lib/python3/dist-packages is where Debian's Python looks.
+# Debian's Python searches PREFIX/lib/python3/dist-packages.
 set(KINETRI_PYTHON_DIR lib/python3/dist-packages CACHE STRING
   "Where the Python package is installed, below the prefix")
 mark_as_advanced(KINETRI_PYTHON_DIR)

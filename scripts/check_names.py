@@ -5,7 +5,7 @@
 usage: check_names.py [ROOT]
 
 Names are those in `code` that consist of letters, digits and underscores, and paths of files. In
-docs/MIGRATION.md they are looked for where it speaks of Kinetri alone: in the last column of tables,
+docs/MIGRATION.md only the parts about Kinetri are checked: the last column of tables,
 and in code that begins with `// Kinetri`.
 
 Prints `FILE:LINE: what is wrong` for each violation; exit code 1 if there are any.

@@ -22,7 +22,7 @@ apt-get, as root):
   names       names of the code in documents (scripts/check_names.py)
   shell       scripts, by shellcheck
   python      scripts, by pyflakes
-  javascript  the syntax of the viewer's scripts, by node, where it is installed
+  javascript  the syntax of the viewer's scripts, by node, if it is installed
   tidy        C++, by run-clang-tidy 14 with the checks of .clang-tidy: half a minute a source. For one
               folder, when this has configured build/lint: run-clang-tidy-14 -quiet -p build/lint src/io
 

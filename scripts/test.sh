@@ -19,11 +19,10 @@ exit code is 0 if none failed.
                    and UndefinedBehaviorSanitizer; or tsan, the tests of what several threads do,
                    with ThreadSanitizer (CMakePresets.json)
   --compiler CXX   with another compiler, e.g. clang++, in a directory of its own
-  --browser        with chromium, which the tests of the viewer page need, and Doxygen; they are
-                   installed if missing, and else their tests run where they are already
-  --python         with the Python package and its tests: what they need is installed if missing, and
-                   else they are built and run where it is there already
-  --video          the same with the program kinetri-video
+  --browser        installs chromium, for the tests of the viewer page, and Doxygen; without this
+                   option their tests run only if these are installed
+  --python         likewise installs what the Python package and its tests need
+  --video          likewise for the program kinetri-video
 
 Other options are those of ctest, for example -R REGEX for the tests whose names match, or -LE slow
 for those without the label slow. The labels are slow, install and threads.

@@ -76,7 +76,6 @@ Certificate exact_or_filtered(const Polynomial& p, const Time& t, Arithmetic ari
   return exact_certificate(primitive, t);
 }
 
-// Formulas as function objects.
 constexpr auto outside_circle = [](const auto&... all) { return -in_circle_of(all...); };
 constexpr auto left_turn = [](const auto&... all) { return orientation_of(all...); };
 constexpr auto gap = [](const auto&... all) { return contact_of(all...); };

@@ -56,12 +56,12 @@ double path_length(const Polynomial_motion_2& motion, double t, double duration)
 // m = (rounding error of its position at t) + (path lengths of the old and the new motion within h)
 //
 // from that of the old motion, and the radius that it would have without any rounding differs from
-// the old one by |growth| h at most where the growth is changed as well (at_rest_at). So if the
-// radius at t is less than that of the old motion at t by m + |growth| h, the new disc at s is
-// inside the old one, and two such discs do not overlap at s. A coordinate is rounded by at most
-// the unit roundoff times its magnitude, and what an underflow takes. Twice all of this covers the
-// roundings of this computation, of which each is relative to a sum of numbers of one sign. The
-// radius at t is computed with three roundings, each of two unit roundoffs of its terms at most.
+// the old one by at most |growth| h if the growth changes too (at_rest_at). So if the radius at t
+// is less than that of the old motion at t by m + |growth| h, the new disc at s is inside the old
+// one, and two such discs do not overlap at s. A coordinate is rounded by at most the unit roundoff
+// times its magnitude, and what an underflow takes. Twice all of this covers the roundings of this
+// computation, of which each is relative to a sum of numbers of one sign. The radius at t is
+// computed with three roundings, each of two unit roundoffs of its terms at most.
 template <class Disc>
 double radius_after_change(const Disc& old, const Disc& result, double t) {
   const double size = std::abs(t);

@@ -25,7 +25,6 @@ namespace kinetri::detail {
 // Differences of larger coordinates might overflow.
 inline constexpr double largest_coordinate = 1e300;
 
-// See the beginning of this file.
 template <class Traits>
 class Present {
  public:

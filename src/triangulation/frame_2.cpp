@@ -17,7 +17,6 @@ class Positions {
     return static_cast<std::size_t>(std::ranges::lower_bound(ids_, id) - ids_.begin());
   }
 
-  // Sorted, as the ids are.
   std::array<std::size_t, 2> of(const Edge_ids& edge) const { return {of(edge[0]), of(edge[1])}; }
 
  private:

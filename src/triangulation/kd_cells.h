@@ -37,7 +37,6 @@ class Kd_cells {
   /// The cell of a position. Precondition: the coordinates are finite. O(log count).
   std::size_t cell_of(const Vector_2& place) const;
 
-  /// All cells, by number.
   std::span<const Cell> cells() const { return cells_; }
 
  private:

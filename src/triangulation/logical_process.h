@@ -38,7 +38,6 @@ struct alignas(64) Logical_process {
   std::uint64_t rolled_back = 0;  ///< events
 
   bool is_region() const { return level == 0; }
-  /// Whether the capacity allows another event in this window.
   bool has_room() const { return log->records.size() < capacity; }
 };
 

@@ -65,7 +65,6 @@ class Optimistic_window {
   void take_up_division(double events);
   /// Whether the versions of a node may not suffice for a window.
   bool are_versions_spent() const;
-  /// All versions have been cleared.
   void start_versions() { log_.start_numbers(); }
 
   /// Executes and reports the events up to `end`, or before a tie or an event for the sequential

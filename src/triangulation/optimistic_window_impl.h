@@ -417,7 +417,6 @@ void Optimistic_window<Traits, Contacts>::truncate() {
   counters_.cut_off += std::exchange(root.rolled_back, rolled_back) - rolled_back;
 }
 
-// The work of all processes in the window.
 template <class Traits, class Contacts>
 Window_work Optimistic_window<Traits, Contacts>::work_of_processes() const {
   Window_work work;

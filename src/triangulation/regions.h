@@ -50,7 +50,6 @@ class Region_run {
   /// Merges the parts of the queues.
   void join();
 
-  /// Counts of this object's calls.
   const Region_counters& counters() const { return window_.counters(); }
 
  private:
@@ -98,7 +97,6 @@ class Region_run {
   Region_pause pause_ = {};           // before the next window
 };
 
-/// A run of this triangulation.
 template <class Traits>
 Region_run<Traits> region_run_of(Kinetic_triangulation_2<Traits>& kinetic,
                                  const Region_options& options = {}) {

@@ -189,7 +189,6 @@ void Region_run<Traits, Contacts>::run_window(double end, double last) {
   adapt_width(is_whole, end < last);
 }
 
-// Sets the width of the next window.
 template <class Traits, class Contacts>
 void Region_run<Traits, Contacts>::adapt_width(bool is_whole, bool is_full) {
   const double target = events_in_window();
@@ -235,7 +234,6 @@ void Region_run<Traits, Contacts>::distribute(std::size_t parts) {
   }
 }
 
-// Whether all queues are partitioned.
 template <class Traits, class Contacts>
 bool Region_run<Traits, Contacts>::is_divided() {
   bool result = true;
@@ -261,7 +259,6 @@ bool Region_run<Traits, Contacts>::run_loop(const Time& until, const Go_on& may_
   return true;
 }
 
-// Executes the events at one time. Returns their number.
 template <class Traits, class Contacts>
 std::size_t Region_run<Traits, Contacts>::run_loop_instant(const Time& until) {
   std::size_t events = 0;

@@ -30,7 +30,6 @@ using Regular = CGAL::Regular_triangulation_2<
 
 using Numbered = std::pair<Kernel::Point_2, Point_id>;
 
-// Gives a vertex the number of its point.
 constexpr auto set_number = [](auto vertex, const auto& numbered) {
   vertex->info() = numbered.second;
 };

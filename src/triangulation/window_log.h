@@ -133,7 +133,6 @@ class Window_log {
   void forget_changes();
   /// Removes the events of a node after its window; their numbers stay used.
   void clear(Node& node);
-  /// Removes everything.
   void reset();
 
   // ---- numbers ----
@@ -221,7 +220,6 @@ class Window_log {
   /// by one thread. for_each(vector, work) calls work with each element, on several threads.
   template <class For_each>
   void put_in_order(std::size_t per_slice, const For_each& for_each);
-  /// The sorted events.
   std::vector<Key>& order() { return order_; }
   const std::vector<Key>& order() const { return order_; }
 

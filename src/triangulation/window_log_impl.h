@@ -260,7 +260,6 @@ void Window_log<Traits, has_contacts>::put_in_order(std::size_t per_slice,
   std::ranges::sort(order_, [this](const Key& a, const Key& b) { return compare(a, b) < 0; });
 }
 
-// The keys of a node that are in a slice.
 template <class Traits, bool has_contacts>
 auto Window_log<Traits, has_contacts>::keys_in(const Node& node, const Slice& slice)
     -> std::span<const Key> {
@@ -269,7 +268,6 @@ auto Window_log<Traits, has_contacts>::keys_in(const Node& node, const Slice& sl
   return {first, last};
 }
 
-// The number of events of a slice that are not rolled back.
 template <class Traits, bool has_contacts>
 std::size_t Window_log<Traits, has_contacts>::count_keys(const Slice& slice) const {
   std::size_t result = 0;

@@ -21,7 +21,6 @@ namespace kinetri::test {
 using Simulation = Simulation_2<>;
 using Simulation_event = Event;
 
-/// All events, in their order.
 struct Recorder : Event_observer {
   void after_event(const Simulation_event& event) override { events.push_back(event); }
 

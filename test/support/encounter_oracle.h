@@ -222,8 +222,9 @@ std::vector<Encounter> expected_encounters(const std::vector<std::vector<Legs>>&
         if (is_present) result.push_back(present);
         is_present = false;
       };
-      // Where one leg ends the next one begins, or the point has gone. Of one moment are those of
-      // before and those of after it, and who leaves with who comes.
+      // A leg ends when the next one begins or the point is erased. Two legs share a time if both
+      // are those just before it, or both just after it, or if one point is erased and the other
+      // inserted then.
       const auto are_at_one_time = [](const Legs& p, const Legs& q, bool p_is_first,
                                       bool q_is_first, const Algebraic_number& t) {
         const auto comes = [&](const Legs& leg, bool is_first) {

@@ -17,7 +17,6 @@
 
 namespace kinetri::test {
 
-/// A point at rest.
 inline Linear_motion_2 resting(double x, double y) {
   return {{x, y}, {0, 0}};
 }

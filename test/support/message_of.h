@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The message of an error.
 #ifndef KINETRI_TEST_SUPPORT_MESSAGE_OF_H
 #define KINETRI_TEST_SUPPORT_MESSAGE_OF_H
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The length of randomized tests.
 #ifndef KINETRI_TEST_SUPPORT_MULTIPLIER_H
 #define KINETRI_TEST_SUPPORT_MULTIPLIER_H
 

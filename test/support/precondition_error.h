@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Expects a violated precondition with a given message.
 #ifndef KINETRI_TEST_SUPPORT_PRECONDITION_ERROR_H
 #define KINETRI_TEST_SUPPORT_PRECONDITION_ERROR_H
 

@@ -21,7 +21,6 @@ inline Tracks_file tracks_of(const std::string& text, Tracks_format format, doub
   return read_tracks(in, "t.csv", format, fps);
 }
 
-/// With options.
 inline Tracks_file read_options(const std::string& text, const Tracks_file_options& options) {
   std::istringstream in(text);
   return read_tracks(in, "t.csv", options);
@@ -48,7 +47,6 @@ inline std::string shown(const Tracks_file& file) {
   return out.str();
 }
 
-/// Whether the text contains the piece.
 inline bool has_piece(const std::string& text, const std::string& piece) {
   return text.find(piece) != std::string::npos;
 }

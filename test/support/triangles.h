@@ -12,7 +12,6 @@
 
 namespace kinetri::test {
 
-/// The finite faces.
 template <class Kinetic_triangulation>
 std::set<Triangle_ids> triangles_of(const Kinetic_triangulation& kinetic) {
   std::set<Triangle_ids> result;

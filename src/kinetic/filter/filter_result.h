@@ -12,7 +12,6 @@ namespace kinetri {
 
 /// What the filter knows about a certificate from some time on.
 struct Filter_result {
-  /// What is certain.
   enum class Kind : std::uint8_t {
     unknown,      ///< nothing is known
     never_fails,  ///< the certificate is positive

@@ -145,7 +145,6 @@ class Polynomial_differences : public Error_bounds {
   Powers<K> terms_ = {};  // the sums of all numbers that the coefficients were computed from
 };
 
-// One coordinate of a difference.
 template <std::size_t M>
 std::array<double, M> coordinate(const std::array<Pair, M>& d, int axis) {
   std::array<double, M> result;

@@ -77,7 +77,6 @@ inline Linear_function difference_of_radii(const Disc& p, const Disc& q, double 
           std::abs(constant) + std::abs(grown_p) + std::abs(grown_q)};
 }
 
-// A difference at the origin.
 inline const Pair& place(const Difference& d) {
   return d.place;
 }
