@@ -31,7 +31,7 @@ KINETRI_TEST_MULTIPLIER=N makes the randomized tests N times as long.
 EOF
 }
 
-preset=test packages=(test) compiler='' options=()
+preset=test packages=(test) compiler='' options=() each=OFF
 while (($# > 0)); do
   case $1 in
     --help | -h) usage && exit 0 ;;
@@ -43,7 +43,10 @@ while (($# > 0)); do
       printf -v "${1#--}" '%s' "$2"
       shift
       ;;
-    *) options+=("$1") ;;
+    *)
+      if [[ $1 =~ ^(-[RE]|--(tests|exclude)-regex) ]]; then each=ON; fi
+      options+=("$1")
+      ;;
   esac
   shift
 done
@@ -59,22 +62,54 @@ if ((${#options[@]} == 0)); then
     "on two cores; with sanitizers longer. -R REGEX runs some of the tests, -LE slow the fast ones."
 fi
 for purpose in "${packages[@]}"; do kinetri_setup "$purpose"; done
-kinetri_build "$build_dir" "$preset" ${compiler:+"-DCMAKE_CXX_COMPILER=$compiler"} -- "${targets[@]}"
+kinetri_build "$build_dir" "$preset" -DKINETRI_EACH_TEST=$each ${compiler:+"-DCMAKE_CXX_COMPILER=$compiler"} -- "${targets[@]}"
 
 kinetri_say "Testing ..."
-log=$build_dir/test.log
+log=$build_dir/test.log results=$build_dir/Testing/Temporary/LastTest.log
 : >"$log"
+rm -f "$results"
 kinetri_show_progress "$log" &
 watcher=$!
 # Shows the tests that fail, with their output, and those that are skipped.
 ctest --test-dir "$build_dir" --parallel "$(kinetri_jobs)" --timeout 900 --no-tests=error \
   --output-on-failure "${options[@]}" </dev/null 2>&1 | tee "$log" |
-  grep -vE '^ +Start +[0-9]+: |^ *[0-9]+/[0-9]+ Test .* Passed ' || true
+  grep -vE '^ +Start +[0-9]+: |^ *[0-9]+/[0-9]+ Test .* Passed |^\[( RUN  |       OK |-----)' || true
 kill "$watcher"
 summary='s/^[0-9]+% tests passed, ([0-9]+) tests? failed out of ([0-9]+)$'
 failed=$(sed -nE "$summary/\\1/p" "$log")
 run=$(sed -nE "$summary/\\2/p" "$log")
 [[ -n $run ]] || kinetri_fail "ctest ran no tests, or ended early; all of its output is in $log"
 skipped=$(grep -cE '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped' "$log") || true
-kinetri_say "$((run - failed - skipped)) passed, $failed failed$( ((skipped == 0)) || printf ', %d skipped' "$skipped")"
-((failed == 0 && run > skipped))
+passed=$((run - failed - skipped))
+if [[ $each == OFF && -f $results ]]; then
+  # ctest knows processes with many cases of GoogleTest: the cases are counted, and those that failed or
+  # were skipped are named. A process may also fail at its end, after the last case.
+  while read -r more_passed more_failed more_skipped name; do
+    ((passed += more_passed, failed += more_failed, skipped += more_skipped)) || true
+    if [[ -n $name ]]; then kinetri_say "$name"; fi
+  done < <(awk '
+    function end_case(result) {
+      if (open != "" && result != "ok") print 0, 0, 0, result ": " layer "." open
+      if (open != "") ++count[result]
+      open = ""
+    }
+    function end_process() {
+      end_case("failed")
+      if (begun && process in fails) print count["ok"] + 0, (count["failed"] ? count["failed"] - 1 : 0), count["skipped"] + 0
+      else if (begun) print count["ok"] - 1, 0, count["skipped"] + 0
+      begun = 0
+      split("", count)
+    }
+    FNR == NR {
+      if (/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: / && !/ Passed +[0-9.]+ sec/) fails[$4]
+      next
+    }
+    /^[0-9]+\/[0-9]+ Testing: / { end_process(); process = layer = $3; sub(/\.[0-9]+$/, "", layer) }
+    /\[ RUN      \] / { end_case("failed"); open = $NF; begun = 1 }
+    /\[       OK \] .*ms\)$/ { end_case("ok") }
+    /\[  SKIPPED \] .*ms\)$/ { end_case("skipped") }
+    /\[  FAILED  \] .*ms\)$/ { end_case("failed") }
+    END { end_process() }' "$log" "$results")
+fi
+kinetri_say "$passed passed, $failed failed$( ((skipped == 0)) || printf ', %d skipped' "$skipped")"
+((failed == 0 && passed > 0))

@@ -402,6 +402,22 @@ class Shell_scripts(Tree):
                 run = self.run_script(self.root / "scripts/test.sh")
                 self.assertEqual((run.stdout.splitlines()[-1], run.returncode), (last, code), run)
 
+    def test_cases_of_one_process_are_counted_and_named(self):
+        self.program("cmake", "exit 0")
+        results = self.root / "results"
+        results.write_text("1/3 Testing: a.1\n[ RUN      ] A.x\n[       OK ] A.x (0 ms)\n[ RUN      ] A.y\nwhy"
+                           "[  SKIPPED ] A.y (0 ms)\n[  SKIPPED ] A.y\n2/3 Testing: a.2\n[ RUN      ] A.z\n"
+                           "[       OK ] A.z (0 ms)\n[ RUN      ] A.u\n[  FAILED  ] A.u, where GetParam() = 3 (0 ms)\n"
+                           "[ RUN      ] A.v\n3/3 Testing: b\n", encoding="utf-8")
+        folder = self.root / "build/test/Testing/Temporary"
+        folder.mkdir(parents=True)
+        self.program("ctest", f"""cp '{results}' '{folder}/LastTest.log'
+            echo '1/3 Test #1: a.1 ... Passed 0.1 sec\n2/3 Test #2: a.2 ...***Exception: SegFault 0.1 sec'
+            echo '3/3 Test #3: b ... Passed 0.1 sec\n66% tests passed, 1 tests failed out of 3'""")
+        run = self.run_script(self.root / "scripts/test.sh")
+        self.assertEqual(run.stdout.splitlines()[-4:],
+                         ["skipped: a.A.y", "failed: a.A.u", "failed: a.A.v", "3 passed, 2 failed, 1 skipped"])
+
     def test_the_tests_say_how_long_they_take_before_they_begin(self):
         self.program("cmake", "exit 0")
         self.program("ctest", "echo '100% tests passed, 0 tests failed out of 9'")
