@@ -9,12 +9,12 @@ from points import cell_area
 
 
 class Playing(Page):
-    name = None  # of the run
+    """With a test for each of RUNS."""
 
-    def test_run(self):
-        run = self.run_of(self.name)
+    def play(self, name):
+        run = self.run_of(name)
         self.open(run.page)
-        is_thinned = self.name == "thinned"
+        is_thinned = name == "thinned"
         self.assertEqual(self.evaluate("!document.getElementById('note').hidden"), is_thinned)
         if is_thinned:
             self.check_thinned(run)
@@ -23,11 +23,11 @@ class Playing(Page):
             self.check_times(run)
         self.check_ends(run)
         if run.motions is not None:
-            self.check_positions(run)
+            self.check_positions(run, "remove" in runs.RUNS[name][2])
         self.check_picture()
-        if self.name == "wave":
+        if name == "wave":
             self.check_wave()
-        if self.name == "sizes":
+        if name == "sizes":
             self.check_sizes(run)
 
     def check_steps(self, run):
@@ -137,12 +137,12 @@ class Playing(Page):
         self.assertEqual(edges(self.evaluate("kinetri.edges()")), run.initial)
         self.assertEqual(self.evaluate("[kinetri.time, kinetri.event]"), [0, 0])
 
-    def check_positions(self, run):
+    def check_positions(self, run, contacts_remove):
         """Points that nothing turned are where they are by exact arithmetic, but for rounding; all
         that turned are in the box. Points that vanished are not there."""
         turned, gone = set(), set()
         for event in run.events:
-            is_last = event.kind == "erase" or "remove" in runs.RUNS[self.name][2]
+            is_last = event.kind == "erase" or contacts_remove
             (gone if is_last else turned).update(event.turns)
         box = runs.recording_of(run.page)["box"]
         for when in (0.0, run.until / 3, run.until / 2, float(run.until)):
@@ -219,3 +219,9 @@ class Playing(Page):
         self.assertNotEqual(self.look(), wave, "it is not laid flat")
         self.browser.key("w")
         self.assertEqual(self.look(), wave)
+
+
+# Of runs.RUNS, those that are played.
+RUNS = ("uniform", "box", "discs", "vanishing", "accelerated", "sizes", "lattice", "tracks", "wave", "thinned")
+for run_name in RUNS:
+    setattr(Playing, f"test_{run_name}", lambda self, name=run_name: self.play(name))

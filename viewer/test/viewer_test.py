@@ -4,16 +4,15 @@
 
 usage: viewer_test.py PROGRAM WORK_DIR TEST BROWSER
 
-TEST is the name of a run (runs.py): its page is opened from its file, played event by event, forward
-and backward, and must show the edges of the program's own logs; or one of CASES. BROWSER is chromium or
-firefox. Exit code 77 where the browser is not there.
+TEST is one of CASES. In `runs` the pages of runs are opened from their files, played event by event, forward
+and backward, and must show the edges of the program's own logs. BROWSER is chromium or firefox. Exit code
+77 if the browser is not there.
 """
 import pathlib
 import sys
 import unittest
 
 sys.dont_write_bytecode = True
-import runs  # noqa: E402
 from certificate import Certificate  # noqa: E402
 from chromium import Chromium  # noqa: E402
 from drawing import Drawing, Without_webgl  # noqa: E402
@@ -29,7 +28,7 @@ from screens import Accessible, Screens  # noqa: E402
 
 SKIPPED = 77
 BROWSERS = {"chromium": (Chromium, "chromium"), "firefox": (Firefox, "firefox-esr")}
-CASES = {"interface": Interface, "certificate": Certificate, "drawing": Drawing,
+CASES = {"runs": Playing, "interface": Interface, "certificate": Certificate, "drawing": Drawing,
          "without_webgl": Without_webgl, "points": Points, "screens": Screens,
          "accessible": Accessible, "exporting": Exporting, "encounters": Near, "small": Small, "damaged": Damaged}
 
@@ -41,13 +40,10 @@ def main():
     if Page.kind.executable() is None:
         print(f"{package} is not installed; nothing tested")
         return SKIPPED
-    name = sys.argv[3]
+    if sys.argv[3] not in CASES:
+        sys.exit(f"no such test: {sys.argv[3]}")
     Page.program, Page.folder = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
-    Playing.name = name
-    case = CASES.get(name, Playing)
-    if case is Playing and name not in runs.RUNS:
-        sys.exit(f"no such test: {name}")
-    suite = unittest.defaultTestLoader.loadTestsFromTestCase(case)
+    suite = unittest.defaultTestLoader.loadTestsFromTestCase(CASES[sys.argv[3]])
     return 0 if unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful() else 1
 
 
