@@ -5,14 +5,13 @@
 
 #include <filesystem>
 #include <limits>
-#include <memory>
-#include <random>
 #include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "kinetri/io/tracks_file.h"
+#include "observers/random_runs.h"
 #include "support/component_oracle.h"
 #include "support/disc_runs.h"
 #include "support/precondition_error.h"
@@ -23,6 +22,8 @@ namespace {
 
 using test::Component_oracle;
 using test::Partition;
+using test::run_of;
+using test::seeds;
 using Kind = Component_event_kind;
 
 std::size_t largest(const Partition& partition) {
@@ -183,17 +184,6 @@ void expect_right(const Make& make_simulation, double range, double until) {
     EXPECT_EQ(a.kind, b.kind);
     EXPECT_EQ(a.components, b.components);
   }
-}
-
-template <class Motion>
-auto run_of(const std::vector<Motion>& motions, const Simulation_options& options = {}) {
-  using Traits = std::conditional_t<std::is_same_v<Motion, Linear_motion_2>,
-                                    Linear_kinetic_traits_2, Polynomial_kinetic_traits_2>;
-  return [&motions, &options] { return std::make_unique<Simulation_2<Traits>>(motions, options); };
-}
-
-unsigned seeds(unsigned number) {
-  return number * static_cast<unsigned>(test::multiplier());
 }
 
 // ---- known by construction ----
@@ -377,24 +367,7 @@ TEST(Connected_components, are_those_of_all_pairs_on_tracks_with_gaps) {
 TEST(Connected_components, are_those_of_all_pairs_through_scheduled_changes) {
   for (unsigned seed = 0; seed < seeds(4); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const auto motions = test::grid_motions(12, 6, 1, seed);
-    const auto make = [&] {
-      auto simulation = std::make_unique<Simulation_2<>>(motions, Simulation_options());
-      std::mt19937_64 random(seed);
-      const auto small = [&](unsigned limit) { return static_cast<double>(random() % limit); };
-      for (int k = 1; k <= 24; ++k) {
-        const double time = (1 + small(9)) / 2;
-        Linear_motion_2 motion;
-        motion.position = {small(7) + k * 0x1p-20, small(7)};
-        motion.velocity = {small(3) - 1, small(3) - 1};
-        motion.epoch = time;
-        const auto id = static_cast<Point_id>(random() % 12);
-        if (k % 3 == 0) simulation->schedule_insert(time, motion);
-        if (k % 3 == 1) simulation->schedule_motion(time, id, motion);
-        if (k % 6 == 2) simulation->schedule_erase(time, id);
-      }
-      return simulation;
-    };
+    const auto make = test::scheduled_changes(12, 9, seed);
     for (const double range : {0.0, 1.0, 2.0}) {
       expect_right<Linear_kinetic_traits_2>(make, range, 6);
     }

@@ -10,22 +10,19 @@
 
 #include "kinetri/observers/encounters.h"
 #include "kinetri/simulation/tracks.h"
+#include "observers/random_runs.h"
 #include "support/disc_runs.h"
 #include "support/encounter_oracle.h"
-#include "support/multiplier.h"
 #include "support/precondition_error.h"
 #include "support/random_walks.h"
 
 namespace kinetri::encounters_discs_test {
 namespace {
 
+using test::seeds;
 using Disc_simulation = Simulation_2<Disc_kinetic_traits_2>;
 using Recorder = test::Leg_recorder<Disc_kinetic_traits_2>;
 using Discs = std::vector<Disc_motion_2>;
-
-unsigned seeds(unsigned number) {
-  return number * static_cast<unsigned>(test::multiplier());
-}
 
 Disc_motion_2 disc(const Vector_2& position, const Vector_2& velocity, double radius,
                    double growth = 0) {

@@ -13,20 +13,17 @@
 #include <vector>
 
 #include "kinetri/simulation/tracks.h"
+#include "observers/random_runs.h"
 #include "support/disc_runs.h"
 #include "support/encounter_oracle.h"
-#include "support/multiplier.h"
 #include "support/precondition_error.h"
 #include "support/random_walks.h"
 
 namespace kinetri::encounters_test {
 namespace {
 
+using test::seeds;
 using Recorder = test::Leg_recorder<Linear_kinetic_traits_2>;
-
-unsigned seeds(unsigned number) {
-  return number * static_cast<unsigned>(test::multiplier());
-}
 
 // Keeps who is in range of whom, by what it is told.
 struct Listener : Encounter_observer {

@@ -5,14 +5,13 @@
 
 #include <cmath>
 #include <filesystem>
-#include <memory>
-#include <random>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "kinetri/io/tracks_file.h"
+#include "observers/random_runs.h"
 #include "support/component_oracle.h"
 #include "support/disc_runs.h"
 #include "support/random_walks.h"
@@ -20,6 +19,8 @@
 namespace kinetri::kinetic_spanning_tree_2_test {
 namespace {
 
+using test::run_of;
+using test::seeds;
 using Edges = std::vector<Edge_ids>;
 
 // ---- the oracle: Kruskal's algorithm over all pairs ----
@@ -201,17 +202,6 @@ void expect_right(const Make& make_simulation, double until) {
   EXPECT_EQ(asked.changes().size(), tree.changes().size());
 }
 
-template <class Motion>
-auto run_of(const std::vector<Motion>& motions, const Simulation_options& options = {}) {
-  using Traits = std::conditional_t<std::is_same_v<Motion, Linear_motion_2>,
-                                    Linear_kinetic_traits_2, Polynomial_kinetic_traits_2>;
-  return [&motions, &options] { return std::make_unique<Simulation_2<Traits>>(motions, options); };
-}
-
-unsigned seeds(unsigned number) {
-  return number * static_cast<unsigned>(test::multiplier());
-}
-
 // ---- known by construction ----
 
 // Two points at rest, 4 apart, and one that passes between them, always as far from the one as from
@@ -341,24 +331,7 @@ TEST(Kinetic_spanning_tree_2, is_that_of_all_pairs_on_tracks_with_gaps) {
 TEST(Kinetic_spanning_tree_2, is_that_of_all_pairs_through_scheduled_changes) {
   for (unsigned seed = 0; seed < seeds(3); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const auto motions = test::grid_motions(9, 6, 1, seed);
-    const auto make = [&] {
-      auto simulation = std::make_unique<Simulation_2<>>(motions, Simulation_options());
-      std::mt19937_64 random(seed);
-      const auto small = [&](unsigned limit) { return static_cast<double>(random() % limit); };
-      for (int k = 1; k <= 18; ++k) {
-        const double time = (1 + small(7)) / 2;
-        Linear_motion_2 motion;
-        motion.position = {small(7) + k * 0x1p-20, small(7)};
-        motion.velocity = {small(3) - 1, small(3) - 1};
-        motion.epoch = time;
-        const auto id = static_cast<Point_id>(random() % 9);
-        if (k % 3 == 0) simulation->schedule_insert(time, motion);
-        if (k % 3 == 1) simulation->schedule_motion(time, id, motion);
-        if (k % 6 == 2) simulation->schedule_erase(time, id);
-      }
-      return simulation;
-    };
+    const auto make = test::scheduled_changes(9, 7, seed);
     expect_right<Linear_kinetic_traits_2>(make, 5);
   }
 }

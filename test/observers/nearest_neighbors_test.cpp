@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "kinetri/io/tracks_file.h"
+#include "observers/random_runs.h"
 #include "support/brute_force_simulator.h"
 #include "support/disc_runs.h"
 #include "support/precondition_error.h"
@@ -35,6 +36,8 @@ bool operator==(const Nearest_neighbor_change& a, const Nearest_neighbor_change&
 
 namespace kinetri::nearest_neighbors_test {
 namespace {
+
+using test::seeds;
 
 // ---- the oracle: all triples, in exact arithmetic ----
 
@@ -197,10 +200,6 @@ void run_and_check(const std::vector<typename Traits::Motion>& motions, double u
   run.check();
 }
 
-unsigned seeds(unsigned number) {
-  return number * static_cast<unsigned>(test::multiplier());
-}
-
 // ---- by hand ----
 
 TEST(Nearest_neighbors, change_where_another_point_becomes_nearer) {
@@ -342,20 +341,9 @@ TEST(Nearest_neighbors, of_points_that_come_turn_and_go_are_those_of_all_pairs) 
         simulation.advance_to(simulation.current_time().to_double() +
                               0.25 * static_cast<double>(1 + random() % 4));
       }
-      const Point_id id = static_cast<Point_id>(random() % simulation.triangulation().next_id());
-      const bool is_there = simulation.triangulation().contains(id);
       Linear_motion_2 motion = others[step];
       motion.epoch = simulation.current_time().to_double();
-      try {
-        if (!is_there || random() % 3 == 0) {
-          simulation.insert(motion);
-        } else if (random() % 2 == 0) {
-          simulation.erase(id);
-        } else {
-          simulation.set_motion(id, motion);
-        }
-      } catch (const Coincident_trajectories_error&) {
-      }
+      test::change_at_random(simulation, motion, random);
     }
     run.check();
   }

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "kinetri/io/tracks_file.h"
+#include "observers/random_runs.h"
 #include "support/brute_force_simulator.h"
 #include "support/disc_runs.h"
 #include "support/precondition_error.h"
@@ -24,6 +25,8 @@
 
 namespace kinetri::neighbor_lives_test {
 namespace {
+
+using test::seeds;
 
 // ---- the oracle: the triangulation as it is after each step ----
 
@@ -199,10 +202,6 @@ void expect_same(const std::vector<Neighbor_life>& actual,
 
 std::size_t number_of_short(const std::vector<Neighbor_life>& lives) {
   return static_cast<std::size_t>(std::ranges::count_if(lives, &Neighbor_life::is_short));
-}
-
-unsigned seeds(unsigned number) {
-  return number * static_cast<unsigned>(test::multiplier());
 }
 
 // ---- by hand ----
@@ -458,19 +457,8 @@ TEST(Neighbor_lives, of_points_that_come_turn_and_go_are_those_of_the_triangulat
     for (Linear_motion_2 motion : test::grid_motions(15, 4, 1, seed + 1000)) {
       now += 0.25 * static_cast<double>(random() % 4);
       run.step_to(now);
-      const Point_id id = static_cast<Point_id>(random() % simulation.triangulation().next_id());
-      const bool is_there = simulation.triangulation().contains(id);
       motion.epoch = now;
-      try {
-        if (!is_there || random() % 3 == 0) {
-          simulation.insert(motion);
-        } else if (random() % 2 == 0) {
-          simulation.erase(id);
-        } else {
-          simulation.set_motion(id, motion);
-        }
-      } catch (const Coincident_trajectories_error&) {
-      }
+      test::change_at_random(simulation, motion, random);
       run.look();
     }
     run.step_to(now + 1);

@@ -8,11 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "observers/random_runs.h"
 #include "support/brute_force_simulator.h"
 #include "support/motions.h"
 
 namespace kinetri::proximity_graphs_test {
 namespace {
+
+using test::seeds;
 
 // ---- the oracle: all triples, by the signs of polynomials just after the time ----
 
@@ -108,10 +111,6 @@ std::vector<Linear_motion_2> at_rest(const std::vector<Vector_2>& places) {
   std::vector<Linear_motion_2> motions;
   for (const Vector_2& place : places) motions.push_back({place, {}, 0});
   return motions;
-}
-
-unsigned seeds(unsigned number) {
-  return number * static_cast<unsigned>(test::multiplier());
 }
 
 TEST(Proximity_graphs, of_few_points) {

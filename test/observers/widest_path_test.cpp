@@ -12,12 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "observers/random_runs.h"
 #include "support/motions.h"
 #include "support/precondition_error.h"
 
 namespace kinetri::widest_path_test {
 namespace {
 
+using test::seeds;
 using Kinetic = Kinetic_triangulation_2<Linear_kinetic_traits_2>;
 using Places = std::vector<test::Static_point>;
 
@@ -75,10 +77,6 @@ void check_gaps_are_edges(const Kinetic& kinetic, const Widest_path& path) {
   const auto edges = kinetic.finite_edge_ids();
   for (const Edge_ids& gap : path.gaps) EXPECT_TRUE(std::ranges::binary_search(edges, gap));
   EXPECT_EQ(path.narrowest.has_value(), !path.gaps.empty());
-}
-
-unsigned seeds(unsigned number) {
-  return number * static_cast<unsigned>(test::multiplier());
 }
 
 // A disc a little wider than the way is enclosed; one as wide as the way is not.

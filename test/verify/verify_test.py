@@ -244,7 +244,7 @@ def check_instants(case):
     code, text, _ = case.verify(run, options)
     assert code == 0, text
     for columns, rows in ((3, 4), (5, 5), (8, 3), (30, 30)):
-        for radius in ("0.3", "0.5", "0.7", "1", "2", "4"):
+        for radius in ("0.3", "0.5", "0.7", "1", "2", "4") if columns < 30 else ("0.5", "2"):
             command = [case.kinetri, "wave", "--columns", str(columns), "--rows", str(rows), "--radius", radius]
             result = subprocess.run([*command, "--quiet", "--verify"], capture_output=True, text=True, check=False)
             assert result.returncode == 0, f"{command}: {result.stdout}{result.stderr}"
@@ -257,8 +257,8 @@ FACTORS = {5: 2 + 1j, 13: 3 + 2j, 17: 4 + 1j, 29: 5 + 2j, 37: 6 + 1j}
 
 
 def check_circle(case):
-    """972 points that are always on one circle come to one place and part again: alone, and within a ring that
-    rests, where nearly two thousand rows have one exact time that is no binary64 number, t = 1/3. Alone they have
+    """972 points that are always on one circle come to one place and part again, within a ring that rests: nearly
+    two thousand rows have one exact time that is no binary64 number, t = 1/3. So do 324 of them alone, which have
     the edges after it that they had before."""
     places = {1 + 0j}
     for p, z in FACTORS.items():
@@ -269,7 +269,7 @@ def check_circle(case):
     assert len(set(circle)) == 972 and all(x * x + y * y == radius**2 for x, y in circle)
     collapsing = [(x, y, -3 * x, -3 * y) for x, y in circle]
     ring = [(2 * x, 2 * y, 0, 0) for x, y in circle[::97]] + [(radius // 3, radius // 5, 0, 0)]
-    for points, fewest in ((collapsing, 0), (collapsing + ring, 1900)):
+    for points, fewest in ((collapsing[::3], 0), (collapsing + ring, 1900)):
         run = case.simulate(points, 2)
         assert len([row for row in run.rows if row[2] == "0.3333333333333333"]) >= fewest
         code, text, _ = case.verify(run)
