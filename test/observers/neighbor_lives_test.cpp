@@ -21,12 +21,14 @@
 #include "support/brute_force_simulator.h"
 #include "support/disc_runs.h"
 #include "support/precondition_error.h"
+#include "support/query_oracle.h"
 #include "support/random_walks.h"
 
 namespace kinetri::neighbor_lives_test {
 namespace {
 
 using test::seeds;
+using test::weight_at;
 
 // ---- the oracle: the triangulation as it is after each step ----
 
@@ -61,17 +63,6 @@ Snapshot<Traits> snapshot_of(const Kinetic_triangulation_2<Traits>& kinetic) {
                           id(face->vertex(triangulation.ccw(i))))] = opposite;
   }
   return result;
-}
-
-template <class Motion>
-Rational weight_at(const Motion& motion, const Rational& t) {
-  if constexpr (HasWeight<Motion>) {
-    const Rational radius =
-        to_rational(motion.radius) + to_rational(motion.growth) * (t - to_rational(motion.epoch));
-    return radius * radius + to_rational(motion.weight);
-  } else {
-    return 0;
-  }
 }
 
 // Whether a quotient of polynomials, excess / square, is negative at a root of the excess, as a
