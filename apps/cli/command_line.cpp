@@ -107,7 +107,7 @@ std::string mismatch_problem(const CLI::App& app, const std::string& message) {
     return joined(name, ": has no value; expected one each time");
   }
   const bool is_repeated = option != nullptr && option->count() > 1;
-  return joined(name, ": ", is_repeated ? "is there more than once" : "has no value",
+  return joined(name, ": ", is_repeated ? "is given more than once" : "has no value",
                 "; expected it once, with one value");
 }
 

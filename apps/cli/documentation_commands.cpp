@@ -32,7 +32,7 @@ Command completion_command(const std::string& program_name) {
   const auto shell = std::make_shared<std::string>();
   Command result;
   result.name = "completion";
-  result.summary = "Write the script by which a shell completes command lines";
+  result.summary = "Write the completion script for a shell";
   result.add_required("SHELL", shell.get(), choice_type(shells), "The shell");
   result.description = {
       "Packages install these scripts where shells find them. Without a package, write the script "
@@ -56,8 +56,7 @@ Command manual_command(const std::string& program_name) {
   Command result;
   result.name = "manual";
   result.summary = "Write the manual page";
-  result.description = {
-      with_name("Where Kinetri is installed, `man NAME` shows it.", program_name)};
+  result.description = {with_name("If Kinetri is installed, `man NAME` shows it.", program_name)};
   result.examples = {with_name("NAME manual | man -l -", program_name)};
   result.run = [](const Command& program) {
     return print([&](std::ostream& out) { write_manual(out, program); });

@@ -47,7 +47,7 @@ def named(error: CoincidentTrajectoriesError, labels: list[Any], paths: list[tup
     result = CoincidentTrajectoriesError(
         f"{here} go the same way" + (", and so do " + ", ".join(others) if others else "")
         + ("" if are_all else ", and more pairs")
-        + "; expected things that are apart at one of two observations, or tracks that are made with "
+        + "; expected different positions at one of two observations, or tracks that are made with "
         "coincident='leave-out', which leaves out all but the first of each such group")
     result.ids = error.ids
     return result

@@ -159,11 +159,10 @@ TEST_F(Components, are_asked_for_by_pairs_that_there_are) {
     EXPECT_FALSE(exists("c.csv"));
   };
   expect_error({"--connected", "c.csv", "--between", "0,1"},
-               "--connected: how far apart is near? expected --range R as well");
+               "--connected: needs --range R; expected both");
   expect_error({"--connected", "c.csv", "--range", "1"},
-               "--connected: who is to be connected? expected --between A,B as well");
-  expect_error({"--between", "0,1"},
-               "--between: nothing asks who is connected; expected --connected as well");
+               "--connected: needs --between A,B; expected both");
+  expect_error({"--between", "0,1"}, "--between: no option uses it; expected --connected as well");
   const auto expect_bad = [&](const std::string& between, const std::string& message) {
     expect_error({"--connected", "c.csv", "--range", "1", "--between", between}, message);
   };
@@ -171,10 +170,10 @@ TEST_F(Components, are_asked_for_by_pairs_that_there_are) {
              "--between: there is no point '3' in points.csv; expected the number of a point");
   expect_bad("0,-1", "--between: there is no point '-1' in points.csv");
   expect_bad("99999999999999,1", "--between: there is no point '99999999999999' in points.csv");
-  expect_bad("1,01", "--between: '1' and '01' are one thing; expected two");
-  expect_bad("1", "--between: '1' is no pair; expected two names with a comma between them");
-  expect_bad("0,1,2", "--between: '0,1,2' is no pair");
-  expect_bad("0,", "--between: '0,' is no pair");
+  expect_bad("1,01", "--between: '1' and '01' are the same; expected two that differ");
+  expect_bad("1", "--between: '1' is not a pair; expected two names separated by a comma");
+  expect_bad("0,1,2", "--between: '0,1,2' is not a pair");
+  expect_bad("0,", "--between: '0,' is not a pair");
   expect_bad("\"0,1", "--between: a quotation mark is not closed");
 }
 
@@ -183,8 +182,7 @@ TEST_F(Components, need_a_range_and_points) {
   const Outcome no_range =
       run({"simulate", "points.csv", "--until", "1", "--components", "-", "--quiet"});
   EXPECT_EQ(no_range.exit_code, 2);
-  EXPECT_NE(no_range.err.find("--components: how far apart is near? expected --range R as well"),
-            std::string::npos)
+  EXPECT_NE(no_range.err.find("--components: needs --range R; expected both"), std::string::npos)
       << no_range.err;
   const Outcome discs = run({"simulate", "points.csv", "--until", "1", "--radius", "0.5",
                              "--collisions", "log", "--components", "c.csv", "--range", "1"});

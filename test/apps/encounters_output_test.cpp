@@ -105,12 +105,11 @@ TEST_F(Encounters_output, is_a_contact_plan_too) {
 TEST_F(Encounters_output, needs_a_range) {
   const Outcome without = simulate(three_points, {"--until", "8", "--encounters", "-"});
   EXPECT_EQ(without.exit_code, 2);
-  EXPECT_NE(without.err.find("--encounters: how far apart is near? expected --range R as well"),
-            std::string::npos)
+  EXPECT_NE(without.err.find("--encounters: needs --range R; expected both"), std::string::npos)
       << without.err;
   const Outcome alone = simulate(three_points, {"--until", "8", "--range", "3"});
   EXPECT_EQ(alone.exit_code, 2);
-  EXPECT_NE(alone.err.find("--range: nothing asks what is near"), std::string::npos) << alone.err;
+  EXPECT_NE(alone.err.find("--range: no option uses it"), std::string::npos) << alone.err;
   const Outcome negative =
       simulate(three_points, {"--until", "8", "--encounters", "-", "--range", "-1"});
   EXPECT_EQ(negative.exit_code, 2);

@@ -223,7 +223,7 @@ TEST_F(Interruption, by_the_greatest_number_of_events_writes_what_there_is) {
   const Outcome outcome = run(limited);
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_NE(
-      outcome.err.find("kinetri: more than 6 events, and time has come to t = 3 only, of "
+      outcome.err.find("kinetri: more than 6 events, and the run ends at t = 3 instead of "
                        "1000000000; results up to then are written; expected fewer events, or a "
                        "greater --max-events\n"),
       std::string::npos)

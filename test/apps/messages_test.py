@@ -37,8 +37,8 @@ WITHOUT_CASE = {
     "main_test.cpp brings it about": [
         "kinetri: interrupted within an instant, or another step that is long; nothing written"],
     "verification_test.py brings it about": [
-        "--verify: <path> is not there; expected the program kinetri-verify, which is built and installed with kinetri",
-        "/tmp: writing a temporary file for --verify failed: <reason>; expected room for the logs, or --events, "
+        "--verify: <path> cannot be executed; expected the program kinetri-verify, which is built and installed with kinetri",
+        "/tmp: writing a temporary file for --verify failed: <reason>; expected space for the logs, or --events, "
         "--motions, --initial-edges and --edges with files elsewhere",
         "kinetri: <path> ended without an answer; expected that it verifies the run, or says what is wrong"],
     "it would take a file of many gigabytes": [

@@ -127,7 +127,7 @@ class Jam(unittest.TestCase):
             (self.folder / name).unlink(missing_ok=True)
         result = self.run_to(until, response, more)
         self.assertEqual(result.returncode, 130, (response, result.stderr))
-        match = re.fullmatch(r"kinetri: the discs are jammed \((.+)\), and time has come to t = (\S+) only, "
+        match = re.fullmatch(r"kinetri: the discs are jammed \((.+)\), and the run ends at t = (\S+) instead "
                              rf"of {until}; results up to then are written; expected an earlier end or a "
                              r"smaller share, slower growth, faster or fewer discs, or a larger box\n",
                              result.stderr)
@@ -219,7 +219,7 @@ class Contacts_without_end(unittest.TestCase):
             result = self.run_it(f"simulate p.csv --until 9 {options} --quiet {outputs} {more}")
             self.assertEqual(result.returncode, 130, result.stderr)
             self.assertTrue(result.stderr.startswith(
-                f"p.csv:{place}: time has come to t = {time} only, of 9; results up to then are written; "), result.stderr)
+                f"p.csv:{place}: the run ends at t = {time} instead of 9; results up to then are written; "), result.stderr)
             self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
             statistics = json.loads((self.folder / "s.json").read_text(encoding="utf-8"))
             logged = (self.folder / "e.csv").read_text(encoding="utf-8").splitlines()[1:]

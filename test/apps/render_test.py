@@ -483,7 +483,7 @@ class Bad_input(Rendering):
         self.expect("--view: show: 'discs' is not possible; expected of delaunay", *run, "--view", "show=hull,discs")
         self.expect("--view: point: '50' is not possible", *run, "--view", "point=50")
         self.expect("--view: edge: '1-77' is not possible; expected ids from 0 to 49", *run, "--view", "edge=77-1")
-        self.expect("--output: a.jpg does not say which format it has; expected a name that ends with .svg or .png",
+        self.expect("--output: a.jpg has an unknown ending; expected a name that ends with .svg or .png",
                     "run.html", "-o", "a.jpg")
         self.expect("--width: 8 is out of range; expected a number from 16 to 16384", *run, "--width", "8")
         shutil.copy(self.folder / "run.html", self.folder / "run.svg")

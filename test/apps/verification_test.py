@@ -182,8 +182,8 @@ class Verification(unittest.TestCase):
 
     def test_a_verifier_that_is_not_there_is_named_before_the_run(self):
         _, error = self.run_program("simulate p.csv --until 3 --edges d --verify", 2)
-        self.assertEqual(error, f"kinetri simulate: --verify: {self.bin}/kinetri-verify is not there; expected the "
-                                "program kinetri-verify, which is built and installed with kinetri\n"
+        self.assertEqual(error, f"kinetri simulate: --verify: {self.bin}/kinetri-verify cannot be executed; "
+                                "expected the program kinetri-verify, which is built and installed with kinetri\n"
                                 "Run 'kinetri simulate --help' for what is possible.\n")
         self.assertFalse((self.folder / "d").exists())
 
@@ -191,8 +191,7 @@ class Verification(unittest.TestCase):
         self.place_witness()
         limit = functools.partial(resource.setrlimit, resource.RLIMIT_FSIZE, (100, 100))
         _, error = self.run_program("simulate p.csv --until 3 --edges d --verify --quiet", 2, preexec_fn=limit)
-        self.assertEqual(error, "/tmp: writing a temporary file for --verify failed: File too large; expected room for "
-                                "the logs, or --events, --motions, --initial-edges and --edges with files elsewhere\n")
+        self.assertEqual(error, "/tmp: writing a temporary file for --verify failed: File too large; expected space for the logs, or --events, --motions, --initial-edges and --edges with files elsewhere\n")
         self.assertFalse((self.folder / "d").exists())
         self.assertFalse((self.bin / "seen").exists())
 

@@ -40,7 +40,7 @@ def test_things_that_share_a_path_are_named_by_their_labels():
             with pytest.raises(kinetri.CoincidentTrajectoriesError) as raised:
                 go(make())
             assert str(raised.value) == (
-                "'A' and 'B' from t = 5 on go the same way; expected things that are apart at one of two observations, or "
+                "'A' and 'B' from t = 5 on go the same way; expected different positions at one of two observations, or "
                 "tracks that are made with coincident='leave-out', which leaves out all but the first of each such group")
             assert sorted(raised.value.ids) == [0, 1]
 

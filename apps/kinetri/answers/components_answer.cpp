@@ -18,9 +18,8 @@ std::unique_ptr<Answer> of_points(const char* option, const Any_simulation& simu
     if constexpr (!HasWeight<typename Traits::Motion>) {
       if (s.options().radius == 0) return follow(s);
     }
-    throw Usage_error(joined(option,
-                             ": the points are discs, between whose rims the gap would count; "
-                             "expected points without radii"));
+    throw Usage_error(joined(
+        option, ": distances between discs are not supported; expected points without radii"));
   });
 }
 
@@ -44,7 +43,8 @@ std::vector<Edge_ids> pairs_of_points(const std::array<std::string, 2>& names,
     for (const Point_id b : second) {
       if (a == b) {
         throw Usage_error(joined("--between: ", kinetri::in_quotes(names[0]), " and ",
-                                 kinetri::in_quotes(names[1]), " are one thing; expected two"));
+                                 kinetri::in_quotes(names[1]),
+                                 " are the same; expected two that differ"));
       }
       if (source.are_there_together(a, b)) result.push_back({a, b});
     }

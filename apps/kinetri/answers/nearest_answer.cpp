@@ -11,8 +11,8 @@ std::unique_ptr<Answer> nearest_answer(const Answer_settings& /*settings*/,
       return table_answer<Nearest_neighbors<Traits>>(source, detail::Nearest_neighbor_columns(), s);
     } else {
       throw Usage_error(
-          "--nearest: the edges of a regular triangulation do not tell which discs are nearest; "
-          "expected points, or discs of one size");
+          "--nearest: nearest discs need not be neighbors in a regular triangulation; expected "
+          "points, or discs of one size");
     }
   });
 }

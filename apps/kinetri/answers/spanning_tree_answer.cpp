@@ -13,8 +13,8 @@ std::unique_ptr<Answer> spanning_tree_answer(const Answer_settings& /*settings*/
                                                               detail::Spanning_tree_columns(), s);
     } else {
       throw Usage_error(
-          "--spanning-tree: the triangulation is one of discs of different sizes, which need not "
-          "have the tree of their centres; expected points, or discs of one size");
+          "--spanning-tree: a regular triangulation of discs need not contain the spanning tree of "
+          "their centers; expected points, or discs of one size");
     }
   });
 }

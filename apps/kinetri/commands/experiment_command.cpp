@@ -74,7 +74,7 @@ Experiment_run single_run(const Experiment_options& options) {
 
 Experiment_plan experiment_plan(const Experiment_options& options) {
   if (!options.output) {
-    throw Usage_error("--output: there is none; expected a directory for the tables, or --single");
+    throw Usage_error("--output is missing; expected a directory for the tables, or --single");
   }
   Experiment_plan result;
   result.directory = *options.output;
@@ -126,7 +126,7 @@ Command experiment_command() {
   const auto options = std::make_shared<Experiment_options>();
   Command result;
   result.name = "experiment";
-  result.summary = "Measure run time and number of events against the share of moving points";
+  result.summary = "Measure run time and number of events for several shares of moving points";
   result.add("--points", &options->points, "N", "Number of points (default 100)");
   result.add("--until", &options->until, "T", "Length of each run (default 10)");
   result.add("--speed", &options->speed, "V", "Largest component of a velocity (default 5)");
@@ -140,15 +140,13 @@ Command experiment_command() {
   add_options_of_single_run(result, *options);
   result.description = {
       "The defaults are those of the paper: 100 discs of diameter 1 in a box of 100 x 100, of "
-      "which "
-      "0 %, 10 %, ..., 100 % move, for 10 units of time.",
+      "which 0 %, 10 %, ..., 100 % move, for 10 units of time.",
       "With --sizes the triangulation is the regular one of the discs. No two of them overlap at "
-      "the "
-      "start, and they cover at most a quarter of the box; of one size, random discs may overlap.",
+      "the start, and they cover at most a quarter of the box; of one size, random discs may "
+      "overlap.",
       "The directory of --output gets experiment.csv (a row for each run), runtime.svg and .png, "
       "events.svg and .png, and with --compare comparison.csv, comparison.svg and .png. The "
-      "options "
-      "under \"Outputs\", --audit and --exact-only are for --single.",
+      "options under \"Outputs\", --audit and --exact-only are for --single.",
       "Exit codes: see kinetri simulate."};
   result.examples = {"kinetri experiment --output results --compare",
                      "kinetri experiment --single 50 --seed 3 --html run.html",

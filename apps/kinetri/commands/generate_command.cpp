@@ -196,9 +196,9 @@ Command packing_command() {
   result.name = "packing";
   result.summary = "Discs that grow in a square box until they cover a share of it";
   result.description = {
-      "No two discs overlap, and none is partly outside of the box, exactly. Discs that are jammed "
-      "before they cover the share are an error: thousand discs reach 0.82 if they are equal, and "
-      "0.8 with the ratio 1.4. The command that simulates them in this box is printed to standard "
+      "No two discs overlap, and all are within the box, exactly. It is an error if the discs jam "
+      "before they cover the share: a thousand discs reach 0.82 if they are equal, and 0.8 with "
+      "the ratio 1.4. The command that simulates them in this box is printed to standard "
       "error."};
   result.add_required("--points", &options->points, "N",
                       joined("Number of discs, from 1 to ", most_packed_points));
@@ -207,8 +207,8 @@ Command packing_command() {
   result.add("--sizes", &options->sizes, "RATIO",
              "Radius of every second disc over that of the others, from 1 to 1000 (default 1)");
   result.add("--growth", &options->growth, "G",
-             "Write a column growth: of the mean radius in a unit of time, in proportion to the "
-             "radii");
+             "Write a column growth, in proportion to the radii: G is the growth of the mean "
+             "radius in a unit of time");
   result.add("--seed", &options->seed, "S",
              "Seed of the random numbers, from 0 to 2^64 - 1 (default 1)");
   result.add("--side", &options->side, "L", "Side of the square (default 10 sqrt(N))");

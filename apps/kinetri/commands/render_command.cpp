@@ -63,7 +63,7 @@ std::size_t format_of(std::string_view option, const std::string& path,
   const auto found = std::ranges::find(endings, ending);
   if (found != endings.end()) return static_cast<std::size_t>(found - endings.begin());
   throw Usage_error(joined(option, ": ", path,
-                           " does not say which format it has; expected a name that ends with ",
+                           " has an unknown ending; expected a name that ends with ",
                            alternatives(endings)));
 }
 
@@ -119,7 +119,7 @@ Film_plan film_plan(const Render_options& options, const Picture_options& pictur
        {std::pair("--width", picture.width), std::pair("--height", picture.height)}) {
     if ((result.format != Film_format::webm && result.format != Film_format::mp4) || side % 2 == 0)
       continue;
-    throw Usage_error(joined(option, ": ", side, " is odd, which WebM and MP4 cannot be; ",
+    throw Usage_error(joined(option, ": ", side, " is odd, but WebM and MP4 need even sizes; ",
                              "expected an even number"));
   }
   const double per_time = result.frames_per_second / result.speed;
@@ -236,9 +236,9 @@ Command render_command() {
   result.add("--progress", &options->progress, choice_type(render_progress_modes),
              "Show a progress line; auto (default) shows it on a terminal");
   result.description = {
-      "The pictures are those of the page, without a browser. What the page shows first "
-      "(--html-view) is shown; --view counts more. Its words are those of --html-view, except that "
-      "play, list, draw and the circle under the pointer change nothing.",
+      "The pictures are those of the page, without a browser. They show what the page shows first "
+      "(--html-view), unless --view says otherwise. Its words are those of --html-view; play, "
+      "list, draw and the circle under the pointer have no effect.",
       "PNG and films are drawn by rsvg-convert (Debian: librsvg2-bin), films encoded by ffmpeg. "
       "SVG needs neither.",
       "A film has a frame at its first time and then one after each 1 / N seconds, up to its last "

@@ -32,11 +32,11 @@ Command resume_command() {
   result.description = {
       "The run continues as if it had never stopped: the event log of the first part and that of "
       "this one together are the log of one long run, byte for byte, and events keep counting. "
-      "Box, "
-      "discs and collisions are those of the checkpoint. Counts of events and instants in --stats "
+      "Box, discs and collisions are those of the checkpoint. Counts of events and instants in "
+      "--stats "
       "include the first part.",
       "With --events or --motions, the files that --events, --motions, --initial-edges and --edges "
-      "of the first part have written must be as it left them, or not be there.",
+      "of the first part have written must be unchanged, or absent.",
       "Exit codes: see kinetri simulate."};
   result.examples = {"kinetri resume run.kinetri --until 20 --events more.csv --edges edges.csv",
                      "kinetri resume run.kinetri --until 20 --checkpoint later.kinetri"};

@@ -50,12 +50,12 @@ double range_argument(const Run_options& options) {
     if (!row.has_range || !options.outputs[row.output]) continue;
     is_needed = true;
     if (options.range) continue;
-    throw Usage_error(joined(row.option, ": how far apart is near? expected --range R as well"));
+    throw Usage_error(joined(row.option, ": needs --range R; expected both"));
   }
   if (!options.range) return 0;
   if (!is_needed && !options.outputs[Output::html]) {
-    throw Usage_error(joined("--range: nothing asks what is near; expected one of ",
-                             ranged_outputs(), ", --html as well"));
+    throw Usage_error(joined("--range: no option uses it; expected one of ", ranged_outputs(),
+                             ", --html as well"));
   }
   const double range = number_argument("--range", *options.range);
   if (range < 0) {
@@ -76,19 +76,19 @@ std::array<std::string, 2> names_between(const std::string& text) {
     throw Usage_error(error.what());
   }
   if (names.size() == 2 && !names[0].empty() && !names[1].empty()) return {names[0], names[1]};
-  throw Usage_error(joined(
-      option, ": ", kinetri::in_quotes(text), " is no pair; expected two names with a comma ",
-      "between them, such as 3,7; a name that has a comma in quotation marks"));
+  throw Usage_error(
+      joined(option, ": ", kinetri::in_quotes(text), " is not a pair; expected two names ",
+             "separated by a comma, such as 3,7; a name that contains a comma in quotation marks"));
 }
 
 // The values of --between, which --connected needs.
 std::vector<std::array<std::string, 2>> between_arguments(const Run_options& options) {
   const bool is_needed = options.outputs[Output::connected].has_value();
   if (is_needed && options.between.empty()) {
-    throw Usage_error("--connected: who is to be connected? expected --between A,B as well");
+    throw Usage_error("--connected: needs --between A,B; expected both");
   }
   if (!is_needed && !options.between.empty()) {
-    throw Usage_error("--between: nothing asks who is connected; expected --connected as well");
+    throw Usage_error("--between: no option uses it; expected --connected as well");
   }
   std::vector<std::array<std::string, 2>> result;
   for (const std::string& text : options.between) result.push_back(names_between(text));
@@ -161,8 +161,8 @@ void add_outputs(Command& command, Run_options& options, std::initializer_list<O
     command
         .add("--walkable", &options.walkable, "FILE",
              joined("For ", limited_outputs(),
-                    ": where points can be, polygons with holes as Well-Known Text; in place of "
-                    "the area that the input has, if it has one"))
+                    ": where points can be, as polygons with holes in Well-Known Text; replaces "
+                    "the area of the input, if it has one"))
         .heading = outputs_heading;
     command
         .add("--cutoff", &options.cutoff, "R",
@@ -172,23 +172,22 @@ void add_outputs(Command& command, Run_options& options, std::initializer_list<O
   if (command.find_option("--neighbors") != nullptr) {
     command
         .add("--ridge", &options.ridge, "L",
-             "For --neighbors and --exchanges: say which neighbors had a ridge, the common side of "
-             "their cells, that was always shorter than this, and do not count their exchanges")
+             "For --neighbors and --exchanges: mark neighbors whose ridge, the common side of "
+             "their cells, was always shorter than this, and do not count their exchanges")
         .heading = outputs_heading;
   }
   if (command.find_option("--connected") != nullptr) {
     command
         .add("--between", &options.between, "A,B",
-             "For --connected: two ids of the input; may be there more than once")
+             "For --connected: two ids of the input; may be repeated")
         .heading = outputs_heading;
   }
   if (!has_range) return;
   command
       .add("--range", &options.range, "R",
            joined("For ", ranged_outputs(),
-                  ", and for --html, which then shows who is near: near is what is at most this "
-                  "far apart; of discs, "
-                  "what has at most this gap between the rims"))
+                  ", and for --html, which then shows points near each other: near are points at "
+                  "most this distance apart; discs, with at most this gap between them"))
       .heading = outputs_heading;
 }
 
@@ -241,14 +240,13 @@ void add_run_options(Command& command, Run_options& options,
                 "alone whether the triangulation was right at all times")
       .heading = run_heading;
   command
-      .add(
-          "--max-events", &options.max_events, "N",
-          "Stop once more than N events have happened, and write what there is up to then (default "
-          "1000000000)")
+      .add("--max-events", &options.max_events, "N",
+           "Stop once more than N events have happened, and write the results up to then (default "
+           "1000000000)")
       .heading = run_heading;
   command
       .add("--threads", &options.threads, "N",
-           "Use at most N threads; 0 (default): as many as the machine gives; the outputs are the "
+           "Use at most N threads; 0 (default): as many as are available; the outputs are the "
            "same for any N")
       .heading = run_heading;
   command

@@ -107,7 +107,7 @@ Command simulate_command() {
   result.add("--box", &options->box, "XMIN,YMIN,XMAX,YMAX",
              "Keep the points in this box: its sides reflect them. All points start inside");
   result.add_flag("--rim", options->rim,
-                  "Discs are reflected when their rim touches the box, not their centre");
+                  "Reflect discs when their boundary touches the box, not when their center does");
   add_collisions_option(result, options->collisions, named_responses,
                         collisions_help(named_responses));
   result.add("--radius", &options->radius, "R",
@@ -119,7 +119,7 @@ Command simulate_command() {
              "POINTS, or 1 without it; area, the squares of the radii at the start");
   result.add_flag("--regular", options->regular,
                   "Keep the regular triangulation of the discs, whose dual is the power diagram, "
-                  "also where nothing touches them");
+                  "even if nothing touches them");
   add_run_options(result, options->run,
                   {Output::checkpoint, Output::neighbors, Output::exchanges, Output::nearest,
                    Output::components, Output::connected, Output::spanning_tree, Output::areas,
@@ -130,28 +130,25 @@ Command simulate_command() {
       "acceleration), and of the disc about the point its radius at time 0, its growth (of the "
       "radius, in a unit of time; may be negative) and its mass. A column id has labels; other "
       "columns are ignored.",
-      "Where discs of different or growing radii can touch something (--collisions, --rim), the "
-      "triangulation is the regular one of the discs: discs that touch are neighbors in it. Where "
-      "all radii are equal it is the Delaunay triangulation of the centres, as it is where "
-      "nothing touches.",
-      "Discs that grow may get jammed, with any response: then they have no room left between one "
-      "another or between walls, and the run ends, with the outputs of what happened until then. "
-      "It ends in the same way if points are pressed against a wall or each other, and no response "
-      "separates them.",
+      "If discs of different or growing radii can touch something (--collisions, --rim), or with "
+      "--regular, the triangulation is the regular triangulation of the discs, in which discs that "
+      "touch are neighbors. Else it is the Delaunay triangulation of the centers.",
+      "Discs that grow may become jammed, with any response: they have no free area left between "
+      "one another or between walls. The run then ends, and the outputs hold what happened until "
+      "then. It ends in the same way if points are accelerated against a wall or each other, and "
+      "the response does not separate them.",
       "Ctrl-C stops the run after the events of the present time, and the outputs hold what "
-      "happened until then. Where that takes longer than 0.4 s, and 5 s more for each million "
-      "points, "
+      "happened until then. If that takes longer than 0.4 s plus 5 s for each million points, "
       "nothing is written.",
-      "A run uses all processors that the machine gives, or --threads N of them: at the start, and "
-      "where some 50000 points or more move. "
-      "The outputs are the same for any N, but for what --stats and --plot tell of how the run was "
-      "made.",
-      "With --verify, the answer of kinetri-verify is a line on standard output; on standard error "
-      "if an output of the run goes to standard output. A run that a signal stops, or contacts "
-      "without end, is not verified.",
+      "A run uses all available processors, or --threads N of them, at the start, and throughout "
+      "if about 50000 points or more move. The outputs are the same for any N, except the counters "
+      "and times of --stats and --plot.",
+      "With --verify, kinetri-verify writes one line to standard output, or to standard error if "
+      "an output of the run goes to standard output. A run that was stopped by a signal, or by "
+      "contacts without end, is not verified.",
       "Exit codes: 0 done; 1 an audit failed, or kinetri-verify refuted the run; 2 bad usage or "
-      "bad "
-      "input; 3 an internal check failed; 130 interrupted, jammed, or in contacts without end."};
+      "bad input; 3 an internal check failed; 130 interrupted, jammed, or in contacts without "
+      "end."};
   result.examples = {"kinetri simulate points.csv --until 10 --events events.csv --edges edges.csv",
                      "kinetri simulate points.csv --until 10 --html run.html",
                      "kinetri simulate points.csv --until 10 --verify",

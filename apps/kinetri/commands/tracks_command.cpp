@@ -163,34 +163,32 @@ Command tracks_command() {
   result.add("--format", &options->format, choice_type(format_names()), format_help());
   result.add(
       "--columns", &options->columns, "t=T,id=ID,x=X,y=Y",
-      "Which columns of a table have the times, ids and places, and with radius=R the radii: their "
-      "names in the header, or in a table without a header their numbers, from 1 on, as in "
-      "t=1,id=2,x=3,y=4. Times in two columns have a plus sign between, t=DATE+TIME. Fields are "
+      "Which columns of a table have the times, ids and positions, and with radius=R the radii: "
+      "their names in the header, or in a table without a header their numbers, from 1 on, as in "
+      "t=1,id=2,x=3,y=4. A plus sign joins two columns of a time, t=DATE+TIME. Fields are "
       "separated by commas, semicolons, tabs or blanks. In GeoJSON, the properties t and id");
-  result.add(
-      "--projection", &options->projection, choice_type(projections),
-      "Places in degrees of longitude and latitude: none takes them as they are; local makes "
-      "them metres, by an equirectangular projection about the middle of the data; utm makes "
-      "them metres of its zone of UTM. A file in which distances would be off by more than 0.1 % "
-      "is refused");
+  result.add("--projection", &options->projection, choice_type(projections),
+             "Positions in degrees of longitude and latitude: none takes them as they are; local "
+             "converts them to meters by an equirectangular projection about the middle of the "
+             "data; utm converts them to meters in its zone of UTM. A file in which distances "
+             "would be off by more than 0.1 % is refused");
   result.add(
       "--date-format", &options->date_format, "F",
       "The form of dates that are not ISO 8601, such as '%d/%m/%Y %H:%M:%S' (as of strptime; "
       "%S takes a fraction); or of times of day, such as %H:%M:%S, which become seconds since "
       "midnight");
-  result.add(
-      "--duplicates", &options->duplicates, choice_type(duplicates),
-      "Several places of an id at one time: take the first or last in the file, or their "
-      "mean, or refuse the file (default: take the first, and refuse a file in which half of "
-      "the times of an id or more have several places)");
+  result.add("--duplicates", &options->duplicates, choice_type(duplicates),
+             "Several positions of an id at one time: take the first or last in the file, or their "
+             "mean, or refuse the file (default: take the first, but refuse a file in which half "
+             "of the times of an id or more have several positions)");
   result.add("--unwrap", &options->unwrap, choice_type(unwraps),
-             "Atoms that leave a periodic box and come in on its other side go on to the nearest "
-             "image of their next place (default: they are refused)");
+             "Atoms that leave a periodic box and enter it on the other side move to the nearest "
+             "image of their next position (default: refuse the file)");
   result.add("--coincident", &options->coincident, choice_type(coincidences),
-             "Things that are at one place for some time: refuse the file (default), or leave out "
-             "all of such a group but the one that comes first");
+             "Ids that coincide for some time: refuse the file (default), or leave out all ids of "
+             "such a group but the first");
   result.add("--fps", &options->fps, "F",
-             "Frames in a unit of time in TRACKS, where times are numbers of frames (default: the "
+             "Frames in a unit of time in TRACKS, if its times are numbers of frames (default: the "
              "rate that TRACKS gives, or 1). The rate of --frames is --frames-per-time");
   result.add("--from", &options->from, "T",
              "Start just after this time (default: the first observation)");
@@ -200,7 +198,7 @@ Command tracks_command() {
       "An id that is not observed for longer than this leaves, and comes back as a new point");
   result.add("--closest", &options->closest, "K",
              "Write the K closest approaches of neighbors to standard output, as CSV; of discs of "
-             "different sizes those of the least gaps between rims");
+             "different sizes, those with the smallest gaps");
   add_collisions_option(result, options->collisions, none_and_log, collisions_help(none_and_log));
   result.add("--radius", &options->radius, "R",
              "Radius of all discs around the points, if TRACKS has no column radius");
@@ -212,8 +210,8 @@ Command tracks_command() {
       "A point moves in a straight line at constant velocity from one observation of its id to the "
       "next. It is inserted at the first observation and erased at the last one; an id with one "
       "observation is left out. Rows may be in any order, and copies of a row are left out.",
-      "In the event log points have numbers, in the order in which they are inserted; --ids says "
-      "which id each one is.",
+      "The event log numbers points in the order in which they are inserted; --ids writes the id "
+      "of each.",
       "Exit codes: see kinetri simulate."};
   result.examples = {"kinetri tracks tracks.csv --events events.csv --ids ids.csv --audit end",
                      "kinetri tracks crowd.txt --format frames --fps 25 --closest 10",

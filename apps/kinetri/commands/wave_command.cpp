@@ -34,7 +34,7 @@ struct Wave_options {
 std::size_t lattice_count(std::string_view option, const std::string& text) {
   const std::uint64_t value = count_argument(option, text, most_wave_points);
   if (value > 0) return static_cast<std::size_t>(value);
-  throw Usage_error(joined(option, ": 0 make no lattice; expected 1 or more"));
+  throw Usage_error(joined(option, ": 0 is too few; expected 1 or more"));
 }
 
 Wave_setting wave_setting(const Wave_options& options) {
@@ -65,7 +65,7 @@ Wave_setting wave_setting(const Wave_options& options) {
   if (!(result.jitter < room)) {
     throw Usage_error(joined("--jitter: ", options.jitter,
                              " lets neighbors overlap; expected less than ", room,
-                             ", half of what is between them"));
+                             ", half of the gap between them"));
   }
   result.seed = seed_argument(options.seed);
   return result;

@@ -73,7 +73,7 @@ Tool_result run_tool(const std::string& program, std::vector<std::string> argume
   const bool is_written = std::fwrite(input.data(), 1, input.size(), in.get()) == input.size() &&
                           std::fflush(in.get()) == 0;
   if (!is_written) {
-    throw Output_error(program + ": its input cannot be kept; expected room for temporary files");
+    throw Output_error(program + ": its input cannot be kept; expected space for temporary files");
   }
   std::rewind(in.get());
   const auto status = run_child(program, std::move(arguments),

@@ -43,7 +43,7 @@ std::string drawn(const std::string& terminal, const std::string& script) {
 void require_gnuplot(std::string_view otherwise) {
   if (run_tool("gnuplot", {"--version"}, "").succeeded()) return;
   throw Usage_error(
-      joined("plots are drawn by gnuplot, which is not there; expected it installed (Debian: "
+      joined("gnuplot, which draws plots, is not installed; expected it (Debian: "
              "gnuplot-nox), or ",
              otherwise));
 }

@@ -65,11 +65,11 @@ inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
     {Output::events, "--events", "-o,--events", "FILE",
      "Write the event log here, as CSV; - is standard output"},
     {Output::motions, "--motions", "--motions", "FILE",
-     "Write the motions of the points at the start, and each change of a motion with the number of "
-     "its event, here, as CSV"},
+     "Write here the motions of the points at the start, and each later change with the number of "
+     "its event, as CSV"},
     {Output::certificates, "--certificates", "--certificates", "FILE",
-     "Write why each event happened when it did here: its polynomial, and the signs of the Sturm "
-     "sequence that prove it, as lines of JSON"},
+     "Write a proof of the time of each event here: its polynomial, and the signs of its Sturm "
+     "sequence, as lines of JSON"},
     {Output::initial_edges, "--initial-edges", "--initial-edges", "FILE",
      "Write the edges of the triangulation just after the start here, as CSV"},
     {Output::edges, "--edges", "--edges", "FILE",
@@ -77,8 +77,7 @@ inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
     {Output::stats, "--stats", "--stats", "FILE",
      "Write counts of events and certificates, and run times, here, as JSON"},
     {Output::ids, "--ids", "--ids", "FILE",
-     "Write a table here that says which point of the run is which id, and from when to when, as "
-     "CSV",
+     "Write here the id of each point of the run, and from when to when the point exists, as CSV",
      Offered::by_request},
     {Output::checkpoint, "--checkpoint", "--checkpoint", "FILE",
      "Write the state at the end, or at an interruption, here, for kinetri resume",
@@ -92,20 +91,21 @@ inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
      "Draw events, queue lengths and run times here, as SVG (needs gnuplot)"},
     {Output::closest, "--closest", "--closest", "FILE", "", Offered::by_request},
     {Output::neighbors, "--neighbors", "--neighbors", "FILE",
-     "Write here from when until when which points were neighbors in the triangulation, as CSV",
+     "Write here each pair of points that were neighbors in the triangulation, and from when until "
+     "when, as CSV",
      Offered::by_request},
     {Output::exchanges, "--exchanges", "--exchanges", "FILE",
      "Write here how often each point gained or lost a neighbor by an exchange (T1), as CSV",
      Offered::by_request},
     {Output::nearest, "--nearest", "--nearest", "FILE",
-     "Write here which point is the nearest neighbor of each point, from when on, as CSV",
+     "Write here the nearest neighbor of each point, and each change of it, as CSV",
      Offered::by_request},
     {Output::components, "--components", "--components", "FILE",
-     "Write here how the points that are near each other make up connected components: each merge "
-     "and split, as CSV; needs --range",
+     "Write here each merge and split of the components that points near each other form, as CSV; "
+     "needs --range",
      Offered::by_request, true},
     {Output::connected, "--connected", "--connected", "FILE",
-     "Write here from when until when the points of --between were connected, by points that are "
+     "Write here from when until when the points of --between were connected, by chains of points "
      "near each other, as CSV; needs --range",
      Offered::by_request, true},
     {Output::spanning_tree, "--spanning-tree", "--spanning-tree", "FILE",
@@ -113,17 +113,17 @@ inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
      "which edge is the longest, as CSV",
      Offered::by_request},
     {Output::areas, "--areas", "--areas", "FILE",
-     "Write the area of each point's Voronoi cell in each frame here, and the density, as CSV; of "
-     "discs the power cell",
+     "Write here the area of each point's Voronoi cell, of a disc's power cell, and the density, "
+     "in each frame, as CSV",
      Offered::by_request, false, true},
     {Output::mean_areas, "--mean-areas", "--mean-areas", "FILE",
-     "Write the mean of that area over the whole time in which a point is there here, as CSV",
+     "Write here the mean of that area over the time for which each point exists, as CSV",
      Offered::by_request, false, true},
     {Output::encounters, "--encounters", "--encounters", "FILE",
      "Write all pairs that come near each other here, from when until when, as CSV; needs --range",
      Offered::by_request, true},
     {Output::contact_plan, "--contact-plan", "--contact-plan", "FILE",
-     "Write the same times here as contacts of a network, as JSON; needs --range",
+     "Write the same encounters here as contacts of a network, as JSON; needs --range",
      Offered::by_request, true},
 }};
 

@@ -28,9 +28,10 @@ std::string path_of_verifier() {
   if (error) return "kinetri-verify";  // where the system does not tell, PATH may lead to it
   const fs::path path = program.parent_path() / "kinetri-verify";
   if (::access(path.c_str(), X_OK) == 0) return path.string();
-  throw Usage_error(joined("--verify: ", path.string(),
-                           " is not there; expected the program kinetri-verify, which is built and "
-                           "installed with kinetri"));
+  throw Usage_error(
+      joined("--verify: ", path.string(),
+             " cannot be executed; expected the program kinetri-verify, which is built and "
+             "installed with kinetri"));
 }
 
 // What is there after the run to be read once more.
@@ -96,7 +97,7 @@ void Verification::finish(const Any_simulation& simulation) {
     if (file.stream) continue;
     throw Output_error(joined("/tmp: writing a temporary file for --verify failed: ",
                               std::generic_category().message(errno != 0 ? errno : EIO),
-                              "; expected room for the logs, or --events, --motions, "
+                              "; expected space for the logs, or --events, --motions, "
                               "--initial-edges and --edges with files elsewhere"));
   }
 }

@@ -16,7 +16,7 @@ const std::vector<std::string> drawing_arguments = {"--format=png", "--unlimited
 [[noreturn]] void fail_drawing(const std::string& says) {
   throw Output_error(
       joined("rsvg-convert: drawing failed; expected one of librsvg 2.52 or newer (Debian: "
-             "librsvg2-bin), and room in /tmp; it said: ",
+             "librsvg2-bin), and space in /tmp; it said: ",
              says));
 }
 
@@ -44,7 +44,7 @@ std::vector<std::string> encoding_arguments(Film_format format) {
 void require_drawing_tool(std::string_view otherwise) {
   if (run_tool("rsvg-convert", {"--version"}, "").succeeded()) return;
   throw Usage_error(
-      joined("pictures are drawn by rsvg-convert, which is not there; expected it installed "
+      joined("rsvg-convert, which draws pictures, is not installed; expected it "
              "(Debian: librsvg2-bin), or ",
              otherwise));
 }
@@ -52,8 +52,7 @@ void require_drawing_tool(std::string_view otherwise) {
 void require_film_tool(std::string_view otherwise) {
   if (run_tool("ffmpeg", {"-version"}, "").succeeded()) return;
   throw Usage_error(joined(
-      "films are made by ffmpeg, which is not there; expected it installed (Debian: ffmpeg), or ",
-      otherwise));
+      "ffmpeg, which makes films, is not installed; expected it (Debian: ffmpeg), or ", otherwise));
 }
 
 std::string png_of(const std::string& svg) {
@@ -65,7 +64,7 @@ std::string png_of(const std::string& svg) {
 void Film::add(const std::string& svg) {
   const std::string png = png_of(svg);
   if (std::fwrite(png.data(), 1, png.size(), frames_.get()) == png.size()) return;
-  throw Output_error("/tmp: writing the frames of the film failed; expected room for them");
+  throw Output_error("/tmp: writing the frames of the film failed; expected space for them");
 }
 
 std::string Film::encoded(Film_format format, double frames_per_second) const {
@@ -94,7 +93,7 @@ std::string Film::encoded(Film_format format, double frames_per_second) const {
   const std::string says = content(err);
   throw Output_error(
       joined("ffmpeg: encoding failed; expected an ffmpeg with the encoders gif, libwebp_anim, "
-             "libvpx-vp9 and libx264 (Debian: ffmpeg), and room in /tmp; it said: ",
+             "libvpx-vp9 and libx264 (Debian: ffmpeg), and space in /tmp; it said: ",
              says.substr(0, says.find_last_not_of('\n') + 1)));
 }
 

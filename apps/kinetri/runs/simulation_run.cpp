@@ -267,8 +267,8 @@ double Simulation_run::end_of_run() const {
       });
   if (end) return *end;
   throw Usage_error(
-      "--until-share: only discs that grow in a box, and have to make room for each other, cover "
-      "more and more of it; expected discs that grow, --box, --rim and --collisions elastic");
+      "--until-share: the share that the discs cover need not increase; expected discs that grow, "
+      "--box, --rim and --collisions elastic");
 }
 
 void Simulation_run::watch_growth() {
@@ -458,7 +458,7 @@ std::string Simulation_run::jammed_discs() const {
 }
 
 void Simulation_run::report_early_end() const {
-  const std::string where = joined("time has come to t = ", statistics_.reached, " only, of ",
+  const std::string where = joined("the run ends at t = ", statistics_.reached, " instead of ",
                                    statistics_.until, "; results up to then are written; ");
   if (jammed_) {
     report("kinetri", joined("the discs are jammed (", jammed_discs(), "), and ", where,

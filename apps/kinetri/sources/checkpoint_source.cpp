@@ -86,7 +86,7 @@ Any_simulation Checkpoint_source::make_simulation(Arithmetic arithmetic) const {
   }
   const auto restored = [&]<class Traits>(const Simulation_snapshot<Traits>& snapshot) {
     if ((response->response != nullptr) != snapshot.has_response) {
-      throw fail(joined("the response '", response->name, "' does not go with the state"));
+      throw fail(joined("the response '", response->name, "' does not match the state"));
     }
     using Simulation = Simulation_2<Traits>;
     return Any_simulation(std::unique_ptr<Simulation>(

@@ -103,7 +103,7 @@ class Disc_reader {
         !std::ranges::all_of(discs_.growths, is_nothing)) {
       return;
     }
-    fail(0, "the radius is 0, and discs without one never touch; expected a radius greater than 0");
+    fail(0, "the radius is 0, and such discs never touch; expected a radius greater than 0");
   }
 
   [[noreturn]] void fail(std::size_t i, const std::string& problem) const {
@@ -136,11 +136,10 @@ std::vector<double> point_masses(const Points_file& points, const Point_discs& d
     const double radius = discs.radii[i] + discs.growths[i] * settings.from;
     result.push_back(radius * radius);
     if (result.back() > 0 && std::isfinite(result.back())) continue;
-    throw Input_error(
-        input_name(settings.points), points.lines[i],
-        joined("the radius at the start is ", radius,
-               ", and its square no mass; expected one whose square is greater than 0 and a "
-               "binary64 number, or --mass column"));
+    throw Input_error(input_name(settings.points), points.lines[i],
+                      joined("the radius at the start is ", radius,
+                             ", and its square is not a mass; expected a radius whose square is "
+                             "greater than 0 and a binary64 number, or --mass column"));
   }
   return result;
 }

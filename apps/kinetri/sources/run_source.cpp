@@ -29,7 +29,7 @@ Input_error Run_source::coincidence(const Coincident_trajectories_error& error, 
   return Input_error(
       path().empty() ? title() : input_name(path()), 0,
       joined("at t = ", time, " a contact leaves points ", error.first(), " and ", error.second(),
-             " in one place with one velocity; expected trajectories that stay distinct"));
+             " with the same position and velocity; expected trajectories that stay distinct"));
 }
 
 void Run_source::describe(Viewer_settings& settings) const {

@@ -156,7 +156,7 @@ void Tracks_source::check_velocities() const {
       if (is_finite(motion_after(observations_[stay.track], i))) continue;
       const Track& track = file_.tracks[stay.track];
       throw error(track.observations[i + 1].line,
-                  joined("id ", kinetri::in_quotes(track.id), " goes too far too fast since ",
+                  joined("id ", kinetri::in_quotes(track.id), " moves too fast since ",
                          file_.place_name, ' ', track.observations[i].line,
                          "; expected a velocity that is a binary64 number"));
     }
@@ -212,7 +212,7 @@ void Tracks_source::check_radii() const {
     return;
   }
   throw error(file_.tracks.front().observations.front().line,
-              "the radius is 0, and discs without one never touch; expected a radius greater "
+              "the radius is 0, and such discs never touch; expected a radius greater "
               "than 0");
 }
 
@@ -243,7 +243,7 @@ Input_error Tracks_source::coincidence(const Coincident_trajectories_error& coin
       std::max(one, other),
       joined("from t = ", time, " on ids ", pair_of(first, second), " go the same way (see ",
              file_.place_name, ' ', std::min(one, other), ")", others,
-             "; expected things that are apart at one of two observations, or --coincident "
+             "; expected different positions at one of two observations, or --coincident "
              "leave-out, which leaves out all but the first of each such group"));
 }
 

@@ -108,7 +108,7 @@ inline constexpr std::array<Named_response, 6> named_responses = {
      {"swap", swap_velocities, "they exchange velocities"},
      {"elastic", collide_elastically, "they collide elastically"},
      {"stop", stop_both, "both stop"},
-     {"remove", erase_both, "both vanish"}}};
+     {"remove", erase_both, "both are erased"}}};
 
 namespace detail {
 
