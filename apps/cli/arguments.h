@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The values of command line options. Options are read as text and judged here, so that numbers
-// mean on the command line what they mean in files, and so that every message says what was
-// expected.
+// The values of command line options. Options are read as text and checked here, so that numbers
+// mean the same on the command line as in files, and every message says what was expected.
 #ifndef KINETRI_APPS_ARGUMENTS_H
 #define KINETRI_APPS_ARGUMENTS_H
 
@@ -22,14 +21,13 @@ class Usage_error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A run cannot go on, or cannot begin, for a reason that lies in what the user has asked for.
-/// `what()` says it.
+/// A run cannot start or continue because of what the user has asked for. `what()` is the message.
 class Run_error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The finite number that `text` is; see parse_number. Throws Usage_error.
+/// The finite number in `text`; see parse_number. Throws Usage_error.
 double number_argument(std::string_view option, std::string_view text);
 
 /// As number_argument, greater than 0.
@@ -45,7 +43,7 @@ double radius_argument(std::string_view option, std::string_view text);
 double size_argument(std::string_view option, std::string_view text, double lowest, double highest,
                      bool zero_allowed);
 
-/// The whole number that `text` is, from 0 to `highest`. Throws Usage_error.
+/// The whole number in `text`, from 0 to `highest`. Throws Usage_error.
 std::uint64_t count_argument(std::string_view option, std::string_view text, std::uint64_t highest);
 
 /// The index of `text` in `choices`. Throws Usage_error.

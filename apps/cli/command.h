@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The commands and options of the program as plain values. What they say is written once, here and
-// in commands/; the command line's meaning, --help, the manual page and the completions are made
-// from it.
+// The commands and options of a program as plain values. The parser, --help, the manual page and
+// the completions are all generated from them.
 #ifndef KINETRI_APPS_COMMAND_H
 #define KINETRI_APPS_COMMAND_H
 
@@ -26,8 +25,8 @@ enum class Value_kind {
   other,  ///< a number, for example: nothing is completed
 };
 
-/// Where the parser puts the value of an option, as it stands on the command line; of one that may
-/// be there more than once, the values.
+/// Where the parser stores the text of an option's value; of an option that may be repeated, all
+/// values.
 using Option_target =
     std::variant<bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*>;
 
@@ -39,14 +38,14 @@ struct Option {
   Option_target target = static_cast<bool*>(nullptr);
   bool required = false;
   std::string heading = {};   ///< in --help; empty: "Options"
-  std::string needs = {};     ///< the name of an option without which this one means nothing
+  std::string needs = {};     ///< the name of an option that this one requires
   std::string excludes = {};  ///< the name of an option with which this one cannot be used
-  /// Of a required one, the name of an option that may stand in its place. The command itself must
-  /// then see that there is one of the two.
+  /// Of a required option, the name of one that may replace it. The command itself must check that
+  /// one of the two is given.
   std::string alternative = {};
 
   bool positional() const { return !names.back().starts_with('-'); }
-  /// In help: whether it is required, and what may stand in its place.
+  /// In help: whether it is required, and what may replace it.
   std::string remark() const;
   /// The long name.
   const std::string& name() const { return names.back(); }
@@ -66,14 +65,14 @@ struct Command {
   std::vector<Command> commands = {};  ///< one of which must be named, if there are any
   /// Of a program: its exit codes, and what each means, for the manual page.
   std::vector<std::pair<int, std::string>> exit_codes = {};
-  /// What it does after parsing; it may throw Usage_error. Given the whole program.
+  /// Called with the whole program after parsing. May throw Usage_error.
   std::function<Exit_code(const Command& program)> run = nullptr;
 
   /// Adds an option, or a positional argument if `names` has no dashes, and returns it. `names`
   /// reads "-o,--output". The reference is valid until the next one is added.
   Option& add(const std::string& names, Option_target target, const std::string& type,
               const std::string& help);
-  /// The same for one without which the command is not run.
+  /// Adds one that the command requires.
   Option& add_required(const std::string& names, Option_target target, const std::string& type,
                        const std::string& help);
   /// Adds an option without a value.

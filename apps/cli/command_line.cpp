@@ -19,7 +19,7 @@ CLI::Option* declare_option(CLI::App& app, const Option& option) {
   return std::visit(
       [&](auto* target) -> CLI::Option* {
         if constexpr (std::is_same_v<decltype(target), bool*>) {
-          // CLI11 knows --help and --version itself.
+          // CLI11 has added --help and --version itself.
           return target == nullptr ? app.get_option(option.name()) : app.add_flag(names, *target);
         } else if constexpr (std::is_same_v<decltype(target), std::vector<std::string>*>) {
           return app.add_option(names, *target)->allow_extra_args(false);  // one value each time
@@ -43,7 +43,7 @@ void declare(CLI::App& app, const Command& command) {
   if (!command.commands.empty()) app.require_subcommand(1);
 }
 
-// The command that the command line got to.
+// The command that the command line names.
 struct Chosen {
   const CLI::App* app;
   const Command* command;
@@ -73,7 +73,7 @@ std::vector<std::string> names_of_options(const Command& command) {
   return result;
 }
 
-// What is wrong with a word that `command` does not know.
+// The message for a word that is not known to `command`.
 std::string unknown_problem(const std::string& word, const Command& command) {
   const bool is_option = word.starts_with('-');
   const std::vector<std::string> names =
@@ -86,7 +86,7 @@ std::string unknown_problem(const std::string& word, const Command& command) {
   return joined("'", word, "' is unknown; expected ", expected);
 }
 
-// The option, or the argument, that the command cannot do without and does not have.
+// The message for a required option or argument that is missing.
 std::string missing_problem(const Chosen& chosen) {
   for (const Option& option : chosen.command->options) {
     if (!option.required || chosen.app->get_option(option.name())->count() > 0) continue;
@@ -98,7 +98,7 @@ std::string missing_problem(const Chosen& chosen) {
   return {};
 }
 
-// What is wrong with an option that has not exactly one value. CLI11's message begins with its
+// The message for an option that does not have exactly one value. CLI11's message begins with its
 // name.
 std::string mismatch_problem(const CLI::App& app, const std::string& message) {
   const std::string name = message.substr(0, message.find(':'));
@@ -111,10 +111,10 @@ std::string mismatch_problem(const CLI::App& app, const std::string& message) {
                 "; expected it once, with one value");
 }
 
-// What is wrong with a command line that CLI11 rejects.
+// The message for a command line that CLI11 rejects.
 std::string usage_problem(const CLI::App& program, const Chosen& chosen,
                           const CLI::ParseError& error) {
-  // First what is unknown: it may be a misspelling of what is missing.
+  // Unknown words first: one may be a misspelling of a missing option.
   if (const auto rest = chosen.app->remaining(); !rest.empty()) {
     const auto option = std::find_if(rest.begin(), rest.end(), [](const std::string& word) {
       return word.size() > 1 && word.starts_with('-');

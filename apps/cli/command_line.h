@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From the words of the command line to the command that they name. CLI11, which is all in headers,
-// is compiled for this alone.
+// Parses command lines. Only the source of this header includes CLI11, which is slow to compile.
 #ifndef KINETRI_APPS_COMMAND_LINE_H
 #define KINETRI_APPS_COMMAND_LINE_H
 
@@ -21,7 +20,7 @@ struct Invocation {
   std::string problem = {};  ///< why the command line cannot be used, if the request is nothing
 };
 
-/// Reads a command line. The values of the options stand in their targets afterwards.
+/// Parses a command line, and stores the values of the options in their targets.
 Invocation parse(const Command& program, int argc, const char* const* argv);
 
 }  // namespace kinetri::app

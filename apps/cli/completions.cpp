@@ -147,7 +147,7 @@ void write_zsh_function(std::ostream& out, const Command& command, const std::st
 
 // ---- fish ----
 
-// `begin`: how each line begins that completes the command.
+// `begin`: the beginning of each line.
 void write_fish_option(std::ostream& out, const std::string& begin, const Option& option) {
   out << begin;
   for (const std::string& name : option.names) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Scripts by which shells complete the program's command lines: commands, options, and the values
-// of those whose values are choices, files or directories.
+// Scripts for shells that complete commands, options, and values that are choices, files or
+// directories.
 #ifndef KINETRI_APPS_COMPLETIONS_H
 #define KINETRI_APPS_COMPLETIONS_H
 

@@ -77,14 +77,14 @@ Command help_command(const Command& all, const std::string& remark,
   result.description = {
       with_name("`NAME help COMMAND` shows what `NAME COMMAND --help` shows.", all.name) + remark};
   result.examples = examples;
-  // The parser itself finds the command (see parse); this one keeps the target alive.
+  // parse() itself finds the command; capturing `command` keeps the target alive.
   result.run = [command](const Command& program) {
     return print([&](std::ostream& out) { out << help_text(program, program.name); });
   };
   return result;
 }
 
-// Each command knows --help, and so do its commands.
+// Adds --help to the command, and to all commands in it.
 void add_help(Command& command) {
   command.options.insert(command.options.begin(),
                          {{"-h", "--help"}, "", "Show this help and exit"});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// help, completion and manual, --help and --version: what a program says of itself, made from its
-// own commands.
+// The commands help, completion and manual, and the options --help and --version, generated from a
+// program's commands.
 #ifndef KINETRI_APPS_DOCUMENTATION_COMMANDS_H
 #define KINETRI_APPS_DOCUMENTATION_COMMANDS_H
 
@@ -12,8 +12,8 @@
 
 namespace kinetri::app {
 
-/// Adds these commands to the program, which has all others, and these options. The help of help
-/// has the examples, and the remark at its end.
+/// Adds these commands and options to the program, which must have all others. The help of the
+/// command help gets the examples, and ends with the remark.
 void add_documentation_commands(Command& program, const std::string& remark,
                                 const std::vector<std::string>& examples);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How the program ends. Scripts rely on the numbers.
+// Exit codes. Scripts rely on the numbers.
 #ifndef KINETRI_APPS_EXIT_CODE_H
 #define KINETRI_APPS_EXIT_CODE_H
 

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t line_width = 80;
 constexpr std::size_t label_width = 28;
 
-// The text in lines of at most `line_width` columns. The first goes on where `column` is, the
-// others begin with `indent` blanks.
+// Wraps the text to `line_width` columns. The first line starts at `column`, the others with
+// `indent` blanks.
 std::string wrapped(std::string_view text, std::size_t column, std::size_t indent) {
   std::string result;
   bool is_first_word = true;
@@ -39,7 +39,7 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
   return result;
 }
 
-// A line "  label   text"; the text begins on the next one where the label is long.
+// A line "  label   text". If the label is long, the text begins on the next line.
 std::string row(const std::string& label, const std::string& text) {
   std::string result = joined("  ", label);
   if (result.size() + 2 > label_width) {

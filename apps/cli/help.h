@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What --help shows of a command.
+// The text of --help.
 #ifndef KINETRI_APPS_HELP_H
 #define KINETRI_APPS_HELP_H
 
@@ -10,14 +10,14 @@
 
 namespace kinetri::app {
 
-/// The name of the command, its arguments and the options that it cannot do without, as one types
-/// them: "kinetri simulate POINTS --until T [OPTIONS]". `name` is the command's full name.
+/// The name of the command with its arguments and required options: "kinetri simulate POINTS
+/// --until T [OPTIONS]". `name` is the command's full name.
 std::string usage_line(const Command& command, const std::string& name);
 
-/// The names of the option and its type, as one types them: "-o, --output FILE".
+/// The names of the option and its type: "-o, --output FILE".
 std::string option_label(const Option& option);
 
-/// The text of --help, in lines of at most 80 columns where words allow it. Headings are bold if
+/// The text of --help, in lines of at most 80 columns unless a word is longer. Headings are bold if
 /// standard output has colors.
 std::string help_text(const Command& command, const std::string& name);
 

@@ -18,16 +18,16 @@
 namespace kinetri::app {
 namespace {
 
-// The last one tells that a run has not noticed one of the others.
+// SIGALRM means that the run has not reacted to one of the others in time.
 constexpr std::array<int, 4> signals = {SIGINT, SIGTERM, SIGHUP, SIGALRM};
 
-// What there is to lose when a signal comes.
+// What a signal would interrupt.
 enum Stage : int {
   reading,     // nothing: the process ends
-  running,     // what the run has come to: it is asked to stop
-  writing,     // the outputs: they are completed, unless another signal comes
-  committing,  // that outputs belong together: signals change nothing
-  committed,   // nothing, and there are no temporaries
+  running,     // the run: it is asked to stop
+  writing,     // writing of outputs: they are completed, unless another signal comes
+  committing,  // replacing of files that belong together: signals are ignored
+  committed,   // nothing, and there are no temporary files
 };
 // Atomic since a handler reads and writes them.
 std::atomic<int> stage = reading;
@@ -36,8 +36,8 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_alw
                   std::atomic<pid_t>::is_always_lock_free && std::atomic<long>::is_always_lock_free,
               "a signal handler may not wait for a lock");
 std::atomic<pid_t> child = 0;
-// In microseconds, how long a run may take until it notices that it is to stop: some of its steps
-// are long. Set before the stage `running`.
+// The time in microseconds within which a run must react to a signal: some of its steps are long.
+// Set before the stage `running`.
 std::atomic<long> patience = 0;
 std::string_view program_name;  // set before there is a handler
 pthread_t outputs_thread;       // the thread that writes outputs; set before there is a handler
@@ -55,7 +55,7 @@ void set_alarm(long microseconds) {
   ::setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
-// Whether the process was started so that a closed terminal does not end it, as nohup does.
+// Whether the process was started with SIGHUP ignored, as nohup does.
 bool ignores_hangup() {
   struct sigaction action = {};
   return sigaction(SIGHUP, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
@@ -72,14 +72,15 @@ bool ignores_hangup() {
 // A handler: only async-signal-safe calls (setitimer is a plain system call).
 extern "C" {
 static void on_signal(int signal) {
-  // Elsewhere that thread would go on beside the handler, and make what is about to be removed.
+  // If another thread ran the handler, this one could create temporary files meanwhile, which would
+  // stay.
   if (::pthread_equal(::pthread_self(), outputs_thread) == 0) {
     ::pthread_kill(outputs_thread, signal);
     return;
   }
   if (stage == committing) return;
   if (stage == committed) end_now();
-  // A terminal that closes sends it more than once: a shell does, and the system when that ends.
+  // A closing terminal sends it twice: the shell does, and the system when the shell ends.
   if (signal == SIGHUP && stop_requested) return;
   if (stage != reading && !stop_requested.exchange(true)) {
     if (stage == running) set_alarm(patience);

@@ -3,11 +3,10 @@
 // Interruption by the user (SIGINT), by the system (SIGTERM), or because the terminal is closed
 // (SIGHUP; a process that is started with this signal ignored, as by nohup, ignores it).
 //
-// Normally it ends the process at once, with exit code 130, and removes the temporaries of output
-// files. While a run is under way the first one only asks it to stop, so that it writes what it
-// has; the second one, unless it is SIGHUP, ends the process. So does the first one if the run does
-// not notice it within some time: a single step may be long, such as an instant with very many
-// events, or an audit.
+// A signal normally ends the process at once, with exit code 130, and removes the temporary files
+// of outputs. During a run the first signal only asks the run to stop and to write its results; a
+// second one, unless it is SIGHUP, ends the process. So does the first one if the run does not
+// react in time: a single step may be long, such as an instant with very many events, or an audit.
 #ifndef KINETRI_APPS_INTERRUPT_H
 #define KINETRI_APPS_INTERRUPT_H
 
@@ -19,25 +18,25 @@
 
 namespace kinetri::app {
 
-/// Installs the handlers; their messages begin with the name of the program, which must stay where
-/// it is. Also makes writing to a closed pipe, or beyond the size that files may
-/// have, an error instead of a signal.
+/// Installs the handlers. Their messages begin with the name of the program, which must outlive
+/// them. Also makes writing to a closed pipe, or beyond the maximum size of files, an error instead
+/// of a signal.
 void install_signal_handlers(std::string_view program);
 
 /// The signals that these handlers handle.
 sigset_t handled_signals();
 
-/// From now on the first signal only makes interrupted() true, if it is asked within that time.
-/// Else the process ends then.
+/// From now on the first signal makes interrupted() true. If interrupted() is not called within the
+/// given time, the process ends.
 void stop_gracefully_from_now_on(
     std::chrono::microseconds patience = std::chrono::milliseconds(400));
 
-/// From now on the first signal changes nothing: the run is over, and its outputs are written. The
-/// second one, unless it is SIGHUP, ends the process.
+/// From now on the first signal is ignored, since outputs are being written. The second one, unless
+/// it is SIGHUP, ends the process.
 void complete_outputs_from_now_on();
 
-/// As long as it lives, signals change nothing: outputs that belong together take their places.
-/// Afterwards they end the process.
+/// While it exists, signals are ignored, since files that belong together are being replaced.
+/// Afterwards signals end the process.
 class Commit_section {
  public:
   Commit_section();
@@ -46,8 +45,8 @@ class Commit_section {
   Commit_section& operator=(const Commit_section&) = delete;
 };
 
-/// As long as it lives, a signal that ends this process ends the child too. Of several that live at
-/// a time, only the last one counts.
+/// While it exists, a signal that ends this process ends the child too. Of several at a time, only
+/// the last one counts.
 class Child_section {
  public:
   explicit Child_section(pid_t id);
@@ -56,7 +55,8 @@ class Child_section {
   Child_section& operator=(const Child_section&) = delete;
 };
 
-/// Whether a signal has asked the run to stop. If so, the caller stops, and may take its time.
+/// Whether a signal has asked the run to stop. If so, the caller must stop, and no time limit
+/// applies any more.
 bool interrupted() noexcept;
 
 }  // namespace kinetri::app

@@ -14,7 +14,7 @@
 namespace kinetri::app {
 namespace {
 
-// The text as it is to appear: without escape sequences, and with `-` as it is typed.
+// The text escaped for roff.
 std::string plain(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -29,7 +29,7 @@ std::string plain(std::string_view text) {
   return result;
 }
 
-// A line of text, which must not begin like a request.
+// A line of text, protected from being read as a request of roff.
 std::string line(std::string_view text) {
   const bool is_request = text.starts_with('.') || text.starts_with('\'');
   return joined(is_request ? "\\&" : "", plain(text), "\n");
@@ -42,7 +42,7 @@ std::string italic(std::string_view text) {
   return joined("\\fI", plain(text), "\\fR");
 }
 
-// What stands below the options in --help.
+// The paragraphs below the options in --help.
 void write_description(std::ostream& out, const Command& command) {
   for (const std::string& paragraph : command.description) out << ".PP\n" << line(paragraph);
   out << ".PP\nExample:\n.PP\n.EX\n";
@@ -76,7 +76,7 @@ void write_command(std::ostream& out, const Command& command, const std::string&
   write_description(out, command);
 }
 
-// The command with its arguments, and the options that it cannot do without.
+// The command with its arguments and required options.
 void write_synopsis(std::ostream& out, const Command& command, const std::string& name) {
   out << ".B " << plain(name) << "\n";
   for (const Option& option : command.options) {
@@ -111,7 +111,7 @@ void write_manual(std::ostream& out, const Command& program) {
   write_description(out, program);
   out << ".SH OPTIONS\n";
   for (const Option& option : program.options) write_option(out, option);
-  out << ".SH COMMANDS\nEach command knows the option \\fB\\-\\-help\\fR.\n";
+  out << ".SH COMMANDS\nEach command has the option \\fB\\-\\-help\\fR.\n";
   for (const auto& [name, command] : table) {
     if (command != &program) write_command(out, *command, name);
   }

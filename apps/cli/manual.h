@@ -10,7 +10,7 @@
 
 namespace kinetri::app {
 
-/// Writes it in the language of man.
+/// Writes the manual page in roff.
 void write_manual(std::ostream& out, const Command& program);
 
 }  // namespace kinetri::app

@@ -21,7 +21,7 @@ bool is_enabled(Progress_mode mode) {
          (mode == Progress_mode::automatic && is_terminal(Stream::error));
 }
 
-// The columns of the terminal; 0 if standard error is none.
+// The columns of the terminal; 0 if standard error is not a terminal.
 std::size_t terminal_width() {
   winsize size = {};
   return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
@@ -50,7 +50,7 @@ std::string progress_text(double from, double until, double time, std::uint64_t 
   std::string text = joined(right_aligned(fixed(std::floor(100 * share), 0), 3),
                             " %, t = ", significant(time, 6), " of ", significant(until, 6), ", ",
                             counted(events, "event"), ", ", fixed(rate, 0), " events/s");
-  constexpr double settled = 1;  // what came before says nothing about the rate
+  constexpr double settled = 1;  // seconds; earlier rates are meaningless
   if (share > 0 && seconds >= settled) {
     text += joined(", ", readable_duration(seconds * (1 - share) / share), " left");
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The progress line of a run: one line on standard error that is written over and over.
+// The progress line of a run on standard error, which is overwritten.
 #ifndef KINETRI_APPS_PROGRESS_H
 #define KINETRI_APPS_PROGRESS_H
 
@@ -33,19 +33,19 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// The simulated times between which show() is called.
+  /// The range of simulated time that show() reports.
   void set_range(double from, double until);
 
-  /// Shows what is being done, and starts the time by which events are counted.
+  /// Shows the stage, and restarts the clock of the event rate.
   void show_stage(std::string_view stage);
 
-  /// Whether the line is to be shown anew now: five times a second, if at all. Cost: a look at the
+  /// Whether the line should be shown again: five times a second, if at all. Cost: reading the
   /// clock.
   bool due() const;
 
   void show(double time, std::uint64_t events);
 
-  /// Removes the line, as before writing anything else to standard error.
+  /// Removes the line. Call it before writing anything else to standard error.
   void clear();
 
  private:

@@ -33,7 +33,7 @@ Exit_code report_usage(const Invocation& invocation, const std::string& problem)
   return Exit_code::bad_input;
 }
 
-// The message begins with the name of the file that it is about.
+// Precondition: the message begins with the name of the file.
 Exit_code report_file(const std::string& message) {
   const std::size_t colon = message.find(": ");
   report(message.substr(0, colon), message.substr(colon + 2));
@@ -70,7 +70,7 @@ Exit_code guarded_run(const Command& program, int argc, char** argv) {
   } catch (const Input_error& error) {
     return report_file(error.what());
   } catch (const Unread_output_error&) {
-    // What reads the output of `kinetri ... | head` has what it wants.
+    // As in `kinetri ... | head`: the reader needs no more.
     end_by_closed_pipe();
   } catch (const Output_error& error) {
     return report_file(error.what());
@@ -92,7 +92,7 @@ Exit_code guarded_run(const Command& program, int argc, char** argv) {
 
 int run_program(Command (*make_program)(), int argc, char** argv) {
   occupy_closed_streams();
-  // With C's stdin below it, std::cin shows a failure to read as the end of the file.
+  // If synchronized with C's stdin, std::cin reports a failure to read as the end of the file.
   std::ios::sync_with_stdio(false);
   static const Command program = make_program();
   install_signal_handlers(program.name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The way of a program from its command line to its exit code.
+// Runs a program from its command line to its exit code.
 #ifndef KINETRI_APPS_RUN_PROGRAM_H
 #define KINETRI_APPS_RUN_PROGRAM_H
 
@@ -8,9 +8,8 @@
 
 namespace kinetri::app {
 
-/// Runs the command that the command line names, and turns every exception into a message and an
-/// exit code, which is returned. `main` does nothing else: standard streams, signals and iostreams
-/// are set up here.
+/// Sets up standard streams, signals and iostreams, runs the command that the command line names,
+/// and turns every exception into a message and the exit code that is returned.
 int run_program(Command (*make_program)(), int argc, char** argv);
 
 }  // namespace kinetri::app

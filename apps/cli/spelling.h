@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What somebody may have meant who mistyped a name.
+// Suggestions for mistyped names.
 #ifndef KINETRI_APPS_SPELLING_H
 #define KINETRI_APPS_SPELLING_H
 
@@ -15,9 +15,9 @@ namespace kinetri::app {
 /// next one, that makes one word the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The name that `word` probably stands for; empty if none is near. That is the one name that
-/// begins with `word`, or else the first of the nearest ones, if at most a third of its letters are
-/// wrong. Dashes in front do not count.
+/// The name that `word` probably stands for: the only name that begins with `word`, or else the
+/// first of those at the least edit distance, if at most a third of its letters are wrong; else
+/// empty. Leading dashes do not count.
 std::string_view nearest_name(std::string_view word, std::span<const std::string> names);
 
 }  // namespace kinetri::app

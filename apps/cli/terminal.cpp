@@ -30,7 +30,7 @@ std::string colored(std::string_view text, Stream stream, std::string_view code)
 void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     const bool is_closed = ::fcntl(stream, F_GETFD) < 0 && errno == EBADF;
-    // It gets the lowest number that is free. A directory, unlike /dev/null, is always there, and
+    // open() returns the lowest free descriptor. A directory, unlike /dev/null, always exists, and
     // can be neither read nor written.
     if (is_closed && ::open("/", O_RDONLY | O_DIRECTORY) != stream) {
       ::_exit(static_cast<int>(Exit_code::bad_input));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What differs between a terminal and a file: colors, and who reads.
+// Standard streams: whether they are terminals, colors, closed pipes.
 #ifndef KINETRI_APPS_TERMINAL_H
 #define KINETRI_APPS_TERMINAL_H
 
@@ -11,9 +11,8 @@ namespace kinetri::app {
 
 enum class Stream { output, error };
 
-/// Opens those standard streams that are closed, so that no file that is opened later takes the
-/// place of one, and with it what is meant for that stream. Reading and writing them still fails.
-/// To be called before any file is opened.
+/// Opens closed standard streams, so that no file that is opened later gets the descriptor, and the
+/// output, of one. Reading and writing them still fails. Must be called before any file is opened.
 void occupy_closed_streams();
 
 /// Whether the standard stream is a terminal.
@@ -24,7 +23,7 @@ bool is_terminal(Stream stream);
 bool has_colors(Stream stream);
 
 /// @{
-/// The text as a heading, or as what names an error, where the stream has colors; else as it is.
+/// The text in the color of a heading or of an error if the stream has colors; else unchanged.
 std::string heading(std::string_view text, Stream stream);
 std::string alarm(std::string_view text, Stream stream);
 /// @}
@@ -32,8 +31,8 @@ std::string alarm(std::string_view text, Stream stream);
 /// Writes `where: what` as a line to standard error.
 void report(std::string_view where, std::string_view what);
 
-/// Ends the process as writing to a pipe that nobody reads does by default: silently, by the signal
-/// SIGPIPE, which a shell shows as exit code 141.
+/// Ends the process as writing to a closed pipe does by default: silently, by the signal SIGPIPE,
+/// which a shell shows as exit code 141.
 [[noreturn]] void end_by_closed_pipe();
 
 }  // namespace kinetri::app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Text for those who run the program: lists, columns, counts, rounded numbers. Text is put together
-// by `joined` (io/text.h).
+// Text for users: lists, columns, counts, rounded numbers. See also `joined` (impl/io/text.h).
 #ifndef KINETRI_APPS_TEXT_H
 #define KINETRI_APPS_TEXT_H
 
@@ -23,7 +22,7 @@ std::string significant(double number, int digits);
 /// @}
 
 /// @{
-/// The text with blanks before it, or after it, so that it has at least `width` characters.
+/// The text padded with blanks to at least `width` characters.
 std::string right_aligned(std::string text, std::size_t width);
 std::string left_aligned(std::string text, std::size_t width);
 /// @}
@@ -31,11 +30,11 @@ std::string left_aligned(std::string text, std::size_t width);
 /// "1 point", "2 points": the number with its noun, whose plural has an s.
 std::string counted(std::uint64_t number, std::string_view noun);
 
-/// The text with the name of a program in place of NAME.
+/// The text with NAME replaced by the name of a program.
 std::string with_name(std::string text, std::string_view name);
 
-/// The text as a field of CSV: in quotation marks where it has a comma, a quotation mark or a line
-/// end (RFC 4180).
+/// The text as a field of CSV: in quotation marks if it contains a comma, a quotation mark or a
+/// line end (RFC 4180).
 std::string csv_field(std::string_view text);
 
 /// Writes the text to standard error.

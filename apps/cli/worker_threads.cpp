@@ -15,8 +15,8 @@
 namespace kinetri::app {
 namespace {
 
-// As long as it lives, this thread takes none of the signals that interrupt.cpp handles, nor do the
-// threads that it makes, ever.
+// While it exists, the signals that interrupt.cpp handles are blocked in this thread; threads that
+// it creates inherit that.
 class Signal_block {
  public:
   Signal_block() {
@@ -31,12 +31,12 @@ class Signal_block {
   sigset_t before_ = {};
 };
 
-// Where threads wait for each other.
+// A barrier with a time limit.
 class Meeting {
  public:
   explicit Meeting(std::size_t number) : missing_(number) {}
 
-  // Until all are here, but not longer than a second.
+  // Waits until all threads have called it, but at most a second.
   void wait() {
     std::unique_lock lock(mutex_);
     if (--missing_ == 0) all_are_here_.notify_all();
@@ -53,8 +53,8 @@ class Meeting {
 
 }  // namespace
 
-// oneTBB makes a thread where there is work and all those that it has made are at work, and keeps
-// it. So it has made all of them when all are at work at a time.
+// oneTBB creates a thread if there is work and all its threads are busy, and keeps it. So once all
+// are busy at the same time, all have been created.
 Worker_threads::Worker_threads(std::size_t number) {
   using tbb::global_control;
   if (number > 0) limit_.emplace(global_control::max_allowed_parallelism, number);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The threads that the program works with.
+// The worker threads of the program.
 #ifndef KINETRI_APPS_WORKER_THREADS_H
 #define KINETRI_APPS_WORKER_THREADS_H
 
@@ -11,16 +11,15 @@
 
 namespace kinetri::app {
 
-/// The threads of oneTBB that work beside this one. All of them are made at once, with the signals
-/// of interrupt.h blocked: so it is always this thread that takes these, which writes the outputs.
-/// A thread that oneTBB makes when it is needed would take signals as this one does.
+/// The worker threads of oneTBB. All are created at once with the signals of interrupt.h blocked,
+/// so that this thread, which writes the outputs, receives the signals.
 ///
-/// Where the system does not give so many threads within a second, the others may be made later,
-/// and take signals: their handler hands them on to the thread that writes outputs.
+/// If the system does not provide all threads within a second, the others may be created later, and
+/// receive signals: the handler forwards them to the thread that writes outputs.
 class Worker_threads {
  public:
-  /// With this one, `number` threads; 0: as many as oneTBB takes on this machine. As long as this
-  /// object lives there are no more.
+  /// Limits the program to `number` threads, this one included, while this object exists; 0: to the
+  /// default of oneTBB.
   explicit Worker_threads(std::size_t number);
   Worker_threads(const Worker_threads&) = delete;
   Worker_threads& operator=(const Worker_threads&) = delete;

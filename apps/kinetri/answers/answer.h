@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The answers to questions about a run: each is an observer of the simulation, which follows the
-// run from its start on, and a table that is written at the end. An answer has a row in
-// outputs/output_table.h, a row in answers.cpp and a source here.
+// The answers to questions about a run. An answer is an observer of the simulation from its start
+// on, and a table written at the end. Each has a row in outputs/output_table.h, a row in
+// answers.cpp and a source here.
 #ifndef KINETRI_APPS_ANSWER_H
 #define KINETRI_APPS_ANSWER_H
 
@@ -18,7 +18,7 @@
 
 namespace kinetri::app {
 
-/// Follows a run from its construction on. The simulation must outlive it.
+/// Observes a run from its construction on. The simulation must outlive it.
 class Answer {
  public:
   virtual ~Answer() = default;
@@ -32,14 +32,14 @@ class Answer {
   Answer() = default;
 };
 
-/// One answer, with where it goes.
+/// An answer and its output.
 struct Followed_answer {
   Output output;
   std::unique_ptr<Answer> answer;
 };
 
-/// Follows what the outputs ask for. `source` must outlive the result. Throws Usage_error if a
-/// question has no answer for this kind of motion.
+/// Constructs the answers that the outputs need. `source` must outlive the result. Throws
+/// Usage_error if a question has no answer for this kind of motion.
 std::vector<Followed_answer> follow_answers(Run_outputs& outputs, const Answer_settings& settings,
                                             const Any_simulation& simulation,
                                             const Run_source& source);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the questions about a run are.
+// The options of answers.
 #ifndef KINETRI_APPS_ANSWER_SETTINGS_H
 #define KINETRI_APPS_ANSWER_SETTINGS_H
 
@@ -19,15 +19,15 @@ struct Cell_limits;
 
 namespace kinetri::app {
 
-/// What is asked. A question without its output is not asked.
+/// Options of answers. They have no effect without the corresponding output.
 struct Answer_settings {
-  std::size_t closest = 0;                               ///< how many closest approaches
-  double range = 0;                                      ///< what is near: at most this far apart
-  std::vector<std::array<std::string, 2>> between = {};  ///< who is to be connected, by name
-  std::optional<double> ridge;  ///< of neighbors: shorter ridges are told apart
-  std::optional<std::string> walkable = std::nullopt;  ///< the path of a file: where points can be
-  std::optional<double> cutoff = std::nullopt;         ///< how far cells reach from their points
-  /// What bounds cells: that, or what the input has. None as long as that is not read.
+  std::size_t closest = 0;  ///< number of closest approaches
+  double range = 0;         ///< points at most this distance apart are near
+  std::vector<std::array<std::string, 2>> between = {};  ///< pairs of names for --connected
+  std::optional<double> ridge;                           ///< shorter ridges are marked
+  std::optional<std::string> walkable = std::nullopt;  ///< path of the file with the walkable area
+  std::optional<double> cutoff = std::nullopt;  ///< greatest distance of a cell from its point
+  /// The bounds of cells, by `walkable`, `cutoff` or the input. Null until they are read.
   std::shared_ptr<const Cell_limits> limits = nullptr;
 };
 

@@ -36,7 +36,7 @@ class Closest_answer : public Answer {
 
 }  // namespace
 
-// Asked for with recorded tracks only, which do not accelerate.
+// Only for recorded tracks, which do not accelerate.
 std::unique_ptr<Answer> closest_answer(const Answer_settings& settings,
                                        const Any_simulation& simulation, const Run_source& source) {
   return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {

@@ -10,7 +10,7 @@
 namespace kinetri::app {
 namespace {
 
-// What `follow` gives for a simulation of points.
+// Calls `follow` if the simulation is one of points without radii.
 template <class Follow>
 std::unique_ptr<Answer> of_points(const char* option, const Any_simulation& simulation,
                                   const Follow& follow) {
@@ -23,7 +23,7 @@ std::unique_ptr<Answer> of_points(const char* option, const Any_simulation& simu
   });
 }
 
-// The points that the input calls so.
+// The points with this name in the input.
 std::vector<Point_id> points_named(const std::string& name, const Run_source& source,
                                    Point_id next_id) {
   std::vector<Point_id> result = source.points_named(name);
@@ -33,7 +33,7 @@ std::vector<Point_id> points_named(const std::string& name, const Run_source& so
                            input_name(source.path()), "; expected ", source.expected_name()));
 }
 
-// Pairs of points that are ever there together.
+// All pairs of points with these names that may exist at the same time.
 std::vector<Edge_ids> pairs_of_points(const std::array<std::string, 2>& names,
                                       const Run_source& source, Point_id next_id) {
   std::vector<Edge_ids> result;

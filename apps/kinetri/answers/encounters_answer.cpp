@@ -10,7 +10,8 @@ namespace kinetri::app {
 namespace {
 
 // In the form that NASA's High-rate Delay Tolerant Networking (HDTN) reads: one contact for each
-// direction. A contact begins and ends within the encounter; one moment is none.
+// direction. The times of a contact are rounded into the encounter. An encounter of one instant is
+// left out.
 template <class Traits>
 class Contact_plan : public Answer {
  public:

@@ -22,15 +22,14 @@
 
 namespace kinetri::app {
 
-/// The name of the column with the labels of the points in the column `name`.
+/// The name of the column with the labels for the points in the column `name`.
 inline std::string label_column(std::string_view name) {
   return name == "id" ? "label" : joined("label_", name);
 }
 
-/// Writes a table: its header, and a row for each of `rows`. Columns are as
-/// impl/observers/answer_columns.h has them. A field about which nothing is known is empty. If
-/// there are labels of the points, by id, each column of points has a column of their labels; these
-/// columns are the last ones.
+/// Writes a table: its header, and a row for each of `rows`. The columns are defined in
+/// impl/observers/answer_columns.h. Unknown values are empty fields. If `labels`, by id, is not
+/// empty, the last columns are the labels for each column of points.
 template <class Columns, class Rows>
 void write_table(std::ostream& out, const Columns& columns, const Rows& rows,
                  const std::vector<std::string>& labels) {
@@ -80,7 +79,7 @@ void write_table(std::ostream& out, const Columns& columns, const Rows& rows,
   }
 }
 
-/// The answer of an observer, as a table.
+/// The table of an observer.
 template <class Observer, class Columns>
 class Table_answer final : public Answer {
  public:
@@ -100,8 +99,8 @@ class Table_answer final : public Answer {
   Observer observer_;
 };
 
-/// The answer of the observer that is made of the arguments. `source`, which has the labels, must
-/// outlive it.
+/// The table of an observer that is constructed from the arguments. `source`, which has the labels,
+/// must outlive it.
 template <class Observer, class Columns, class... Arguments>
 std::unique_ptr<Answer> table_answer(const Run_source& source, Columns columns,
                                      Arguments&&... arguments) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The option --collisions of the commands in which discs collide: one of the built-in responses, or
-// of some of them.
+// The option --collisions: one of the built-in responses, or of some of them.
 #ifndef KINETRI_APPS_COLLISIONS_OPTION_H
 #define KINETRI_APPS_COLLISIONS_OPTION_H
 
@@ -13,7 +12,7 @@
 
 namespace kinetri::app {
 
-/// Declares it. `target` has the default; it must live as long as the command is used.
+/// Declares the option. `target` holds the default, and must outlive the command.
 void add_collisions_option(Command& command, std::string& target,
                            std::span<const Named_response> responses, const std::string& help);
 

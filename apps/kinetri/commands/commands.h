@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The commands of the program: each function gives one, with its options and what it does.
+// The commands of the program, one by each function.
 #ifndef KINETRI_APPS_COMMANDS_H
 #define KINETRI_APPS_COMMANDS_H
 

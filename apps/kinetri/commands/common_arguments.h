@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The values of options that several commands have.
+// Values of options that several commands have.
 #ifndef KINETRI_APPS_COMMON_ARGUMENTS_H
 #define KINETRI_APPS_COMMON_ARGUMENTS_H
 
@@ -9,7 +9,7 @@
 
 namespace kinetri::app {
 
-/// A length, speed or time of points that the program makes. Throws Usage_error.
+/// A length, speed or time of a generated scenario. Throws Usage_error.
 double scenario_size_argument(std::string_view option, std::string_view text,
                               bool zero_allowed = false);
 

@@ -24,7 +24,7 @@ constexpr std::uint64_t most_seeds = 1000;
 constexpr std::span<const Named_response> all_but_none =
     std::span<const Named_response>(named_responses).subspan(1);
 
-// The options' values as they stand on the command line.
+// The texts of the options.
 struct Experiment_options {
   std::optional<std::string> output;
   std::string points = "100";

@@ -24,7 +24,7 @@ constexpr std::uint64_t most_generated_points = 100'000'000;
 constexpr std::uint64_t most_packed_points = 1'000'000;
 constexpr double fastest_lattice = 0x1p53;
 
-// The options' values as they stand on the command line.
+// The texts of the options.
 struct Generate_options {
   std::string points;
   std::string seed = "1";
@@ -130,7 +130,7 @@ Command scenario_command(Scenario scenario) {
   return result;
 }
 
-// The text as one word of a command line of the shell.
+// The text quoted for the shell if necessary.
 std::string shell_word(const std::string& text) {
   constexpr std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,:+-";
@@ -146,7 +146,7 @@ std::string shell_word(const std::string& text) {
   return result + "'";
 }
 
-// The points file does not have the box: the command that simulates the discs in it.
+// The command that simulates the discs in their box, which the points file does not have.
 std::string command_for(const Box_2& box, const std::string& points) {
   return joined("kinetri simulate ", shell_word(points), " --until 10 --box ", box.xmin, ",",
                 box.ymin, ",", box.xmax, ",", box.ymax, " --rim --collisions elastic --mass area");

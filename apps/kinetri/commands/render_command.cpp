@@ -23,13 +23,14 @@ namespace {
 constexpr std::uint64_t least_side = 16;  // pixels
 constexpr std::uint64_t greatest_side = 16'384;
 constexpr std::size_t most_film_frames = 20'000;
-constexpr double marked_seconds = 0.3;  // of the film around an event in which it is marked
+constexpr double marked_seconds =
+    0.3;  // of the film, before and after an event, in which it is marked
 
 constexpr std::array<std::string_view, 2> picture_endings = {".svg", ".png"};
 constexpr std::array<std::string_view, 4> film_endings = {".gif", ".webp", ".webm", ".mp4"};
 constexpr std::array<std::string_view, 3> render_progress_modes = {"auto", "always", "never"};
 
-// The options' values as they stand on the command line.
+// The texts of the options.
 struct Render_options {
   std::string run;
   std::optional<std::string> at;
@@ -55,7 +56,7 @@ int side_argument(std::string_view option, const std::string& text) {
   return static_cast<int>(value);
 }
 
-// The format that the ending of a name stands for, as an index in `endings`.
+// The index in `endings` of the ending of a path.
 template <std::size_t n>
 std::size_t format_of(std::string_view option, const std::string& path,
                       const std::array<std::string_view, n>& endings) {
@@ -80,7 +81,7 @@ Viewer_page page_of(const std::string& path) {
   return read_viewer_page(in, path);
 }
 
-// An output that is neither the input nor another output.
+// Opens an output that is not the input.
 Output_file output_of(std::string_view option, const std::string& path, const std::string& run) {
   Output_file result(path);
   std::error_code ignored;
@@ -91,7 +92,7 @@ Output_file output_of(std::string_view option, const std::string& path, const st
   return result;
 }
 
-// The frames of a film, and when they are.
+// The format, rate and times of the frames of a film.
 struct Film_plan {
   Film_format format = Film_format::gif;
   double frames_per_second = 0;
@@ -103,7 +104,7 @@ Film_plan film_plan(const Render_options& options, const Picture_options& pictur
                     const Recording& recording) {
   Film_plan result;
   result.format = static_cast<Film_format>(format_of("--animate", *options.animate, film_endings));
-  // The lowest rate is one that all formats can have.
+  // All formats support the lowest rate.
   result.frames_per_second =
       options.fps ? size_argument("--fps", *options.fps, 0.01, 1000, false) : 20;
   result.speed = options.speed ? positive_argument("--speed", *options.speed) : 1;

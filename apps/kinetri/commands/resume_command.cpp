@@ -9,7 +9,7 @@
 namespace kinetri::app {
 namespace {
 
-// The options' values as they stand on the command line.
+// The texts of the options.
 struct Resume_options {
   std::string checkpoint;
   Run_options run;

@@ -21,7 +21,7 @@
 namespace kinetri::app {
 namespace {
 
-// In the order of the enumerators that they name.
+// In the order of the enumerators.
 constexpr std::array<std::string_view, 3> audit_modes = {"none", "end", "events"};
 constexpr std::array<std::string_view, 3> progress_modes = {"auto", "always", "never"};
 
@@ -43,7 +43,7 @@ std::string ranged_outputs() {
   return separated(result, ", ");
 }
 
-// The value of --range, which some outputs need; the page of --html shows encounters with it.
+// The value of --range, which some outputs need, and the page of --html uses to show encounters.
 double range_argument(const Run_options& options) {
   bool is_needed = false;
   for (const Output_row& row : output_table) {
@@ -64,7 +64,7 @@ double range_argument(const Run_options& options) {
   return range;
 }
 
-// The two names of a value of --between, as fields of CSV.
+// The two names in a value of --between, read as CSV.
 std::array<std::string, 2> names_between(const std::string& text) {
   static const std::string option = "--between";
   std::istringstream no_lines;
@@ -105,7 +105,7 @@ std::optional<double> ridge_argument(const Run_options& options) {
   return positive_argument("--ridge", *options.ridge);
 }
 
-// The options that need --walkable or --cutoff.
+// The outputs for which --walkable and --cutoff can be given.
 std::string limited_outputs() {
   std::vector<std::string> result;
   for (const Output_row& row : output_table) {
@@ -114,8 +114,8 @@ std::string limited_outputs() {
   return separated(result, " or ");
 }
 
-// The values of --walkable and --cutoff, of which some outputs need one, and the others none. (The
-// input may have a walkable area; so what is missing is not known yet.)
+// The values of --walkable and --cutoff. Whether one is missing is checked later, since the input
+// may have a walkable area.
 void set_limits(const Run_options& options, Answer_settings& settings) {
   const bool is_needed = std::ranges::any_of(output_table, [&](const Output_row& row) {
     return row.has_limits && options.outputs[row.output];
@@ -147,7 +147,7 @@ void add_outputs(Command& command, Run_options& options, std::initializer_list<O
     const bool is_requested =
         std::find(requested.begin(), requested.end(), row.output) != requested.end();
     if (row.offered == Offered::by_request && !is_requested) continue;
-    // Another option may have the short name.
+    // Another option may already have the short name.
     const bool short_is_free = command.find_option("-o") == nullptr;
     command
         .add(short_is_free ? row.names : row.option, &options.outputs[row.output], row.type,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The options that the commands which run a simulation have in common.
+// The options of all commands that run a simulation.
 #ifndef KINETRI_APPS_RUN_OPTIONS_H
 #define KINETRI_APPS_RUN_OPTIONS_H
 
@@ -15,7 +15,7 @@
 
 namespace kinetri::app {
 
-/// Their values as they stand on the command line.
+/// Their texts.
 struct Run_options {
   std::optional<std::string> until;
   std::optional<std::string> until_share;
@@ -25,9 +25,9 @@ struct Run_options {
   std::optional<std::string> ridge;
   std::optional<std::string> walkable;
   std::optional<std::string> cutoff;
-  bool has_areas = false;  ///< whether the command has the output
+  bool has_areas = false;  ///< whether the command has the output --areas
   std::optional<std::string> frames_per_time;
-  std::string frames_per_time_option;  ///< with all its names: any of them may have been used
+  std::string frames_per_time_option;  ///< all names, since any of them may have been used
   std::optional<std::string> html_view;
   std::optional<std::string> max_events;
   std::string threads = "0";
@@ -38,19 +38,19 @@ struct Run_options {
   bool quiet = false;
 };
 
-/// Declares --until, and --until-share, which may stand in its place. `options` must live as long
-/// as the command is used.
+/// Declares --until, and --until-share, which may replace it. `options` must outlive the command.
 void add_end_options(Command& command, Run_options& options);
 
-/// The value of --until; none if there is --until-share. Throws Usage_error if there is neither.
+/// The value of --until; none if --until-share is given instead. Throws Usage_error if neither is
+/// given.
 std::optional<double> until_argument(const Run_options& options);
 
-/// Declares the others, after those of the command itself. `requested`: outputs that only some
-/// commands have. `options` must live as long as the command is used.
+/// Declares the other options; the command's own must have been declared. `requested`: outputs that
+/// only some commands have. `options` must outlive the command.
 void add_run_options(Command& command, Run_options& options,
                      std::initializer_list<Output> requested = {});
 
-/// All but the value of --until. Throws Usage_error.
+/// The values of all options except --until. Throws Usage_error.
 Run_settings run_settings(const Run_options& options);
 
 }  // namespace kinetri::app

@@ -15,7 +15,7 @@
 namespace kinetri::app {
 namespace {
 
-// The options' values as they stand on the command line.
+// The texts of the options.
 struct Simulate_options {
   std::string points;
   std::string from = "0";
@@ -29,7 +29,7 @@ struct Simulate_options {
   Run_options run;
 };
 
-// In the order of what they say of Points_settings::has_area_masses.
+// By the value of Points_settings::has_area_masses.
 constexpr std::array<std::string_view, 2> masses = {"column", "area"};
 
 Box_2 box_argument(const std::string& text) {

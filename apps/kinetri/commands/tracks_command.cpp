@@ -19,7 +19,7 @@
 namespace kinetri::app {
 namespace {
 
-// In the order of the enumerators that they name, without the first one.
+// In the order of the enumerators, without the first one.
 constexpr std::array<std::string_view, 3> projections = {"none", "local", "utm"};
 constexpr std::array<std::string_view, 4> duplicates = {"refuse", "first", "last", "mean"};
 constexpr std::array<std::string_view, 1> unwraps = {"nearest"};
@@ -28,7 +28,7 @@ constexpr std::span<const Named_response> none_and_log =
     std::span<const Named_response>(named_responses).first(2);
 constexpr std::uint64_t most_approaches = 1'000'000;
 
-// The options' values as they stand on the command line.
+// The texts of the options.
 struct Tracks_options {
   std::string tracks;
   std::string format = "auto";
@@ -55,7 +55,7 @@ std::vector<std::string_view> format_names() {
   return result;
 }
 
-// What the option says of the file's formats.
+// The help text of --format.
 std::string format_help() {
   std::string result;
   for (const auto& [format, name, description] : tracks_formats()) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t most_wave_points = 1'000'000;
 
-// The options' values as they stand on the command line.
+// The texts of the options.
 struct Wave_options {
   std::string columns = "30";
   std::string rows = "30";

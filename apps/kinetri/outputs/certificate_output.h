@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The certificates of a simulation, whatever its kind of motion.
+// The certificate log of a simulation of any kind of motion.
 #ifndef KINETRI_APPS_CERTIFICATE_OUTPUT_H
 #define KINETRI_APPS_CERTIFICATE_OUTPUT_H
 
@@ -13,7 +13,7 @@
 namespace kinetri::app {
 
 /// Writes the certificate of each event from now on; see Certificate_log_writer. `out` and the
-/// result must stay as long as the simulation runs.
+/// result must exist as long as the simulation runs.
 std::unique_ptr<Event_observer> follow_certificates(std::ostream& out,
                                                     const Any_simulation& simulation);
 

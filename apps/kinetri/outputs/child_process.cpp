@@ -21,7 +21,7 @@ namespace kinetri::app {
 
 Nameless_file nameless_file() {
   Nameless_file file(std::tmpfile());
-  // Where tmpfile does not let children inherit it.
+  // On some systems tmpfile() sets FD_CLOEXEC.
   if (file && ::fcntl(::fileno(file.get()), F_SETFD, 0) == 0) return file;
   throw Output_error(
       joined("/tmp: no temporary file can be made: ", std::generic_category().message(errno),

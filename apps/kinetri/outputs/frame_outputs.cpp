@@ -13,7 +13,7 @@
 namespace kinetri::app {
 namespace {
 
-// The bounding box of the points where they are at `from` and, as they go now, at `until`.
+// The bounding box of the positions at `from` and, with the present motions, at `until`.
 template <class Traits>
 Box_2 extent_of(const Kinetic_triangulation_2<Traits>& kinetic, double from, double until) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -29,7 +29,7 @@ Box_2 extent_of(const Kinetic_triangulation_2<Traits>& kinetic, double from, dou
   return extent.xmin <= extent.xmax ? extent : Box_2{-1, -1, 1, 1};
 }
 
-// About the greatest radius of a disc from one time to the other, as they grow now.
+// Approximately the greatest radius of a disc between the two times, with the present growth.
 template <class Traits>
 double greatest_radius_of(const Simulation_2<Traits>& simulation, double from, double until) {
   double result = simulation.options().radius;
@@ -46,7 +46,7 @@ double greatest_radius_of(const Simulation_2<Traits>& simulation, double from, d
   return result;
 }
 
-// With discs where the simulation has them.
+// Includes discs if the simulation has them.
 template <class Traits>
 Frame_2 frame_of_simulation(const Simulation_2<Traits>& simulation) {
   Frame_2 frame = frame_of(simulation.triangulation());

@@ -22,7 +22,7 @@ namespace kinetri::app {
 /// frames.pvd in the other.
 class Frame_outputs {
  public:
-  /// Each directory may be none; both must outlive this object. Without a rate there are 101
+  /// Each directory may be null; both must outlive this object. Without a rate there are 101
   /// frames.
   Frame_outputs(Output_directory* svg, Output_directory* vtu, std::optional<Frame_rate> rate)
       : svg_(svg), vtu_(vtu), rate_(std::move(rate)) {}
@@ -31,14 +31,14 @@ class Frame_outputs {
   /// the pictures show. Throws Usage_error if there are too many frames.
   void start(const Run_source& source, const Any_simulation& simulation, double until);
 
-  /// The time of the next frame, none after the last.
+  /// The time of the next frame; none after the last.
   std::optional<double> next_time() const;
 
   /// Writes the next frame. Throws Output_error. Precondition: next_time() is the time of the
   /// simulation.
   void write(const Any_simulation& simulation);
 
-  /// Writes what belongs to all frames so far.
+  /// Writes frames.pvd, the list of all frames so far.
   void finish();
 
  private:

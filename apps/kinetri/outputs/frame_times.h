@@ -11,13 +11,13 @@
 
 namespace kinetri::app {
 
-/// From `from` on up to `until`, at the rate; without one, 101 times. Throws Usage_error if they
-/// are too many.
+/// The times from `from` to `until` at the rate; without one, 101 times. Throws Usage_error if
+/// there are too many.
 std::vector<double> frame_times(double from, double until, const std::optional<Frame_rate>& rate);
 
-/// The times of the frames 0, 1, 2 and so on of an input, and -1, -2 and so on, that are neither
-/// before `from` nor after `until`: each is the frame divided by the rate, rounded, as it is where
-/// the input is read. Throws Usage_error if they are too many.
+/// The times from `from` to `until` of frames of an input, whose numbers may be negative: each is
+/// the number divided by the rate, rounded as when the input is read. Throws Usage_error if there
+/// are too many.
 std::vector<double> times_of_input(double from, double until, const Frame_rate& rate);
 
 }  // namespace kinetri::app

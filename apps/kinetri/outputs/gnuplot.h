@@ -9,19 +9,19 @@
 
 namespace kinetri::app {
 
-/// Throws Usage_error if gnuplot cannot be run. `otherwise` is what the command line may say so
-/// that it is not needed.
+/// Throws Usage_error if gnuplot cannot be run. `otherwise`: how to change the command line so that
+/// it is not needed.
 void require_gnuplot(std::string_view otherwise);
 
-/// What is drawn, in the formats that gnuplot's terminals svg and pngcairo write.
+/// A plot in the formats of gnuplot's terminals svg and pngcairo.
 struct Plot {
   std::string svg;
   std::string png;
 };
 
 /// Draws a plot of `width` x `height` pixels. `script` is gnuplot's input without terminal and
-/// output; colors, lines and grid are set up: `linestyle 1` to 6 are colors that color-blind people
-/// can tell apart. Throws Output_error with what gnuplot said if it fails.
+/// output; colors, lines and grid are set up: `linestyle 1` to 6 have colors that color-blind
+/// people can distinguish. Throws Output_error with gnuplot's message if it fails.
 Plot draw(const std::string& script, int width, int height);
 
 /// As draw, SVG alone.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The motion log of a simulation, whatever its kind of motion.
+// The motion log of a simulation of any kind of motion.
 #ifndef KINETRI_APPS_MOTION_OUTPUT_H
 #define KINETRI_APPS_MOTION_OUTPUT_H
 
@@ -12,8 +12,8 @@
 
 namespace kinetri::app {
 
-/// Writes the motions now, and from now on each change; see Motion_log_writer. `out` and the result
-/// must stay as long as the simulation runs.
+/// Writes the present motions, and from now on each change; see Motion_log_writer. `out` and the
+/// result must exist as long as the simulation runs.
 std::unique_ptr<Event_observer> follow_motions(std::ostream& out, const Any_simulation& simulation);
 
 }  // namespace kinetri::app

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The outputs of a run: one row for each. The options, what is opened, what is checked, --help, the
-// manual page, the completions and the summary go by this table; what is written into each stands
-// in runs/simulation_run.cpp.
+// The outputs of a run, a row for each. Options, --help, checks, opening of files and the summary
+// use this table; runs/simulation_run.cpp writes the outputs.
 #ifndef KINETRI_APPS_OUTPUT_TABLE_H
 #define KINETRI_APPS_OUTPUT_TABLE_H
 
@@ -44,7 +43,7 @@ constexpr std::size_t number_of_outputs = 23;
 /// The commands that have an output.
 enum class Offered {
   by_every_run,
-  by_request,  ///< those that ask for it, see add_run_options
+  by_request,  ///< commands that request it, see add_run_options
 };
 
 struct Output_row {
@@ -54,8 +53,8 @@ struct Output_row {
   const char* type;    ///< "DIR" if it is a directory; else it is a file
   const char* help;
   Offered offered = Offered::by_every_run;
-  bool has_range = false;   ///< whether --range says what is near
-  bool has_limits = false;  ///< whether --walkable and --cutoff bound its cells
+  bool has_range = false;   ///< whether it needs --range
+  bool has_limits = false;  ///< whether --walkable and --cutoff limit its cells
 
   bool is_directory() const { return type[0] == 'D'; }
 };
@@ -135,7 +134,7 @@ constexpr bool is_in_order(const std::array<Output_row, number_of_outputs>& tabl
 }
 static_assert(is_in_order(output_table));
 
-/// For each output a path, or "-" for standard output, or none.
+/// A path for each output that is requested; "-" is standard output.
 class Output_paths {
  public:
   std::optional<std::string>& operator[](Output output) {

@@ -6,7 +6,7 @@
 namespace kinetri::app {
 namespace {
 
-// Rounding keeps the order, so that equal numbers are neighbors.
+// Rounding preserves the order, so equal numbers are adjacent.
 void add_time(std::vector<double>& times, double time) {
   if (times.empty() || times.back() != time) times.push_back(time);
 }
@@ -33,7 +33,7 @@ std::optional<std::vector<double>> multiples(double from, double until, double p
   const Rational frequency = to_rational(per_time);
   const Rational start = to_rational(from) * frequency;
   if (to_rational(until) * frequency - start >= most) return std::nullopt;
-  // One less than rounding may give, as a quotient may be rounded up to `from`.
+  // One less than the quotient, since a smaller multiple may be rounded up to `from`.
   Integer k =
       boost::multiprecision::numerator(start) / boost::multiprecision::denominator(start) - 2;
   std::vector<double> times;

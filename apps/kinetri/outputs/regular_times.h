@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Regular times in a run, each the binary64 number nearest to what it stands for, so that they are
-// the same however they are come by.
+// Regular times in a run, each rounded from its exact value, so that they do not depend on how they
+// are computed.
 #ifndef KINETRI_APPS_REGULAR_TIMES_H
 #define KINETRI_APPS_REGULAR_TIMES_H
 
@@ -12,7 +12,7 @@
 namespace kinetri::app {
 
 /// The times from + k / per_time, k = 0, 1, ..., rounded, up to `until`; none if there are more
-/// than `most`. Where several are one number it is there once. Precondition: from <= until are
+/// than `most`. If several round to one number, it occurs once. Precondition: from <= until are
 /// finite, per_time > 0.
 std::optional<std::vector<double>> regular_times(double from, double until, double per_time,
                                                  std::size_t most);

@@ -13,17 +13,18 @@
 namespace kinetri::app {
 namespace {
 
-// Those that a checkpoint notes: they continue with it, and do not depend on the machine.
+// The outputs that a checkpoint lists: a resumed run continues them, and they do not depend on the
+// machine.
 constexpr std::array noted_outputs = {Output::events, Output::motions, Output::initial_edges,
                                       Output::edges};
 
 }  // namespace
 
 Run_outputs::Run_outputs(const Output_paths& paths, const std::vector<std::string>& input_paths) {
-  // Pointers to what is open must stay valid.
+  // Pointers to elements must stay valid.
   files_.reserve(number_of_outputs);
   directories_.reserve(number_of_outputs);
-  // Directories first, as the temporary of a file would be found in a directory.
+  // Directories first: the temporary file of an output in a directory would make it nonempty.
   for (const bool opens_directories : {true, false}) {
     for (const Output_row& row : output_table) {
       const auto& path = paths[row.output];
@@ -69,7 +70,7 @@ void Run_outputs::check_files(const std::vector<std::string>& input_paths) const
   }
 }
 
-// Nothing else may be written into a directory, or be it.
+// No other output may be a directory of this run, or be in one.
 void Run_outputs::check_directories() const {
   for (std::size_t i = 0; i < directories_.size(); ++i) {
     const auto check = [&](const char* option, const auto& other) {
@@ -110,7 +111,7 @@ void Run_outputs::commit() {
   for (Output_file& file : files_) finish(file);
   const Commit_section uninterrupted;
   for (Output_directory& directory : directories_) directory.commit();
-  // The checkpoint last: it never stands beside outputs that are older.
+  // The checkpoint last, so that it is never newer than the other outputs.
   Output_file* const checkpoint = file(Output::checkpoint);
   for (Output_file& file : files_) {
     if (&file != checkpoint && !is_unread(file)) file.commit();

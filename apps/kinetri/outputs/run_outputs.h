@@ -23,11 +23,11 @@ struct Checkpoint_log;
 
 namespace kinetri::app {
 
-/// Opens what has a path; what has none is null.
+/// Opens all outputs that have a path; the others are null.
 class Run_outputs {
  public:
   /// Paths of inputs may be empty. Throws Usage_error if two outputs, or an output and an input,
-  /// are in each other's way; Output_error if one cannot be written.
+  /// are the same file, or one is in a directory of another; Output_error if one cannot be written.
   Run_outputs(const Output_paths& paths, const std::vector<std::string>& input_paths);
 
   Output_file* file(Output output) { return files_of_[static_cast<std::size_t>(output)]; }
@@ -38,17 +38,16 @@ class Run_outputs {
   /// Precondition: the output is an open file.
   std::ostream& stream(Output output) { return file(output)->stream(); }
 
-  /// To be called when all of the output has been written, or when writing it has failed. Throws
-  /// Output_error if it has failed; but if nobody reads standard output any more and there are
-  /// other outputs, these are still worth the run.
+  /// Must be called when all of the output has been written, or writing it has failed. Throws
+  /// Output_error if it has failed, except if standard output is a closed pipe and there are other
+  /// outputs.
   void finish(Output output) { finish(*file(output)); }
 
-  /// What belongs to the checkpoint: the events, motions and edges that are files, which are then
-  /// complete.
+  /// Completes the events, motions and edges that are files, and returns the records of them for
+  /// the checkpoint.
   std::vector<Checkpoint_log> finish_logs();
 
-  /// All are complete before the first takes its place; the checkpoint is the last one. Throws
-  /// Output_error.
+  /// Completes all outputs, then moves them into place, the checkpoint last. Throws Output_error.
   void commit();
 
   /// Whether one of them is standard output.
@@ -56,18 +55,18 @@ class Run_outputs {
     return std::ranges::find(files_, "-", &Output_file::path) != files_.end();
   }
 
-  /// Whether nobody reads standard output any more. Known when all are complete.
+  /// Whether standard output is a closed pipe. Known when all outputs are complete.
   bool is_unread() const { return unread_.has_value(); }
 
-  /// Throws Unread_output_error if nobody reads standard output any more.
+  /// Throws Unread_output_error if standard output is a closed pipe.
   void expect_reader() const {
     if (unread_) throw Unread_output_error(*unread_);
   }
 
-  /// What identifies the files (Output_file::identity).
+  /// The identities of the files (Output_file::identity).
   std::vector<std::string> identities() const;
 
-  /// As given, for people.
+  /// The paths as given.
   std::vector<std::string> paths() const;
 
  private:
@@ -77,7 +76,7 @@ class Run_outputs {
   void check_files(const std::vector<std::string>& input_paths) const;
   void check_directories() const;
 
-  // Of the same length: what is open, and the option that named it.
+  // The open files, and the option of each.
   std::vector<Output_file> files_;
   std::vector<const char*> options_;
   std::vector<Output_directory> directories_;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t intervals = 200;
 constexpr std::size_t intervals_of_a_rate = 4;  // fewer would show noise
-// Of curves that are not of a kind of event.
+// For curves that are not of a kind of event.
 constexpr std::string_view plain_color = "#5a6675";
 constexpr std::string_view other_color = "#e69f00";
 
@@ -28,7 +28,7 @@ double count(const Run_sample& sample, Event_kind kind) {
   return static_cast<double>(sample.events[static_cast<std::size_t>(kind)]);
 }
 
-// The kinds of which there were events, the most frequent ones first.
+// The kinds of events that occurred, the most frequent first.
 std::vector<Event_kind> kinds_by_count(const Run_sample& sample) {
   std::vector<Event_kind> result;
   for (std::size_t i = 0; i < event_kinds; ++i) {
@@ -39,15 +39,15 @@ std::vector<Event_kind> kinds_by_count(const Run_sample& sample) {
   return result;
 }
 
-// Such as "hull insert": gnuplot would lower what follows an underscore.
+// The name with a blank for each underscore, such as "hull insert": gnuplot would make a subscript.
 std::string title(Event_kind kind) {
   std::string result(name(kind));
   std::ranges::replace(result, '_', ' ');
   return result;
 }
 
-// Where on the horizontal axis a time is: at itself, or, where gnuplot could not tell such times
-// apart, at its share of the run.
+// The horizontal axis: time, or, if gnuplot could not distinguish such times, the fraction of the
+// run.
 class Axis {
  public:
   explicit Axis(const std::vector<Run_sample>& samples)
@@ -94,7 +94,7 @@ class Panel {
     highest_ = std::max(highest_, y);
   }
 
-  // `top` and `bottom` are shares of the figure's height.
+  // `top` and `bottom` are fractions of the figure's height.
   std::string script(double top, double bottom, bool has_key) const {
     const std::string height = joined("[0:", highest_ > 0 ? 1.06 * highest_ : 1, "]");
     return joined(data_, "END\nset tmargin at screen ", top, "\nset bmargin at screen ", bottom,
@@ -141,7 +141,7 @@ void add_zero(const Axis& axis, Panel& panel) {
   panel.add(axis.upper(), 0);
 }
 
-// A bar that is divided as the time was, and a legend of its own, which gnuplot would cut off.
+// A bar divided like the run time, and its legend, which gnuplot's own key would cut off.
 std::string stages(const Run_seconds& seconds, double top, double bottom) {
   struct Stage {
     std::string_view name;
@@ -244,7 +244,7 @@ void Run_sampler::take(const Any_simulation& simulation) {
   ++next_;
 }
 
-// Times are compared as rounded, and so as they are drawn.
+// Rounded times are compared, since these are drawn.
 void Run_sampler::finish(const Any_simulation& simulation) {
   const Run_sample last = sample_of(simulation, events_before_);
   if (samples_.empty() || samples_.back().time < last.time) samples_.push_back(last);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The figure of a run: its events, its queues, and where its time went.
+// The figure of a run: its events, queues and run times.
 #ifndef KINETRI_APPS_RUN_PLOT_H
 #define KINETRI_APPS_RUN_PLOT_H
 
@@ -15,7 +15,7 @@
 
 namespace kinetri::app {
 
-/// What a run has come to at a time.
+/// The state of a run at a time.
 struct Run_sample {
   double time = 0;
   Event_counts events = {};       ///< of this run, so far
@@ -29,13 +29,13 @@ class Run_sampler {
   /// Counts from the present on.
   void start(double until, const Any_simulation& simulation);
 
-  /// The time of the next sample, none after the last.
+  /// The time of the next sample; none after the last.
   std::optional<double> next_time() const;
 
   /// Takes the next sample. Precondition: next_time() is the time of the simulation.
   void take(const Any_simulation& simulation);
 
-  /// Samples the present of a run that was broken off, if that has not been done.
+  /// Samples the present state of an interrupted run, unless it has been sampled.
   void finish(const Any_simulation& simulation);
 
   const std::vector<Run_sample>& samples() const { return samples_; }

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 std::string path_of_verifier() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (error) return "kinetri-verify";  // where the system does not tell, PATH may lead to it
+  if (error) return "kinetri-verify";  // without /proc, PATH may contain it
   const fs::path path = program.parent_path() / "kinetri-verify";
   if (::access(path.c_str(), X_OK) == 0) return path.string();
   throw Usage_error(
@@ -34,7 +34,7 @@ std::string path_of_verifier() {
              "installed with kinetri"));
 }
 
-// What is there after the run to be read once more.
+// Whether the output can be read after the run.
 bool is_lasting(const std::string& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
@@ -46,7 +46,7 @@ std::vector<Edge_ids> edges_now(const Simulation& simulation) {
   return simulation.visit([](const auto& s) { return s.triangulation().finite_edge_ids(); });
 }
 
-// Whether the points move linearly, and nothing touches them.
+// Whether the points move linearly and have no contacts.
 bool is_plain(const Any_simulation& simulation) {
   return simulation.visit([]<class Traits>(const Simulation_2<Traits>& s) {
     return std::same_as<typename Traits::Motion, Linear_motion_2> && !s.options().box &&
@@ -54,8 +54,8 @@ bool is_plain(const Any_simulation& simulation) {
   });
 }
 
-// A time as a binary64 number: the next one after it if it is none. There is no event between the
-// two but where two events are as near.
+// The current time rounded up to a binary64 number. An event lies between the two only if two
+// events are that close.
 double upper_bound_of_now(const Any_simulation& simulation) {
   return simulation.visit([](const auto& s) { return s.current_time().tight_interval().upper; });
 }
@@ -116,7 +116,7 @@ Exit_code Verification::run(const Any_simulation& simulation, const Run_source& 
   add("--until", upper_bound_of_now(simulation));
   add("--initial-edges", files_[initial_edges].path);
   add("--edges", files_[edges].path);
-  // Else the points file says it all.
+  // Else the points file contains all motions.
   if (!has_points || !is_plain(simulation)) add("--motions", files_[motions].path);
   simulation.visit([&](const auto& s) {
     const Simulation_options& options = s.options();

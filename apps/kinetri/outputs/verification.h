@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The verification of a run: after it the program kinetri-verify decides whether it was right, from
-// the input and from what was logged alone.
+// The verification of a run: the program kinetri-verify decides from the input and the logs whether
+// the run was correct.
 #ifndef KINETRI_APPS_VERIFICATION_H
 #define KINETRI_APPS_VERIFICATION_H
 
@@ -23,21 +23,22 @@ namespace kinetri::app {
 
 class Run_source;
 
-/// What kinetri-verify reads: outputs of the run that are files, and nameless files in place of the
+/// The files for kinetri-verify: outputs of the run that are files, and nameless files for the
 /// others.
 class Verification {
  public:
   /// Throws Usage_error if kinetri-verify is not beside this program; Output_error.
   explicit Verification(const Output_paths& outputs);
 
-  /// Follows the run from its start on. Throws Output_error.
+  /// Observes the run from its start on. Throws Output_error.
   void start(const Any_simulation& simulation);
 
-  /// To be called at the end of the run. Throws Output_error if its own files are not complete.
+  /// Must be called at the end of the run. Throws Output_error if its own files cannot be
+  /// completed.
   void finish(const Any_simulation& simulation);
 
-  /// Runs kinetri-verify, whose answer goes to the stream. Preconditions: finish() has been called,
-  /// and the outputs of the run are in their places.
+  /// Runs kinetri-verify, which writes its answer to the stream. Precondition: finish() and
+  /// Run_outputs::commit have been called.
   Exit_code run(const Any_simulation& simulation, const Run_source& source, Stream answer) const;
 
  private:
@@ -46,7 +47,7 @@ class Verification {
   /// An output of the run, or a file of its own.
   struct File {
     std::string path;
-    Nameless_file own;     // null if it is an output
+    Nameless_file own;     // null if the file is an output
     std::ofstream stream;  // of its own file
   };
 

@@ -10,19 +10,20 @@
 namespace kinetri::app {
 namespace {
 
-// So many events are played as they are; a longer run is thinned. Of many points more are kept:
-// merging saves nothing as long as most edges have changed only once. But a page cannot hold any
-// number.
+// The greatest number of events of a page; a longer run is thinned. It is greater for many points,
+// since merging saves nothing while most edges have changed only once, but limited by what a
+// browser can load.
 std::size_t most_rows(std::size_t points) {
   constexpr std::size_t enough = 40'000;
   constexpr std::size_t too_many = 400'000;
   return std::clamp(20 * points, enough, too_many);
 }
 
-// A page with more encounters would take too long to open.
+// A page with more encounters would open too slowly.
 constexpr std::size_t most_encounters = 400'000;
 
-// Its times that are binary64 numbers. One that goes on at the end of the run is shown there.
+// The encounter with times rounded inward. One that has not ended is shown at the end of the run
+// too.
 Viewer_encounter shown(const Encounter& encounter, const Algebraic_number& now) {
   const double end =
       encounter.end == now ? now.to_double() : -std::numeric_limits<double>::infinity();
@@ -49,7 +50,7 @@ Viewer_output::Viewer_output(const Any_simulation& simulation, const Run_source&
 
 template <class Traits>
 void Viewer_output::follow_encounters(Simulation_2<Traits>& simulation, double range) {
-  // A function must be able to be copied, and so what it has.
+  // std::function must be copyable, hence the shared_ptr.
   encounters_ = [&simulation, observer = std::make_shared<Encounters<Traits>>(simulation, range)] {
     const std::vector<Encounter> encounters = observer->encounters();
     Viewer_encounters result = {observer->range(), {}, encounters.size()};

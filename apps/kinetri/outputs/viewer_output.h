@@ -18,7 +18,7 @@
 
 namespace kinetri::app {
 
-/// Records a run from its construction on. The simulation must outlive it, and calls it.
+/// Records a run from its construction on. The simulation must outlive it.
 class Viewer_output {
  public:
   /// `view`: what the page shows first, see Viewer_settings. With a `range`, the page has the
@@ -40,7 +40,7 @@ class Viewer_output {
   std::variant<Recorder_of<Linear_kinetic_traits_2>, Recorder_of<Polynomial_kinetic_traits_2>,
                Recorder_of<Disc_kinetic_traits_2>, Recorder_of<Polynomial_disc_kinetic_traits_2>>
       recorder_;
-  std::function<Viewer_encounters()> encounters_;  // up to now; none if they are not followed
+  std::function<Viewer_encounters()> encounters_;  // up to now; empty if there is no range
 };
 
 }  // namespace kinetri::app

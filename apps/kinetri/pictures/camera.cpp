@@ -10,13 +10,13 @@
 namespace kinetri::app {
 namespace {
 
-constexpr double outliers = 0.02;      // share of the coordinates at each end that may be outside
-constexpr double shown_beyond = 0.25;  // of the extent without them that is shown of them
-constexpr int times_in_motion = 8;     // at which an accelerated motion is sampled
-constexpr std::size_t times_in_run = 32;  // at which all points are, where the camera follows them
-constexpr double most_growth = 1.5;       // of the extent in a run for which one extent is used
+constexpr double outliers = 0.02;  // fraction of the coordinates at each end that may be outside
+constexpr double shown_beyond = 0.25;     // fraction of the extent that is added for outliers
+constexpr int times_in_motion = 8;        // samples of an accelerated motion
+constexpr std::size_t times_in_run = 32;  // samples of all points if the camera follows them
+constexpr double most_growth = 1.5;       // of the extent during a run with one extent
 constexpr double margin = 28;             // pixels
-constexpr double axis_width = 48;         // pixels that axes take at most, of most numbers
+constexpr double axis_width = 48;         // pixels; enough for the axes with most numbers
 constexpr double axis_height = 24;
 
 struct Span {
@@ -24,12 +24,12 @@ struct Span {
   double high;
 };
 
-// Coordinates that overflow are left out.
+// Leaves out coordinates that overflow.
 void add_finite(double number, std::vector<double>& numbers) {
   if (std::isfinite(number)) numbers.push_back(number);
 }
 
-// Of most of the numbers, with some room.
+// The span of most of the numbers, with a margin.
 Span span_of_most(std::vector<double> numbers) {
   if (numbers.empty()) return {-1, 1};
   std::ranges::sort(numbers);
@@ -40,7 +40,7 @@ Span span_of_most(std::vector<double> numbers) {
   return {std::max(numbers.front(), low - room), std::min(numbers.back(), high + room)};
 }
 
-// With discs of the radius; never empty, and of finite size.
+// The span with discs of the radius; never empty, and of finite size.
 Span widened(Span span, double radius, double other_size) {
   span.low -= radius;
   span.high += radius;
@@ -67,7 +67,7 @@ double greater_side(const Box_2& box) {
   return std::max(box.xmax - box.xmin, box.ymax - box.ymin);
 }
 
-// Of the box, or of where the points go in the whole run.
+// The box, or the extent of all positions in the run.
 Box_2 whole_extent(const Viewer_page& page) {
   if (const auto& box = page.settings.box) {
     return extent_of({box->xmin, box->xmax}, {box->ymin, box->ymax}, 0);
@@ -110,7 +110,8 @@ Extents::Extents(const Viewer_page& page)
 
 void Extents::sample(const Viewer_page& page) {
   const Recording& recording = page.recording;
-  // If points come and go, or turn, the camera would move to and fro: then it stays.
+  // If points appear, disappear or change their motions, the camera stays: it would move back and
+  // forth.
   if (std::ranges::any_of(recording.motions,
                           [](const Recorded_motion& motion) { return motion.event.has_value(); })) {
     return;
@@ -138,7 +139,7 @@ void Extents::sample(const Viewer_page& page) {
 Box_2 Extents::at(double time) const {
   if (samples_.empty()) return whole_;
   const double share = (time - from_) / (until_ - from_);
-  const double place = share > 0 ? share * times_in_run : 0;  // 0 too where the span overflows
+  const double place = share > 0 ? share * times_in_run : 0;  // also 0 if the span overflows
   const std::size_t i = std::min(static_cast<std::size_t>(place), times_in_run - 1);
   const auto between = [&](double Box_2::*side) {
     return samples_[i].*side +
@@ -156,7 +157,7 @@ void Camera::fit(const Box_2& extent, bool has_axes) {
   };
   scale_ = std::min(room(width_, left) / (extent.xmax - extent.xmin),
                     room(height(), bottom) / (extent.ymax - extent.ymin));
-  // In the middle of what axes leave.
+  // In the middle of the area beside the axes.
   center(extent.xmin / 2 + extent.xmax / 2 - left / 2 / scale_,
          extent.ymin / 2 + extent.ymax / 2 - bottom / 2 / scale_);
 }
@@ -189,7 +190,7 @@ double Detail::dot_strength() const {
 }
 
 double Detail::edge_strength(bool is_behind) const {
-  constexpr double vanish = 2.6;  // distances of neighbors at which edges do, and begin to
+  constexpr double vanish = 2.6;  // distances of neighbors at which edges vanish, and begin to fade
   constexpr double fade = 5.5;
   const double spacing = is_behind ? spacing_ / 3 : spacing_;
   return std::clamp((spacing - vanish) / (fade - vanish), 0.0, 1.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which part of the plane a picture shows, and how much detail there is room for: as on the page
+// The part of the plane that a picture shows, and its level of detail, as on the page
 // (viewer/extents.js, camera.js, detail.js).
 #ifndef KINETRI_APPS_CAMERA_H
 #define KINETRI_APPS_CAMERA_H
@@ -14,15 +14,15 @@
 
 namespace kinetri::app {
 
-/// The part of the plane that the points cover: one for the whole run, unless they spread much;
-/// then the camera follows them. The few that are far from all others may be outside.
+/// The part of the plane that the points cover: one for the whole run, or, if they spread much, one
+/// for each time. A few outliers may be outside.
 class Extents {
  public:
   explicit Extents(const Viewer_page& page);
 
-  /// At a time of the run.
+  /// The extent at a time of the run.
   Box_2 at(double time) const;
-  /// Of the whole run.
+  /// The extent of the whole run.
   const Box_2& whole() const { return whole_; }
 
  private:
@@ -31,20 +31,20 @@ class Extents {
   double from_;
   double until_;
   Box_2 whole_;
-  std::vector<Box_2> samples_;  // at even times; none if there is one for the whole run
+  std::vector<Box_2> samples_;  // at evenly spaced times; empty if there is one for the whole run
 };
 
-/// Where the plane is on the picture.
+/// Maps the plane to the picture.
 class Camera {
  public:
   /// The lowest `strip` pixels are for the legend.
   Camera(int width, int height, double strip) : width_(width), height_(height), strip_(strip) {}
 
-  /// Shows the whole extent, beside the axes if there are any.
+  /// Shows the whole extent, beside the axes if shown.
   void fit(const Box_2& extent, bool has_axes);
-  /// Shows so much of the plane, with the place in the middle.
+  /// Shows the given width of the plane, centered at (x, y).
   void look(double x, double y, double width);
-  /// The place is in the middle.
+  /// Centers the view at (x, y).
   void center(double x, double y);
 
   double scale() const { return scale_; }  ///< pixels per unit of length
@@ -54,8 +54,7 @@ class Camera {
   double x(double x) const { return (x - x_) * scale_ + width_ / 2; }
   double y(double y) const { return height() / 2 - (y - y_) * scale_; }
   Pixel pixel(double px, double py) const { return {x(px), y(py)}; }
-  /// How far apart neighbors are, in pixels, if `points` are spread evenly over what is seen of the
-  /// extent.
+  /// The distance of neighbors in pixels, if `points` points were evenly spread over the extent.
   double spacing(const Box_2& extent, std::size_t points) const;
 
  private:
@@ -75,7 +74,7 @@ class Detail {
   double spacing() const { return spacing_; }
   double dot_radius() const;
   double dot_strength() const;
-  /// From 0, where lines would only cover each other, to 1. Behind others they need more room.
+  /// From 0 (lines would cover each other) to 1. Lines behind others fade earlier.
   double edge_strength(bool is_behind = false) const;
   double line_width() const;
 

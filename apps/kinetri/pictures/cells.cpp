@@ -8,7 +8,7 @@
 namespace kinetri::app {
 namespace {
 
-// The part of a convex polygon in which the power to a is not greater than that to b.
+// The part of a convex polygon in which the power of a is at most that of b.
 std::vector<Vector_2> nearer_part(const std::vector<Vector_2>& polygon, const Recorded_place& a,
                                   const Recorded_place& b) {
   const double dx = b.x - a.x;
@@ -18,7 +18,7 @@ std::vector<Vector_2> nearer_part(const std::vector<Vector_2>& polygon, const Re
   });
 }
 
-// Of a counterclockwise polygon, about its first corner.
+// The area of a counterclockwise polygon, computed relative to its first corner.
 double area_of(const std::vector<Vector_2>& polygon) {
   double twice = 0;
   for (std::size_t i = 2; i < polygon.size(); ++i) {
@@ -30,7 +30,7 @@ double area_of(const std::vector<Vector_2>& polygon) {
   return twice / 2;
 }
 
-// The corners of the cell in order; none if it has no bounds.
+// The corners of the cell in order; none if it is unbounded.
 std::vector<Vector_2> corners_of(const Playback& playback,
                                  const std::vector<Recorded_place>& places, Point_id id,
                                  const std::vector<Point_id>& neighbors) {

@@ -17,19 +17,19 @@
 namespace kinetri::app {
 
 struct Cell {
-  std::vector<Vector_2> corners;  ///< counterclockwise; none of a cell that has no bounds
-  /// Not a number where the cell has no bounds, or there is none.
+  std::vector<Vector_2> corners;  ///< counterclockwise; none if the cell is unbounded
+  /// NaN if the cell is unbounded or empty.
   double area = std::numeric_limits<double>::quiet_NaN();
   std::size_t degree = 0;  ///< number of neighbors
 };
 
-/// The cells of all points by id, cut to the box if there is one. `places` are those of the
+/// The cells of all points by id, clipped to the box if there is one. `places` are those of the
 /// playback's time.
 std::vector<Cell> cells(const Playback& playback, const std::vector<Recorded_place>& places,
                         const std::optional<Box_2>& box);
 
-/// The place of equal power to three points; not finite where they are on a line. Of points without
-/// weights it is the centre of the circle through them.
+/// The position of equal power to three points; not finite if they are collinear. Without weights
+/// it is the circumcenter.
 Vector_2 power_center(const Recorded_place& a, const Recorded_place& b, const Recorded_place& c);
 
 }  // namespace kinetri::app

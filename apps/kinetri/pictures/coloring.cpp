@@ -14,8 +14,8 @@
 namespace kinetri::app {
 namespace {
 
-constexpr int range_times = 7;         // at which all numbers are looked at for the scale
-constexpr double range_beyond = 0.02;  // share of the numbers beyond either end of the scale
+constexpr int range_times = 7;         // samples of all numbers for the scale
+constexpr double range_beyond = 0.02;  // fraction of the numbers beyond either end of the scale
 constexpr double most_linear = 30;     // ratio of the ends up to which the scale is linear
 constexpr std::size_t most_kinds = 8;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
@@ -29,7 +29,7 @@ std::string kind_of_name(const std::string& name) {
   return end == std::string::npos ? "(number)" : name.substr(0, end + 1);
 }
 
-// None if there are too many.
+// Empty if there are too many.
 std::vector<std::string> kinds_of(const Viewer_page& page) {
   std::set<std::string> kinds;
   for (const std::string& name : page.settings.names) {
@@ -48,7 +48,7 @@ bool is_whole(Quantity quantity) {
          quantity == Quantity::members;
 }
 
-// The least id in the component of each point, which pairs within range make up.
+// For each point the least id in its component; pairs within range are linked.
 std::vector<Point_id> components(const std::vector<Edge_ids>& pairs, std::size_t points) {
   std::vector<Point_id> parent(points);
   std::iota(parent.begin(), parent.end(), Point_id{0});
@@ -65,7 +65,7 @@ std::vector<Point_id> components(const std::vector<Edge_ids>& pairs, std::size_t
   return parent;
 }
 
-// How often the neighbors of each point have changed: an edge at it came or went.
+// The number of edges added or removed at each point so far.
 std::vector<double> changes_so_far(const Playback& playback) {
   std::vector<double> result(playback.points());
   for (std::size_t row = 0; row < playback.rows(); ++row) {
@@ -117,7 +117,7 @@ Coloring::Coloring(const Viewer_page& page, Quantity quantity) : page_(page), qu
   }
 }
 
-// By id; no_number for none.
+// The number of each point by id; no_number if it has none.
 std::vector<double> Coloring::numbers(const Playback& playback,
                                       const std::vector<Recorded_place>& places,
                                       const std::vector<Cell>& cells) const {
@@ -132,7 +132,7 @@ std::vector<double> Coloring::numbers(const Playback& playback,
       const std::size_t members = size[component[i]];
       if (quantity_ == Quantity::members) {
         result[i] = static_cast<double>(members);
-      } else if (members > 1) {  // what is alone has no color
+      } else if (members > 1) {  // isolated points have no color
         result[i] = component[i];
       }
     }
@@ -156,7 +156,7 @@ std::vector<double> Coloring::numbers(const Playback& playback,
   return result;
 }
 
-// Looks at the numbers at some times of the run.
+// Samples the numbers at some times of the run.
 void Coloring::find_range() {
   Playback playback(page_.recording);
   const auto& [from, until] = std::pair(page_.recording.from, page_.recording.until);

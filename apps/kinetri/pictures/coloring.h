@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The points' colors: which number of each point they stand for, and which color a number has, as
-// on the page (viewer/coloring.js). The scale is that of the whole run, so that colors can be
-// compared over time; a fiftieth of the numbers at either end may lie beyond it.
+// The points' colors, as on the page (viewer/coloring.js). The scale covers the numbers of the
+// whole run, so that colors can be compared over time, except up to 2 % of them at either end.
 #ifndef KINETRI_APPS_COLORING_H
 #define KINETRI_APPS_COLORING_H
 
@@ -21,7 +20,7 @@ namespace kinetri::app {
 /// Whether the page has all encounters of the run.
 bool has_encounters(const Viewer_page& page);
 
-/// The pairs of points that are within range at a time, as the page has them.
+/// The pairs of points that are within range at a time, by the encounters of the page.
 std::vector<Edge_ids> encounters_at(const Viewer_page& page, double time);
 
 /// The quantities by which the points of the run can be colored, `none` among them.
@@ -29,23 +28,24 @@ std::vector<Quantity> quantities_of(const Viewer_page& page);
 
 class Coloring {
  public:
-  /// Precondition: the quantity is one of those of the run, and not `none`. `page` must outlive it.
+  /// Precondition: the quantity is one of quantities_of(page), and not `none`. `page` must outlive
+  /// it.
   Coloring(const Viewer_page& page, Quantity quantity);
 
-  /// The color of each point by id at the playback's time; none for those that have no number.
+  /// The color of each point by id at the playback's time; none for a point without a number.
   std::vector<std::optional<Color>> colors(const Playback& playback,
                                            const std::vector<Recorded_place>& places,
                                            const std::vector<Cell>& cells) const;
 
-  /// Whether colors are those of kinds or components, not of a scale of numbers.
+  /// Whether colors stand for kinds or components, not for numbers on a scale.
   bool is_of_kinds() const {
     return quantity_ == Quantity::kind || quantity_ == Quantity::component;
   }
-  /// The kinds of points, if it is of these, in the order of their colors.
+  /// The kinds of points in the order of their colors, if the quantity is `kind`.
   const std::vector<std::string>& kinds() const { return kinds_; }
   /// What the colors show, with the unit of lengths if it is known: "Cell area, in m^2".
   std::string title(const std::string& unit) const;
-  /// The numbers at the ends of the scale, and whether there are numbers beyond.
+  /// The numbers at the ends of the scale.
   double least() const { return least_; }
   double greatest() const { return greatest_; }
   bool is_cut() const { return is_cut_; }

@@ -77,8 +77,8 @@ std::string Film::encoded(Film_format format, double frames_per_second) const {
                                         "-c:v",       "png",          "-i",
                                         "pipe:0"};
   for (const std::string& argument : encoding_arguments(format)) arguments.push_back(argument);
-  // Nothing of the machine or the time in the file, which is named by its descriptor since formats
-  // go back in it.
+  // No metadata, so that the bytes are reproducible. The file is named by its descriptor, since
+  // some formats need to seek.
   for (const char* argument :
        {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"}) {
     arguments.emplace_back(argument);

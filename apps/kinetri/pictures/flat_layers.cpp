@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The layers of the flat picture, as the page draws them (viewer/flat_view.js, overlays.js).
+// The layers of the flat picture, drawn as on the page (viewer/flat_view.js, overlays.js).
 #include <algorithm>
 #include <cmath>
 
@@ -10,12 +10,13 @@
 namespace kinetri::app {
 namespace {
 
-constexpr int trail_parts = 5;  // each fainter than the one before it
-constexpr int trail_steps = 4;  // in a part of the trail of an accelerated point
+constexpr int trail_parts = 5;  // each fainter than the previous one
+constexpr int trail_steps = 4;  // per part, if the point accelerates
 constexpr std::size_t most_arrows = 1500;
-constexpr std::size_t most_events_shown = 24;  // before and after the time, besides those at it
+constexpr std::size_t most_events_shown =
+    24;  // before and after the time, apart from those at the time
 
-// The circles of the points that are hidden, or of the others: radius(place) each.
+// Circles of radius(place) about the hidden points, or about the others.
 template <class Radius>
 std::vector<Circle> circles_of(const Scene& scene, bool are_hidden, const Radius& radius) {
   std::vector<Circle> result;
@@ -27,7 +28,7 @@ std::vector<Circle> circles_of(const Scene& scene, bool are_hidden, const Radius
   return result;
 }
 
-// Adds the path from `end` back to `begin` of a point, with its turns.
+// Adds the path of a point from `end` back to `begin`, through its changes of motion.
 void add_path(std::vector<Segment>& path, const Scene& scene, Point_id id, double begin,
               double end) {
   const Recording& recording = scene.playback.recording();
@@ -52,8 +53,8 @@ void add_path(std::vector<Segment>& path, const Scene& scene, Point_id id, doubl
   }
 }
 
-// The edge of the diagram for an edge: between the centers of its two triangles, or a ray from the
-// center of its only triangle, or a line. Rays end outside of the picture.
+// The dual edge in the diagram: between the centers of the two triangles at the edge, or a ray from
+// the center of its only triangle, or a line. Rays end outside of the picture.
 Segment voronoi_edge(const Scene& scene, const Edge_ids& edge) {
   const Point_id a = edge[0];
   const Point_id b = edge[1];
@@ -76,10 +77,10 @@ Segment voronoi_edge(const Scene& scene, const Edge_ids& edge) {
   const double part = 0.5 + (scene.places[a].weight - scene.places[b].weight) * scale * scale /
                                 (2 * length * length);
   const Pixel crossing = {p.x + part * dx, p.y + part * dy};
-  // On the picture y is down, so that the left of ab is at (dy, -dx).
+  // In the picture y points down, so (dy, -dx) is to the left of ab.
   const double ux = dy / length;
   const double uy = -dx / length;
-  // A ray begins far from the picture where the center is, but has to reach across it.
+  // The center may be far from the picture, but the ray must cross the picture.
   const auto far_from = [&](const Pixel& from, double sign) {
     const double reach = 4 * (scene.camera.width() + scene.camera.height()) +
                          std::hypot(from.x - crossing.x, from.y - crossing.y);
@@ -171,7 +172,7 @@ void draw_heat(Svg_drawing& drawing, const Scene& scene, const Heat& heat) {
     if (heat.levels[i] == 0) continue;
     const double column = static_cast<double>(i % heat.columns);
     const double row = static_cast<double>(i / heat.columns);
-    // Whole pixels, so that the fields meet.
+    // Whole pixels, so that there are no gaps between fields.
     const double left = std::round(scene.camera.x(heat.left + column * heat.side));
     const double right = std::round(scene.camera.x(heat.left + (column + 1) * heat.side));
     const double top = std::round(scene.camera.y(heat.bottom + (row + 1) * heat.side));
@@ -238,8 +239,8 @@ void draw_hull(Svg_drawing& drawing, const Scene& scene) {
   drawing.lines("hull", hull, {scene.view.theme().hull, 2, true});
 }
 
-// An arrow is as long as the point moves in the time in which a fast one moves to its neighbor.
-// Where there are many, only some have one.
+// The length of an arrow is the way of its point in the time in which a fast point reaches its
+// neighbor. If there are many points, only some have arrows.
 void draw_arrows(Svg_drawing& drawing, const Scene& scene) {
   constexpr double head = 0.28;
   constexpr double turn = 0.45;
@@ -270,7 +271,7 @@ void draw_arrows(Svg_drawing& drawing, const Scene& scene) {
   drawing.lines("arrows", arrows, {scene.view.theme().arrow, 1.5, true});
 }
 
-// With its quadrilateral.
+// The selected edge with its quadrilateral.
 void draw_selected_edge(Svg_drawing& drawing, const Scene& scene) {
   if (!scene.view.edge || !scene.playback.edges().contains(*scene.view.edge)) return;
   const auto [a, b] = *scene.view.edge;
@@ -289,7 +290,7 @@ void draw_selected_edge(Svg_drawing& drawing, const Scene& scene) {
   drawing.lines("selected", {scene.segment({a, b})}, {theme.selected, 4});
 }
 
-// Its cell, and its edges.
+// The selected point with its cell and its edges.
 void draw_selected_point(Svg_drawing& drawing, const Scene& scene) {
   if (!scene.view.point) return;
   const Theme& theme = scene.view.theme();
@@ -315,7 +316,7 @@ void draw_point_rings(Svg_drawing& drawing, const Scene& scene) {
   draw_ring(drawing, scene, "selected", point, 6, theme.added, 3);
 }
 
-// Removed edges dashed, added ones bold.
+// Draws removed edges dashed, added ones bold.
 void draw_events_around(Svg_drawing& drawing, const Scene& scene) {
   const Recording& recording = scene.playback.recording();
   const double time = scene.playback.time();
@@ -345,7 +346,7 @@ void draw_points(Svg_drawing& drawing, const Scene& scene) {
                   {theme.quiet, 1.25});
 }
 
-// As many as there is room for, those of the lesser ids first.
+// Draws as many ids as fit, lesser ones first.
 void draw_ids(Svg_drawing& drawing, const Scene& scene) {
   constexpr double size = 11;
   struct Label {

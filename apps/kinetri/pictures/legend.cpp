@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is around a picture: the scale of colors, the scale bar, the legend and the time; and the
-// heat of events, whose greatest number the legend says.
+// The surroundings of a picture: color scale, scale bar, legend and time; and the counts of the
+// heat map, whose maximum is in the legend.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -15,14 +15,14 @@ namespace kinetri::app {
 namespace {
 
 constexpr double font = 12;
-constexpr double side = 16;         // between the border and what is beside it
+constexpr double side = 16;         // between the border and its neighbors
 constexpr double line_height = 20;  // of the legend
-constexpr double sample = 22;       // width of what a line of it begins with
+constexpr double sample = 22;       // width of the sample in a line
 constexpr double scale_height = 46;
 constexpr double scale_width = 192;
 constexpr double longest_bar = 130;
 
-// The n-th of the numbers 1, 2 and 5 times a power of ten; the zeroth is 1.
+// The n-th of the numbers 1, 2 and 5 times a power of ten; the number 0 is 1.
 double round_number(int n) {
   const int step = (n % 3 + 3) % 3;
   return std::array<double, 3>{1, 2, 5}[static_cast<std::size_t>(step)] *
@@ -32,11 +32,11 @@ double round_number(int n) {
 // A line of the legend.
 struct Legend_line {
   std::string text;
-  // Draws the sample, whose left end, at half the height of the line, is given.
+  // Draws the sample, given the position of its left end at half the height of the line.
   std::function<void(Svg_drawing&, Pixel)> draw;
 };
 
-// Of what is shown.
+// The lines for all shown layers.
 std::vector<Legend_line> legend_lines(const Viewer_page& page, const View& view,
                                       const Coloring* coloring, const Heat* heat) {
   const Theme& theme = view.theme();
@@ -95,8 +95,8 @@ struct Tick {
   std::string text;
 };
 
-// The multiples of a round number between two places in the plane, at least so many pixels apart;
-// none where binary64 numbers do not tell them apart. `pixel` says where they are.
+// The multiples of a round number between `from` and `to`, at least `apart` pixels apart; none if
+// binary64 numbers cannot distinguish them. `pixel` maps a coordinate to pixels.
 template <class Pixel_of>
 std::vector<Tick> ticks(double from, double to, double scale, double apart, const Pixel_of& pixel) {
   const int n = static_cast<int>(std::ceil(3 * std::log10(apart / scale))) + 1;
@@ -118,8 +118,8 @@ double width_of_line(const Legend_line& line) {
   return sample + 6 + width_of_text(line.text, font) + 18;
 }
 
-// Calls function(line, place) for each line, with its place relative to the upper left corner of
-// the legend, and returns how high they all are.
+// Calls function(line, place) for each line, with its position relative to the upper left corner of
+// the legend. Returns the height of the legend.
 template <class Function>
 double lay_out(const std::vector<Legend_line>& lines, double width, Function function) {
   Pixel at = {0, line_height / 2};
@@ -158,7 +158,7 @@ void draw_scale_of_colors(Svg_drawing& drawing, const Theme& theme, const Colori
   drawing.text(number(coloring.greatest(), "\u2265 "), {side + scale_width, bottom - 3}, right);
 }
 
-// The longest of the lengths 1, 2 and 5 times a power of ten for which there is room.
+// Draws the longest length of the form 1, 2 or 5 times a power of ten that fits.
 void draw_scale_bar(Svg_drawing& drawing, const Scene& scene, double y) {
   const double scale = scene.camera.scale();
   int n = static_cast<int>(std::ceil(3 * std::log10(longest_bar / scale))) + 1;
@@ -175,7 +175,7 @@ void draw_scale_bar(Svg_drawing& drawing, const Scene& scene, double y) {
                {(left + right) / 2, y - 8}, {theme.text, {}, font, Anchor::middle});
 }
 
-// Gives a quarter of each number to each of the two beside it.
+// Smooths the counts: each gives a quarter to either neighbor.
 std::vector<double> spread(const std::vector<double>& counts, std::size_t columns, bool is_along) {
   std::vector<double> result(counts.size());
   const std::size_t step = is_along ? 1 : columns;
@@ -194,7 +194,7 @@ std::vector<double> spread(const std::vector<double>& counts, std::size_t column
 double height_of_legend(const Viewer_page& page, const View& view, const Coloring* coloring,
                         double width) {
   const bool has_scales = has_scale_of_colors(view, coloring) || view.shows(Layer::scale);
-  // How many events there are at most changes no line's room much.
+  // The maximum of the heat map hardly changes the width of its line.
   const Heat some_heat;
   const double lines = lay_out(legend_lines(page, view, coloring, &some_heat), width,
                                [](const Legend_line&, const Pixel&) {});
@@ -230,7 +230,7 @@ void draw_legend(Svg_drawing& drawing, const Scene& scene, const Coloring* color
   }
 }
 
-// A strip at the left and one at the bottom, with ticks at round numbers.
+// Draws the axes: strips at the left and the bottom, with ticks at round numbers.
 void draw_axes(Svg_drawing& drawing, const Scene& scene) {
   constexpr double tick = 5;
   constexpr double strip = 24;
@@ -286,7 +286,7 @@ Heat heat_of(const Viewer_page& page, const Box_2& extent, const std::vector<Eve
   result.side = std::max(width, height) / std::round(fields);
   const auto fields_along = [&](double length) {
     const double number = std::min(std::ceil(length / result.side), std::round(fields) + 1);
-    return number >= 1 ? static_cast<std::size_t>(number) : 1;  // 1 where the length overflows
+    return number >= 1 ? static_cast<std::size_t>(number) : 1;  // 1 if the length overflows
   };
   result.columns = fields_along(width);
   const std::size_t lines = fields_along(height);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The links between points within range of each other, as the page draws them (viewer/links.js).
+// The links between points within range of each other, drawn as on the page (viewer/links.js).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,14 +10,15 @@
 namespace kinetri::app {
 namespace {
 
-constexpr double link_field = 24;       // pixels; the side in which links are measured
-constexpr double links_cover = 0.3;     // of a field; links that would cover more are fainter
-constexpr int link_levels = 18;         // of strength; two of them halve it
-constexpr double thinnest_link = 0.02;  // pixels; what is thinner is a share of a pixel's color
+constexpr double link_field = 24;  // pixels; side of the fields in which ink is measured
+constexpr double links_cover =
+    0.3;  // greatest fraction of a field that is covered; denser links are fainter
+constexpr int link_levels = 18;         // of strength, which two levels halve
+constexpr double thinnest_link = 0.02;  // pixels; thinner lines become fainter instead
 constexpr double faintest_link = 0.4;
 
-// Calls function(field, share) for places along the segment, half of a field apart at most, with
-// the share of its length that each stands for.
+// Samples the segment at most half a field apart, and calls function(field, share) with the
+// fraction of its length for each sample.
 template <class Function>
 void walk_fields(const Camera& camera, const Segment& segment, const Function& function) {
   const double columns = std::ceil(camera.width() / link_field);
@@ -36,7 +37,7 @@ void walk_fields(const Camera& camera, const Segment& segment, const Function& f
   }
 }
 
-// The level of each link, by the ink that all links would have in the fields along it.
+// The level of each link, from the ink of all links in the fields along it.
 std::vector<int> levels_of_links(const Camera& camera, const std::vector<Segment>& links,
                                  double width) {
   std::vector<double> ink(static_cast<std::size_t>(std::ceil(camera.width() / link_field) *
@@ -63,8 +64,7 @@ std::vector<int> levels_of_links(const Camera& camera, const std::vector<Segment
 
 }  // namespace
 
-// Between points that are within range of each other. In a crowd they are thinner and fainter, so
-// that what is between and behind them is seen.
+// Draws the links. Dense ones are thinner and fainter, so that what is behind them is seen.
 void draw_links(Svg_drawing& drawing, const Scene& scene) {
   std::array<std::vector<Segment>, link_levels> by_level;
   const double width = 1.6 * scene.detail.line_width();
@@ -77,8 +77,8 @@ void draw_links(Svg_drawing& drawing, const Scene& scene) {
     by_level[static_cast<std::size_t>(levels[i])].push_back(links[i]);
   }
   for (int level = link_levels - 1; level >= 0; --level) {
-    // The line becomes thinner, since lines of one path that lie over each other add their widths
-    // but not their strengths; only in the end it becomes fainter.
+    // Lines become thinner before they become fainter: overlapping lines of one path do not add
+    // their strengths.
     const double ink = width / std::exp2(level / 2.0);
     drawing.lines(
         "links", by_level[static_cast<std::size_t>(level)],

@@ -7,8 +7,8 @@
 
 namespace kinetri::app {
 
-/// The part of a polygon, given by its corners in order, where `depth`, linear in the place, is not
-/// negative (Sutherland and Hodgman, Reentrant polygon clipping, Communications of the ACM 17,
+/// The part of a polygon, given by its corners in order, in which the linear function `depth` is
+/// not negative (Sutherland and Hodgman, Reentrant polygon clipping, Communications of the ACM 17,
 /// 1974). A `Place` has x and y.
 template <class Place, class Depth>
 std::vector<Place> part_inside(const std::vector<Place>& corners, const Depth& depth) {

@@ -12,8 +12,8 @@
 namespace kinetri::app {
 namespace {
 
-constexpr std::size_t most_with_ids = 40;  // points whose ids are shown without being asked for
-constexpr double whole_run = 30;           // seconds in which a page plays a run, about
+constexpr std::size_t most_with_ids = 40;  // points up to which ids are shown by default
+constexpr double whole_run = 30;           // seconds in which a page plays a run, approximately
 constexpr double seconds_of_trail = 6;     // of such playing
 
 // The speed at which a page plays: 1, 2 or 5 times a power of ten.
@@ -39,7 +39,7 @@ double fast_speed(const Recording& recording) {
   return speeds[static_cast<std::size_t>(place)];
 }
 
-// Where points turn at times that are left out, nobody knows where they have been.
+// Whether changes of motion are left out, so that past positions are unknown.
 bool turns_are_left_out(const Recording& recording) {
   return recording.is_thinned &&
          std::ranges::any_of(recording.motions, [](const Recorded_motion& motion) {
@@ -182,7 +182,7 @@ std::string Run_pictures::at(double time) {
 }
 
 std::string Run_pictures::after(std::size_t rows) {
-  // All of an instant.
+  // All rows of an instant.
   const auto& events = page_.recording.events;
   while (rows > 0 && rows < events.size() && events[rows].time == events[rows - 1].time) ++rows;
   playback_.go_to_row(rows);

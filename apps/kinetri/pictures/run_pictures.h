@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures of a recorded run, as SVG, without a browser. They have the layers of the page that
-// plays the run, drawn in the same way (viewer/flat_view.js), and are asked for in the same words
-// (view_words.h). Edges and triangles are those of the recording; places are rounded.
+// Pictures of a recorded run, as SVG, without a browser. They have the same layers as the page,
+// drawn in the same way (viewer/flat_view.js), and the same settings (view_words.h). Edges and
+// triangles are those of the recording; positions are rounded.
 //
-// Where the picture of the page is changed, this folder has to be changed too;
-// viewer/test/taking.py compares the colors of both.
+// Changes of the page's picture must be repeated in this folder; viewer/test/exporting.py compares
+// the two.
 #ifndef KINETRI_APPS_RUN_PICTURES_H
 #define KINETRI_APPS_RUN_PICTURES_H
 
@@ -25,7 +25,7 @@ struct Picture_options {
   double highlight = 0;  ///< see View
 };
 
-/// A source of words, for messages, and the words.
+/// View words, and their source for messages.
 struct View_source {
   std::string name;
   View_words words;
@@ -33,16 +33,16 @@ struct View_source {
 
 class Run_pictures {
  public:
-  /// Later sources count more. `page` must outlive it. Throws Usage_error where the run does not
-  /// have what a word names.
+  /// Later sources override earlier ones. `page` must outlive it. Throws Usage_error if a word
+  /// names something that the run does not have.
   Run_pictures(const Viewer_page& page, const std::vector<View_source>& sources,
                const Picture_options& options);
 
-  /// The picture at a time. Precondition: it is one of the run.
+  /// The picture at a time. Precondition: the time is within the run.
   std::string at(double time);
-  /// The picture just after so many rows of the recording. Precondition: there are so many.
+  /// The picture just after the first `rows` rows of the recording. Precondition: it has that many.
   std::string after(std::size_t rows);
-  /// The one that the sources ask for; without such words, that of the start.
+  /// The picture at the time or event of the sources; by default, at the start.
   std::string first();
 
  private:

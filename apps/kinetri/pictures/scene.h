@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is to be drawn at one time, and the layers of which a picture consists.
+// The state to draw at one time, and the layers of a picture.
 #ifndef KINETRI_APPS_SCENE_H
 #define KINETRI_APPS_SCENE_H
 
@@ -20,7 +20,7 @@
 
 namespace kinetri::app {
 
-/// How many events happen where, on a grid over the extent of the run.
+/// The heat map: counts of events on a grid over the extent of the run.
 struct Heat {
   double left = 0;
   double bottom = 0;
@@ -32,7 +32,7 @@ struct Heat {
 
 inline constexpr int heat_levels = 12;
 
-/// What all pictures of a run have in common. All of it is known to be possible in the run.
+/// The settings of all pictures of a run, checked against the run.
 struct View {
   std::array<bool, layer_names.size()> is_shown = {};
   std::optional<Point_id> point;  ///< that is selected
@@ -45,8 +45,8 @@ struct View {
   bool has_scale = true;  ///< of colors, if there are any
   bool has_time = false;
   bool is_dark = false;
-  double trail = 0;      ///< time that trails last
-  double highlight = 0;  ///< time around an event in which it is marked, besides its own instant
+  double trail = 0;      ///< duration of trails
+  double highlight = 0;  ///< time before and after an event in which it is marked
   double fast = 0;       ///< a speed that few points exceed
   int decimals = 0;      ///< of the time
 
@@ -54,7 +54,7 @@ struct View {
   const Theme& theme() const { return is_dark ? dark_theme : light_theme; }
 };
 
-/// One moment, with the points on the picture.
+/// The state at one time, with the points on the picture.
 struct Scene {
   const Viewer_page& page;
   const Playback& playback;
@@ -62,7 +62,7 @@ struct Scene {
   const Camera& camera;
   Detail detail;
   std::vector<Recorded_place> places;  ///< in the plane, by id
-  std::vector<Pixel> pixels;           ///< the same on the picture; not finite if not there
+  std::vector<Pixel> pixels;           ///< on the picture; not finite if the point does not exist
   bool has_weights = false;
   bool has_discs = false;
 
@@ -72,7 +72,7 @@ struct Scene {
   Segment segment(const Edge_ids& edge) const { return {pixels[edge[0]], pixels[edge[1]]}; }
 };
 
-// ---- layers of the flat picture, from the lowest on ----
+// ---- layers of the flat picture, the lowest first ----
 
 void draw_box(Svg_drawing& drawing, const Scene& scene);
 void draw_colors(Svg_drawing& drawing, const Scene& scene, const Coloring& coloring);
@@ -92,19 +92,19 @@ void draw_point_rings(Svg_drawing& drawing, const Scene& scene);
 void draw_ids(Svg_drawing& drawing, const Scene& scene);
 void draw_axes(Svg_drawing& drawing, const Scene& scene);
 
-/// The surface of `kinetri wave`, seen at an angle; draws all of it.
+/// Draws the surface of `kinetri wave`, seen at an angle.
 void draw_wave(Svg_drawing& drawing, Scene& scene);
 
 // ---- around the picture ----
 
-/// The height of the strip at the lower side that they need; 0 if there are none.
+/// The height of the strip for scale and legend at the lower side; 0 if there is none.
 double height_of_legend(const Viewer_page& page, const View& view, const Coloring* coloring,
                         double width);
-/// The scale of colors, the scale bar and the legend, in that strip; the time.
+/// Draws color scale, scale bar and legend in that strip, and the time.
 void draw_legend(Svg_drawing& drawing, const Scene& scene, const Coloring* coloring,
                  const Heat* heat);
 
-/// The heat of the run's events of these kinds.
+/// The heat map of the run's events of these kinds.
 Heat heat_of(const Viewer_page& page, const Box_2& extent, const std::vector<Event_kind>& kinds);
 
 /// "3-7", or the names of the points.

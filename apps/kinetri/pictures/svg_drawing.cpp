@@ -12,10 +12,10 @@
 namespace kinetri::app {
 namespace {
 
-constexpr double seen_margin = 16;   // pixels around the drawing that are kept
-constexpr double most_radius = 1e6;  // a circle that large is a line, if it is seen at all
+constexpr double seen_margin = 16;   // pixels outside of the drawing that are kept
+constexpr double most_radius = 1e6;  // larger circles are left out
 
-// In hundredths; without a sign if it is 0.
+// Rounds to hundredths; turns -0 into 0.
 double hundredths(double value) {
   return std::round(100 * value) / 100 + 0.0;
 }
@@ -70,7 +70,7 @@ void Svg_drawing::add_stroke(const Stroke& stroke) {
   if (!stroke.dash.empty()) add(" stroke-dasharray=\"", stroke.dash, '"');
 }
 
-// Cuts the segment to what may be seen, and returns whether anything is left (Liang and Barsky, A
+// Clips the segment to the visible area, and returns whether anything is left (Liang and Barsky, A
 // new concept and method for line clipping, ACM Transactions on Graphics 3, 1984).
 bool Svg_drawing::clip(Segment& segment) const {
   if (!is_finite(segment.from) || !is_finite(segment.to)) return false;
@@ -79,7 +79,7 @@ bool Svg_drawing::clip(Segment& segment) const {
   const Pixel from = segment.from;
   const double dx = segment.to.x - from.x;
   const double dy = segment.to.y - from.y;
-  const auto cut = [&](double run, double room) {  // inside where run * t <= room
+  const auto cut = [&](double run, double room) {  // inside if run * t <= room
     if (run == 0) return room >= 0;
     run < 0 ? enter = std::max(enter, room / run) : leave = std::min(leave, room / run);
     return true;
@@ -164,7 +164,7 @@ void Svg_drawing::polygons(std::string_view name, const std::vector<Filled_polyg
     is_empty = false;
     add("<path");
     add_color("fill", color);
-    // What would be seen between two that are drawn with soft borders.
+    // Covers the gaps between antialiased neighbors.
     if (color.alpha == 1) add_color("stroke", color);
     add_outline(corners);
   }
@@ -181,7 +181,7 @@ void Svg_drawing::polygon(std::string_view name, const Filled_polygon& polygon,
   add_outline(corners);
 }
 
-// The end of an element.
+// Adds the path, and ends the element.
 void Svg_drawing::add_outline(const std::vector<Pixel>& corners) {
   add(" d=\"");
   char letter = 'M';
@@ -214,7 +214,7 @@ void Svg_drawing::text(std::string_view text, Pixel place, const Text_style& sty
 }
 
 double width_of_text(std::string_view text, double size) {
-  // Bytes that continue a character of UTF-8 are not counted.
+  // Continuation bytes of UTF-8 are not counted.
   const auto letters = std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; });
   constexpr double mean_width = 0.62;  // of digits and letters in a plain font
   return mean_width * size * static_cast<double>(letters);

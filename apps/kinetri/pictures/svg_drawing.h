@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A drawing that writes SVG: lines, circles, polygons and texts, later ones above earlier ones.
-// Places and lengths are in pixels, y down; coordinates are rounded to hundredths of a pixel. What
-// is outside of the drawing is left out or cut off, since programs that show SVG compute with few
-// bits; what is at no finite place is left out.
+// Positions and lengths are in pixels, with y pointing down; coordinates are rounded to hundredths
+// of a pixel. Parts outside of the drawing are clipped, since programs that show SVG compute with
+// low precision; parts at positions that are not finite are left out.
 #ifndef KINETRI_APPS_SVG_DRAWING_H
 #define KINETRI_APPS_SVG_DRAWING_H
 
@@ -28,7 +28,7 @@ struct Circle {
   double radius = 0;
 };
 
-/// A color as `#0072b2`, and how much of what is below it covers.
+/// A color as `#0072b2`, and its opacity.
 struct Color {
   std::string_view hex = "none";
   double alpha = 1;
@@ -43,7 +43,7 @@ struct Stroke {
   std::string_view dash = {};  ///< lengths of dashes and gaps, as SVG has them
 };
 
-/// A polygon, and the color that fills it. Neighbors of one drawing meet without a gap.
+/// A polygon and its color. Adjacent polygons are drawn without a gap.
 struct Filled_polygon {
   std::vector<Pixel> corners;
   Color color;
@@ -58,11 +58,11 @@ struct Text_style {
   Anchor anchor = Anchor::start;
 };
 
-/// Each function draws one layer, whose element has the name as its class; nothing if the layer is
+/// Each function draws one layer, an element with `name` as its class; nothing if the layer is
 /// empty.
 class Svg_drawing {
  public:
-  /// `title`: what the drawing is called, for people.
+  /// `title`: the SVG element of that name.
   Svg_drawing(int width, int height, Color background, std::string_view title);
 
   double width() const { return width_; }
@@ -70,10 +70,10 @@ class Svg_drawing {
 
   /// One path, with a line `M x yL x y` for each segment.
   void lines(std::string_view name, const std::vector<Segment>& segments, const Stroke& stroke);
-  /// A group of circles of one color; of those that are not filled, the fill is `none`.
+  /// A group of circles of one color. Without a filling, `fill` is `none`.
   void circles(std::string_view name, const std::vector<Circle>& circles, const Color& fill,
                const Stroke& stroke = {});
-  /// A group of circles, each with the color that is at its place in `colors`.
+  /// A group of circles, each with the color of the same index.
   void circles(std::string_view name, const std::vector<Circle>& circles,
                const std::vector<Color>& colors);
   /// A group of paths.
@@ -102,7 +102,7 @@ class Svg_drawing {
   std::string svg_;
 };
 
-/// How wide a text is, about.
+/// The approximate width of a text.
 double width_of_text(std::string_view text, double size);
 
 }  // namespace kinetri::app

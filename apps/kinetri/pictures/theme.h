@@ -34,17 +34,16 @@ inline constexpr Theme dark_theme = {
     {"#cc79a7"},       {"#2fc79a"}, {"#ff8a3c"}, {"#56b4e9"},      {"#ffffff"},
     {"#56b4e9", 0.16}, {"#c9a3ee"}, {"#f0a070"}, {"#040a12", 0.4}, {"#bedef5", 0.18}};
 
-/// So many colors show numbers.
+/// The number of colors in the scale.
 inline constexpr std::size_t shades = 64;
 
-/// These, from the least number to the greatest.
+/// The colors of the scale, from the least number to the greatest.
 const std::array<std::string, shades>& color_scale();
 
-/// The color of the i-th kind of points; after the last one they begin again.
+/// The color of the i-th kind of points, modulo the number of colors.
 Color kind_color(std::size_t i);
 
-/// The color between those of a list, from the share 0 for the first to 1 for the last, times
-/// `strength`.
+/// Interpolates a list of colors, from `share` 0 for the first to 1 for the last, times `strength`.
 std::string color_between(const std::vector<std::array<int, 3>>& colors, double share,
                           double strength = 1);
 

@@ -16,11 +16,11 @@
 namespace kinetri::app {
 namespace {
 
-// A value is none where it is not possible.
+// A value, or none if the text is not valid.
 template <class Value>
 using Possible = std::optional<Value>;
 
-// The characters that are written as %41 or +, as in addresses.
+// Decodes %41 and +, as in addresses.
 std::string decoded(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -38,7 +38,7 @@ std::string decoded(std::string_view text) {
   return result;
 }
 
-// In decimal digits: what pages read too.
+// A finite decimal number, as pages read it.
 Possible<double> finite_number(std::string_view text) {
   double result = 0;
   if (text.starts_with('+')) text.remove_prefix(1);
@@ -60,7 +60,7 @@ Possible<bool> one_of_two(std::string_view text, std::string_view on, std::strin
   return text == on;
 }
 
-// The index of the name.
+// The index of the name in `names`.
 template <std::size_t n>
 Possible<std::size_t> index_of(std::string_view text,
                                const std::array<std::string_view, n>& names) {
@@ -80,7 +80,8 @@ std::array<std::string_view, event_kinds> kind_names() {
   return result;
 }
 
-// The fields between commas as values; none if one of them is not possible.
+// Calls `function` for the fields between commas until it returns false; returns whether it never
+// did.
 template <class Function>
 bool each_field(std::string_view text, Function function) {
   bool result = true;
@@ -128,7 +129,7 @@ Possible<std::vector<Event_kind>> kinds(std::string_view text) {
   return are_kinds ? Possible<std::vector<Event_kind>>(result) : std::nullopt;
 }
 
-// Sets the field if the value is possible, and returns whether it is.
+// Sets the field if there is a value, and returns whether there is one.
 template <class Field, class Value>
 bool set(std::optional<Field>& field, const Possible<Value>& value) {
   if (value) field = static_cast<Field>(*value);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The words that say what is shown of a run: `t=2.5&color=area&hide=ids`, as they stand after `#`
-// in the address of a page, in --html-view, and in --view of kinetri render.
+// The words that select what is shown of a run: `t=2.5&color=area&hide=ids`, as they stand after
+// `#` in the address of a page, in --html-view, and in --view of kinetri render.
 //
-// What can be judged without the run is judged here: names and values. Whether the run has what
-// they name (an edge, a point, a time, discs) is judged where the run is known.
+// Names and the form of values are checked here. Whether the run has the edge, point, time or discs
+// that a word needs is checked by Run_pictures.
 #ifndef KINETRI_APPS_VIEW_WORDS_H
 #define KINETRI_APPS_VIEW_WORDS_H
 
@@ -21,7 +21,7 @@
 
 namespace kinetri::app {
 
-/// What can be switched on and off in a picture.
+/// Parts of a picture that can be switched on and off.
 enum class Layer {
   wave,
   delaunay,
@@ -42,18 +42,18 @@ inline constexpr std::array<std::string_view, 13> layer_names = {
     "wave",   "delaunay", "hull", "voronoi", "circle", "discs", "trails",
     "arrows", "links",    "heat", "scale",   "axes",   "ids"};
 
-/// What points can be colored by.
+/// Quantities by which points can be colored.
 enum class Quantity { none, area, density, speed, degree, changes, size, component, members, kind };
 
 inline constexpr std::array<std::string_view, 10> quantity_names = {
     "none",    "area", "density",   "speed",   "degree",
     "changes", "size", "component", "members", "kind"};
 
-/// The words with values; what is not there is as the page shows it without a word.
+/// The words with values. Absent ones mean the page's default.
 struct View_words {
   std::optional<double> time;
-  std::optional<std::uint64_t> event;            ///< so many events have happened
-  std::vector<std::pair<Layer, bool>> switches;  ///< in the order in which they are followed
+  std::optional<std::uint64_t> event;            ///< number of events that have happened
+  std::vector<std::pair<Layer, bool>> switches;  ///< in the order in which they apply
   std::optional<Edge_ids> edge;
   std::optional<std::string> point;  ///< an id or a name
   std::optional<bool> follows_point;
@@ -65,11 +65,11 @@ struct View_words {
   std::optional<bool> is_dark;
 };
 
-/// Reads them; `source` is the option or the file from which they are. Of several words of one
-/// name, the last one counts. Throws Usage_error.
+/// Parses the words; `source` is their option or file, for messages. Of several words of one name,
+/// the last one counts. Throws Usage_error.
 View_words view_words(std::string_view source, std::string_view text);
 
-/// Throws Usage_error: the word of that name cannot have the value.
+/// Throws Usage_error: the value is not possible for the word `name`.
 [[noreturn]] void refuse_view_word(std::string_view source, std::string_view name,
                                    std::string_view value, std::string_view expected);
 

@@ -14,17 +14,17 @@
 namespace kinetri::app {
 namespace {
 
-// Dark to light in lightness too, so that the heights can be told apart without color.
+// Lightness increases with the height, so that heights can be distinguished without color.
 const std::vector<std::array<int, 3>> wave_ramp = {
     {24, 66, 106}, {0, 98, 148}, {0, 141, 158}, {98, 186, 160}, {206, 226, 170}, {255, 250, 228}};
 constexpr double yaw = -0.5;
 constexpr double pitch = 0.66;        // 0: from the side, pi / 2: from above
-constexpr double dark_height = 0.45;  // share of the height below which lines are light
+constexpr double dark_height = 0.45;  // fraction of the height below which lines are light
 constexpr std::array<double, 3> light = {-0.42, -0.46, 0.78};
 
 struct Raised {
   double z = 0;
-  double depth = 0;  // the greater, the farther away
+  double depth = 0;  // greater is farther away
 };
 
 bool moves(const Polynomial_disc_motion_2& motion) {
@@ -32,7 +32,7 @@ bool moves(const Polynomial_disc_motion_2& motion) {
          motion.jerk != Vector_2();
 }
 
-// Computes the heights, and puts the points where they are seen.
+// Computes the heights, and projects the points.
 std::vector<Raised> raise(Scene& scene, const Box_2& extent, double width, double height) {
   const Wave_shape& wave = *scene.page.settings.wave;
   double sum = 0;
@@ -70,14 +70,14 @@ struct Face {
   double depth;
 };
 
-// From back to front.
+// The triangles from back to front.
 std::vector<Face> faces(const Playback& playback, const std::vector<Raised>& raised) {
   std::vector<Face> result;
   for (const auto& [a, b] : playback.edges()) {
     for (const Triangle_ids& corners :
          {Triangle_ids{a, b, playback.apex(a, b)}, Triangle_ids{b, a, playback.apex(b, a)}}) {
       const Point_id c = corners[2];
-      // Each triangle once: at the edge of its two least corners.
+      // Each triangle once: at the edge between its two least corners.
       if (c == no_point || c < b) continue;
       result.push_back({corners, raised[a].depth + raised[b].depth + raised[c].depth});
     }
@@ -88,7 +88,7 @@ std::vector<Face> faces(const Playback& playback, const std::vector<Raised>& rai
   return result;
 }
 
-// How much light falls on the triangle, from 0 to 1.
+// The brightness of the triangle, from 0 to 1.
 double lit(const Scene& scene, const std::vector<Raised>& raised, const Triangle_ids& corners) {
   const auto& [a, b, c] = corners;
   const auto& places = scene.places;
@@ -113,11 +113,11 @@ void draw_wave(Svg_drawing& drawing, Scene& scene) {
   const std::vector<Raised> raised =
       raise(scene, Extents(page).whole(), scene.camera.width(), scene.camera.height());
   const Theme& theme = scene.view.theme();
-  std::deque<std::string> colors;  // whose places do not change
+  std::deque<std::string> colors;  // whose elements do not move
   for (const auto& [corners, depth] : faces(scene.playback, raised)) {
     double level = 0;
     for (const Point_id id : corners) level += raised[id].z / (3 * page.settings.wave->height);
-    // The factor is what the page has.
+    // The same factors as on the page.
     const double strength = 0.5 + 0.56 * lit(scene, raised, corners);
     colors.push_back(color_between(wave_ramp, level, strength));
     const Color fill = {colors.back()};

@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::array<int, 11> percentages = {0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
 
-// The time steps of the comparison, as shares of the duration.
+// The time steps of the comparison, as fractions of the duration.
 constexpr std::array<double, 8> steps = {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005};
 
 struct Run {
@@ -59,7 +59,7 @@ std::uint64_t discarded(const Run& run, std::initializer_list<Event_kind> kinds)
   return sum;
 }
 
-// What is plotted for one abscissa: over the seeds.
+// Statistics over the seeds at one abscissa.
 struct Spread {
   double least = 0;
   double median = 0;
@@ -105,7 +105,7 @@ class Experiments {
   Spread over_seeds(double step, Value value) const;
 
   const Experiment_plan& plan_;
-  Experiment_setting setting_;  // but for movers and seed
+  Experiment_setting setting_;  // except for movers and seed
   Progress progress_;
   std::vector<Run> runs_;
   std::vector<Comparison> comparisons_;
@@ -136,7 +136,8 @@ void Experiments::measure() {
   Experiment_setting setting = setting_;
   setting.movers = setting.points;
   run_experiment(setting);  // warms up
-  // One seed after another, so that a slow moment of the machine is not that of one percentage.
+  // The seed in the outer loop, so that a slow phase of the machine does not affect one percentage
+  // alone.
   for (setting.seed = 1; setting.seed <= plan_.seeds; ++setting.seed) {
     for (const int percentage : percentages) {
       if (interrupted()) return;
@@ -204,7 +205,7 @@ void Experiments::write() const {
 }
 
 void Experiments::write_runs(std::ostream& out) const {
-  // Those that happen: points neither come nor go, and of discs of one size none is hidden.
+  // The kinds that can occur: no point is inserted or erased, and equal discs are never hidden.
   std::vector<Event_kind> kinds = {Event_kind::rebuild,     Event_kind::hull_insert,
                                    Event_kind::hull_remove, Event_kind::flip,
                                    Event_kind::wall,        Event_kind::collision};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The paper's experiment, for all shares of moving points and several seeds: tables and plots.
+// The paper's experiment, for all percentages of moving points and several seeds: tables and plots.
 #ifndef KINETRI_APPS_EXPERIMENT_RUN_H
 #define KINETRI_APPS_EXPERIMENT_RUN_H
 
@@ -14,8 +14,8 @@
 namespace kinetri::app {
 
 struct Experiment_plan {
-  Experiment_run run;       ///< all runs are like this one, but for share of movers and seed
-  std::uint64_t seeds = 5;  ///< from 1 to this number
+  Experiment_run run;       ///< of all runs, except for the percentage of movers and the seed
+  std::uint64_t seeds = 5;  ///< the seeds are 1 to this number
   std::string directory;    ///< where to write
   bool compares = false;    ///< with discrete steps
   bool plots = true;
@@ -23,8 +23,8 @@ struct Experiment_plan {
   bool quiet = false;
 };
 
-/// Runs everything, then writes all files. Interrupted, it writes what it has. Throws Output_error,
-/// and what Simulation_2 throws.
+/// Makes all runs, then writes all files. If interrupted, it writes the results so far. Throws
+/// Output_error, and what Simulation_2 throws.
 Exit_code run_experiments(const Experiment_plan& plan);
 
 }  // namespace kinetri::app

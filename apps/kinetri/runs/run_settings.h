@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is done with a run, whatever its source.
+// The settings of a run, independent of its source.
 #ifndef KINETRI_APPS_RUN_SETTINGS_H
 #define KINETRI_APPS_RUN_SETTINGS_H
 
@@ -21,24 +21,24 @@ enum class Audit_mode {
   events,  ///< at the start, after each group of simultaneous events, and at the end
 };
 
-/// How many frames there are.
+/// The rate of frames.
 struct Frame_rate {
-  double per_time = 0;  ///< how many in a unit of time
-  std::string option;   ///< what asked for it, as messages name it
+  double per_time = 0;  ///< frames in a unit of time
+  std::string option;   ///< the option, for messages
 };
 
 struct Run_settings {
   Output_paths outputs;
   std::optional<Frame_rate> frame_rate;  ///< without one, there are 101 frames
   Answer_settings answers;
-  std::uint64_t max_events = 1'000'000'000;  ///< the run stops after the instant with more
+  std::uint64_t max_events = 1'000'000'000;  ///< the run stops after the instant that exceeds it
   std::string html_view;                     ///< what the page of --html shows first
   std::optional<double> html_range;          ///< of the encounters in that page
   std::optional<double> until_share;         ///< the run ends where the discs cover this share
   Audit_mode audit = Audit_mode::none;
-  std::size_t threads = 0;  ///< that work together; 0: as many as the machine gives
+  std::size_t threads = 0;  ///< 0: as many as are available
   bool exact_only = false;  ///< without filters
-  bool verifies = false;    ///< by kinetri-verify, after the run
+  bool verifies = false;    ///< whether kinetri-verify checks the run
   Progress_mode progress = Progress_mode::automatic;
   bool quiet = false;
 };

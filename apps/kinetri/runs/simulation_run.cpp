@@ -70,13 +70,13 @@ std::vector<std::string> input_paths(const Run_settings& settings, const Run_sou
   return result;
 }
 
-// The line of the input that a message about a point begins with.
+// The file and line with which a message about the point begins.
 std::string place_of(const Run_source& source, Point_id point) {
   const std::size_t line = source.line_of(point);
   return line == 0 ? "kinetri" : joined(input_name(source.path()), ":", line);
 }
 
-// About the point, in the words of the source.
+// Throws an error about the point, named as in the input.
 [[noreturn]] void fail(const Run_source& source, Point_id point, const char* problem) {
   const std::size_t line = source.line_of(point);
   if (line == 0) throw Run_error(problem);
@@ -156,17 +156,17 @@ class Simulation_run {
   std::optional<Frame_outputs> frames_;
   std::optional<Area_output> areas_;
   std::unique_ptr<Run_sampler> sampler_;
-  std::optional<Jam_watch> jam_watch_;  // if discs grow, and may have no room left
+  std::optional<Jam_watch> jam_watch_;  // if growing discs may jam
   bool jammed_ = false;
   std::optional<Endless_contacts_error> endless_;  // what has ended the run
   std::uint64_t executed_ = 0;
-  std::uint64_t events_before_ = 0;  // of the run that this one takes up
+  std::uint64_t events_before_ = 0;  // of the run that this one continues
   std::size_t failures_ = 0;
 };
 
 Exit_code Simulation_run::run() {
   build();
-  // A window of time of a run by regions may have an event for every third point.
+  // A time window of parallel execution may have an event for every third point.
   stop_gracefully_from_now_on(std::chrono::milliseconds(400) +
                               std::chrono::microseconds(5 * statistics_.points));
   progress_.show_stage("running");
@@ -194,7 +194,7 @@ Exit_code Simulation_run::run() {
   return Exit_code::done;
 }
 
-// Reads the input and makes the first triangulation.
+// Reads the input and constructs the simulation.
 void Simulation_run::build() {
   progress_.show_stage("reading");
   source_.read();
@@ -244,7 +244,7 @@ void Simulation_run::build() {
   statistics_.seconds.write += stopwatch_.lap();
 }
 
-// Of the outputs that measure cells.
+// Reads the limits of cells if an output measures cells.
 void Simulation_run::read_limits() {
   for (const Output_row& row : output_table) {
     if (!row.has_limits || !outputs_.has(row.output) || asked_.limits) continue;
@@ -253,7 +253,7 @@ void Simulation_run::read_limits() {
   if (outputs_.has(Output::areas)) areas_.emplace(asked_.limits, settings_.frame_rate);
 }
 
-// The time at which the run ends as it goes now.
+// The time at which the run ends, with the present growth of discs.
 double Simulation_run::end_of_run() const {
   if (!settings_.until_share) return *source_.until();
   const std::optional<double> end =
@@ -279,7 +279,7 @@ void Simulation_run::watch_growth() {
       for (Point_id id = 0; id < triangulation.next_id(); ++id) {
         do_grow = do_grow || (triangulation.contains(id) && triangulation.motion(id).growth > 0);
       }
-      // Discs jam where contacts turn them: with one another, or with walls that a disc fills.
+      // Discs can jam if contacts change their velocities, or if one fills the box.
       const std::string response = source_.response();
       const bool do_turn = response == "elastic" || response == "swap";
       const bool is_filled = s.options().rim_touches && does_disc_fill_box(s, statistics_.until);
@@ -299,7 +299,7 @@ bool Simulation_run::is_jammed() {
   });
 }
 
-// That the discs cover, where they do not overlap and are inside.
+// The fraction that the discs cover, if they do not overlap and are inside of the box.
 std::optional<double> Simulation_run::share_of_box() const {
   return simulation_.visit(
       []<class Traits>(const Simulation_2<Traits>& s) -> std::optional<double> {
@@ -310,7 +310,7 @@ std::optional<double> Simulation_run::share_of_box() const {
       });
 }
 
-// Returns the number of events that `run` executes in the simulation, and counts them.
+// Counts and returns the number of events that `run` executes.
 template <class Run>
 std::size_t Simulation_run::execute(const Run& run) {
   try {
@@ -319,13 +319,13 @@ std::size_t Simulation_run::execute(const Run& run) {
     return events;
   } catch (const Coincident_trajectories_error& error) {
     throw source_.coincidence(error, time());
-  } catch (const Endless_contacts_error& error) {  // all is as before that contact
+  } catch (const Endless_contacts_error& error) {  // the state is that before the contact
     endless_ = error;
     return 0;
   }
 }
 
-// The next time at which there is something to write or to count, none after the last.
+// The next time of a frame or a sample; none after the last.
 std::optional<double> Simulation_run::next_stop() const {
   std::optional<double> result;
   const auto include = [&](const auto& output) {
@@ -353,7 +353,7 @@ void Simulation_run::stop_at(double time) {
 void Simulation_run::advance() {
   for (auto stop = next_stop(); stop && go_to(*stop); stop = next_stop()) stop_at(*stop);
   statistics_.interrupted = !go_to(statistics_.until);
-  // A little further, if contacts have rounded radii down.
+  // Contacts may have rounded radii down: then a little further.
   while (settings_.until_share && !statistics_.interrupted) {
     const double end = end_of_run();
     if (end == statistics_.until) break;
@@ -364,8 +364,8 @@ void Simulation_run::advance() {
   statistics_.seconds.run += stopwatch_.lap();
 }
 
-// Executes the events up to `end`. Whether it got there before an interruption and with as many
-// events as are allowed.
+// Executes the events up to `end`. Returns false if an interruption or --max-events has stopped it
+// before.
 bool Simulation_run::go_to(double end) {
   const Algebraic_number until(end);
   while (!interrupted() && !jammed_ && !endless_ && executed_ <= settings_.max_events) {
@@ -382,28 +382,28 @@ bool Simulation_run::go_to(double end) {
     jammed_ = is_jammed();
     expect_logs_are_written();
     if (progress_.due()) progress_.show(time(), number_of_events());
-    // Recomputing all certificates exactly is left to the audits at the two ends: it would take
-    // nearly all the time of the run.
+    // Only the audits at start and end recompute all certificates exactly: that would dominate the
+    // run time.
     if (settings_.audit == Audit_mode::events) audit(Audit_level::reference);
   }
   return false;
 }
 
-// Whether nothing is to be done between the events, so that they may come by the thousand.
+// Whether nothing is to be done between events, so that many may be executed at once.
 bool Simulation_run::may_run_ahead() const {
   return settings_.audit != Audit_mode::events && !jam_watch_ && has_room_for_events();
 }
 
-// Whether so many events are allowed that there are not too many after the next window of time of a
-// run by regions, or the next instant. A window has far fewer than 16 events a point.
+// Whether --max-events cannot be exceeded within the next time window of parallel execution, or the
+// next instant. A window has far fewer than 16 events per point.
 bool Simulation_run::has_room_for_events() const {
   const std::uint64_t executed = number_of_events() - events_before_;
   const std::uint64_t needed = 16 * std::uint64_t{statistics_.points} + 1'000'000;
   return executed <= settings_.max_events && settings_.max_events - executed >= needed;
 }
 
-// Executes the events up to `until`, or until there is a reason to go on step by step or to end.
-// Whether it got there.
+// Executes the events up to `until`, or until the run must continue step by step or end. Returns
+// whether it reached `until`.
 bool Simulation_run::run_ahead(const Algebraic_number& until) {
   bool goes_on = true;
   const std::function<bool()> may_go_on = [&] {
@@ -417,8 +417,7 @@ bool Simulation_run::run_ahead(const Algebraic_number& until) {
   return goes_on && !endless_;
 }
 
-// Throws where a log cannot be written. A log that nobody reads is no error while there are other
-// outputs.
+// Throws if a log cannot be written. A closed pipe is not an error while there are other outputs.
 void Simulation_run::expect_logs_are_written() {
   for (const Output log : {Output::events, Output::motions, Output::certificates}) {
     if (outputs_.has(log) && !outputs_.stream(log)) outputs_.finish(log);
@@ -507,8 +506,8 @@ void Simulation_run::write_outputs() {
     Output output;
     void (Simulation_run::*write)(std::ostream&);
   };
-  // The plot and the statistics say how long writing the others took. The edges at the start, the
-  // events, the motions and the certificates have been written before.
+  // The plot and the statistics come last, since they contain the time of writing the others.
+  // Initial edges, events, motions and certificates have been written before.
   constexpr std::array<Writer, 6> writers = {{{Output::edges, &Simulation_run::write_edges_now},
                                               {Output::ids, &Simulation_run::write_ids},
                                               {Output::checkpoint, &Simulation_run::write_state},
@@ -531,8 +530,8 @@ void Simulation_run::write_outputs() {
   outputs_.commit();
 }
 
-// Not where a signal has stopped the run: who sends one does not want to wait. Nor where it has
-// ended within a time, since only what is so after all events of a time has to be right.
+// Not if a signal has stopped the run: the user does not want to wait. Nor if the run has ended
+// within an instant, since the triangulation need only be correct after all events of a time.
 Exit_code Simulation_run::verify() const {
   if (!verification_ || interrupted()) return Exit_code::done;
   if (endless_) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One run of a simulation: a source in; events, edges and statistics out.
+// Runs a simulation from a source, and writes its outputs.
 #ifndef KINETRI_APPS_SIMULATION_RUN_H
 #define KINETRI_APPS_SIMULATION_RUN_H
 
@@ -11,9 +11,9 @@ namespace kinetri::app {
 
 class Run_source;
 
-/// Runs. Outputs are opened first, and take the place of what was there only after all of them have
-/// been written: a run that throws changes no file, but for Unread_output_error. Failures of audits
-/// and a summary go to standard error.
+/// Outputs are opened first, and replace existing files only after all have been written: a run
+/// that throws changes no file, except with Unread_output_error. Failures of audits and a summary
+/// go to standard error.
 ///
 /// Throws Usage_error if two outputs, or an output and the input, are one file, or there are too
 /// many frames; Run_error if points keep colliding without time advancing; Output_error, of which

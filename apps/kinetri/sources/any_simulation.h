@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A simulation of points whose kind of motion the input decides. Takes in CGAL; what only passes a
-// simulation on declares the class.
+// A simulation whose kind of motion depends on the input. Includes CGAL: headers that only name the
+// class should declare it.
 #ifndef KINETRI_APPS_ANY_SIMULATION_H
 #define KINETRI_APPS_ANY_SIMULATION_H
 
@@ -21,10 +21,10 @@ class Any_simulation {
   using Discs = Simulation_2<Disc_kinetic_traits_2>;
   using Polynomial_discs = Simulation_2<Polynomial_disc_kinetic_traits_2>;
 
-  /// None, until another one is assigned.
+  /// Holds no simulation until one is assigned.
   Any_simulation() = default;
   /// @{
-  /// That one. NOLINTNEXTLINE(google-explicit-constructor)
+  /// Holds the simulation. NOLINTNEXTLINE(google-explicit-constructor)
   Any_simulation(std::unique_ptr<Linear> simulation) : simulation_(std::move(simulation)) {}
   /// NOLINTNEXTLINE(google-explicit-constructor)
   Any_simulation(std::unique_ptr<Polynomial> simulation) : simulation_(std::move(simulation)) {}
@@ -35,12 +35,11 @@ class Any_simulation {
       : simulation_(std::move(simulation)) {}
   /// @}
 
-  /// What `function` gives for the simulation, whichever it is.
+  /// Calls `function` with the simulation.
   template <class Function>
   std::invoke_result_t<Function, Linear&> visit(Function function) const {
-    // The type of the result stands here, so that std::visit need not look into the function for
-    // it: clang forgets virtual functions of objects that are made where it only looks (LLVM issue
-    // 60965).
+    // The explicit result type keeps std::visit from deducing it: clang omits virtual functions of
+    // objects that are created only in a deduced body (LLVM issue 60965).
     return std::visit(
         [&](const auto& simulation) -> std::invoke_result_t<Function, Linear&> {
           return function(*simulation);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A checkpoint as the source of a run: one that was interrupted, or that is to go on.
+// A checkpoint as the source of a run that continues an earlier one.
 #ifndef KINETRI_APPS_CHECKPOINT_SOURCE_H
 #define KINETRI_APPS_CHECKPOINT_SOURCE_H
 
@@ -12,7 +12,7 @@
 
 namespace kinetri::app {
 
-/// `path` is a path, or "-"; `until` the end of the run, or none: see Run_source::until.
+/// `path` may be "-". `until`: see Run_source::until.
 std::unique_ptr<Run_source> checkpoint_source(const std::string& path, std::optional<double> until);
 
 }  // namespace kinetri::app

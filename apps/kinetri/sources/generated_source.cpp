@@ -18,7 +18,7 @@ namespace {
 
 struct Generated_run {
   std::string title;
-  // At time 0, distinct, and inside of the box: points, or discs of two sizes.
+  // Distinct points or discs inside of the box, at time 0.
   std::variant<std::vector<Linear_motion_2>, std::vector<Disc_motion_2>> motions;
   Simulation_options options;
   std::string response;  // its name in `named_responses`

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points that the program itself makes as the source of a run: those of the wave, and of the
-// experiment.
+// Generated points as the source of a run: those of the wave and of the experiment.
 #ifndef KINETRI_APPS_GENERATED_SOURCE_H
 #define KINETRI_APPS_GENERATED_SOURCE_H
 
@@ -43,7 +42,7 @@ struct Experiment_run {
   Named_response collisions = named_responses.front();
 };
 
-/// The same as the library has it.
+/// Converts it to the library's type.
 Experiment_setting experiment_setting(const Experiment_run& run);
 
 std::unique_ptr<Run_source> experiment_source(const Experiment_run& run);

@@ -27,7 +27,7 @@ class Disc_reader {
     const bool is_growing = !discs_.growths.empty();
     discs_.growths.resize(points_.number_of_points());
     discs_.radii = numbers("radius", points_.radii, settings_.radius);
-    // Discs may grow from nothing.
+    // Growing discs may start with radius 0.
     if (discs_.radii.empty() && !is_growing) expect_radii();
     discs_.radii.resize(points_.number_of_points());
     for (std::size_t i = 0; i < discs_.radii.size(); ++i) check(i);
@@ -36,7 +36,7 @@ class Disc_reader {
   }
 
  private:
-  // From the column, or the same for all points from the option; none if there is neither.
+  // From the column, or the option for all points; empty if neither is given.
   std::vector<double> numbers(std::string_view name, const std::vector<double>& column,
                               const std::optional<double>& option) const {
     if (!option) return column;
@@ -56,7 +56,7 @@ class Disc_reader {
                              input_name(settings_.points), ", or --radius R"));
   }
 
-  // Whether a disc keeps its growth as long as the run goes on.
+  // Whether no response ends the growth of a disc.
   bool is_growth_kept() const {
     const std::string_view response = settings_.collisions.name;
     return response != "stop" && response != "remove";

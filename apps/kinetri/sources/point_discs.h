@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The discs about the points of a file: their sizes and masses, from columns or options, checked.
+// The discs of a points file: their sizes and masses, from columns or options, checked.
 #ifndef KINETRI_APPS_POINT_DISCS_H
 #define KINETRI_APPS_POINT_DISCS_H
 
@@ -21,14 +21,14 @@ struct Point_discs {
   bool are_equal() const;
 };
 
-/// The discs. Throws Usage_error where columns and options do not go together, or do not say how
-/// large discs are; and Input_error, naming the line, for a radius that is negative at the start or
-/// before the end (unless discs may stop growing before), and for discs that never touch, or do not
-/// fit into the box that their rims touch.
+/// The discs. Throws Usage_error if columns and options contradict each other or give no radii; and
+/// Input_error, naming the line, for a radius that is negative at the start or before the end
+/// (unless discs may stop growing before), and for discs that never touch, or do not fit into the
+/// box that reflects their boundaries.
 Point_discs point_discs(const Points_file& points, const Points_settings& settings);
 
-/// The masses of the discs, if the settings give them any; else none. Throws Input_error, naming
-/// the line, for a disc whose area is no mass.
+/// The masses of the discs; empty if all are 1. Throws Input_error, naming the line, for a squared
+/// radius that is not a valid mass.
 std::vector<double> point_masses(const Points_file& points, const Point_discs& discs,
                                  const Points_settings& settings);
 

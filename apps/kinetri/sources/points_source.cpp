@@ -22,7 +22,7 @@ class Points_source final : public Run_source {
   explicit Points_source(Points_settings settings) : settings_(std::move(settings)) {}
 
   std::string path() const override { return settings_.points; }
-  // Other programs do not read UTF-16.
+  // kinetri-verify does not read UTF-16.
   std::string points_file() const override { return points_.is_utf16 ? "" : settings_.points; }
   void read() override;
   std::size_t number_of_points() const override { return points_.number_of_points(); }
@@ -77,13 +77,13 @@ Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
     Simulation_options with_discs = options();
     with_discs.masses = point_masses(points_, discs, settings_);
     if (!discs.are_equal() || settings_.is_regular) {
-      // Discs of one size that overlap have no contact until they approach; so it has always been.
+      // Equal discs may overlap: they have no contact until they approach.
       with_discs.refuses_overlaps =
           !discs.are_equal() && with_discs.response && settings_.collisions.response != log_contact;
       return simulation_of_discs(discs, with_discs, arithmetic);
     }
     with_discs.radius = equal_radius(discs);
-    // Of no disc, which fits any box.
+    // Without discs.
     if (discs.radii.empty()) with_discs.rim_touches = false;
     return simulation_of_points(with_discs, arithmetic);
   } catch (const Outside_box_error& error) {
@@ -126,7 +126,7 @@ bool Points_source::has_discs() const {
   return settings_.collisions.response != nullptr || settings_.rim_touches || settings_.is_regular;
 }
 
-// Without what depends on the discs.
+// Without the options that depend on discs.
 Simulation_options Points_source::options() const {
   Simulation_options result;
   result.box = settings_.box;
@@ -171,7 +171,7 @@ Any_simulation Points_source::simulation(const std::vector<typename Traits::Moti
                                                 Traits(arithmetic));
 }
 
-// That of all discs, if their contacts can be computed.
+// The common radius, if contacts can be computed with it.
 double Points_source::equal_radius(const Point_discs& discs) const {
   const double radius = discs.radii.empty() ? 1 : discs.radii.front();
   if (radius <= greatest_radius) return radius;

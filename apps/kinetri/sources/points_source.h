@@ -17,13 +17,13 @@ namespace kinetri::app {
 struct Points_settings {
   std::string points;  ///< a path, or "-"
   double from = 0;
-  std::optional<double> until;  ///< at least `from`; without one, see Run_source::until
+  std::optional<double> until;  ///< at least `from`; if none, see Run_source::until
   std::optional<Box_2> box;
   bool rim_touches = false;
   std::optional<double> radius;  ///< of all discs, instead of the column of the points
-  std::optional<double> growth;  ///< the same of the growth of their radii
+  std::optional<double> growth;  ///< growth of all radii, instead of the column
   bool has_area_masses = false;  ///< masses are squares of radii, instead of the column
-  /// Whether the triangulation is the regular one of the discs, also where nothing touches them.
+  /// Whether the triangulation is the regular one of the discs even if nothing touches them.
   bool is_regular = false;
   Named_response collisions = named_responses.front();
 };

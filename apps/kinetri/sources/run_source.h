@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run simulates: points of a file, recorded tracks, or points that the program makes.
+// What a run simulates: points of a file, recorded tracks, or generated points.
 #ifndef KINETRI_APPS_RUN_SOURCE_H
 #define KINETRI_APPS_RUN_SOURCE_H
 
@@ -27,10 +27,10 @@ namespace kinetri::app {
 
 class Any_simulation;
 
-/// The name of an input in messages. `path` is a path, or "-".
+/// The name of an input in messages. `path` may be "-".
 std::string input_name(const std::string& path);
 
-/// The source of a run. By default its points are called by their ids.
+/// The source of a run. By default points are named by their ids.
 class Run_source {
  public:
   virtual ~Run_source() = default;
@@ -38,31 +38,31 @@ class Run_source {
   /// The file, or "-"; empty if there is none.
   virtual std::string path() const = 0;
 
-  /// The file, if it has the points at the start: x, y, vx, vy, ... Else empty.
+  /// The path, if it is a points file that kinetri-verify can read; else empty.
   virtual std::string points_file() const { return {}; }
 
-  /// What it is, for people.
+  /// A title for users.
   virtual std::string title() const;
 
-  /// Reads the input. To be called once, before everything below. Throws Input_error, and
-  /// Usage_error where options do not go with what was read.
+  /// Reads the input. Must be called once, before everything below. Throws Input_error, and
+  /// Usage_error if options do not fit the input.
   virtual void read() = 0;
 
-  /// To be called if the run continues the event log of the one that the source takes up. Throws
-  /// Input_error if files which that one has written are not as it left them. Those that are
-  /// `replaced` by this run (Output_file::identity) do not matter.
+  /// Must be called if this run continues the logs of an earlier one. Throws Input_error if files
+  /// that the earlier run has written have changed, except those that this run replaces
+  /// (`replaced`: Output_file::identity).
   virtual void expect_logs(const std::vector<std::string>& /*replaced*/) {}
 
   virtual std::size_t number_of_points() const = 0;
   virtual double from() const = 0;
 
-  /// The time at which the run ends; none if a share that the discs cover ends it.
+  /// The time at which the run ends; none if --until-share ends it.
   virtual std::optional<double> until() const = 0;
 
-  /// The rate of the frames that the input consists of, if it has any.
+  /// The frame rate of the input, if it consists of frames.
   virtual std::optional<Frame_rate> frame_rate() const { return std::nullopt; }
 
-  /// What pictures of the run have to show, where the source knows that.
+  /// The part of the plane that pictures have to show, if known.
   virtual std::optional<Box_2> extent() const { return std::nullopt; }
 
   /// The name of the response to contacts in `named_responses`.
@@ -71,38 +71,38 @@ class Run_source {
   /// The simulation at from(). Throws Input_error, naming the line.
   virtual Any_simulation make_simulation(Arithmetic arithmetic) const = 0;
 
-  /// What to say of two points that a contact or a change of motion has left on one trajectory.
+  /// The error for two points that have the same trajectory after a contact or a change of motion.
   virtual Input_error coincidence(const Coincident_trajectories_error& error, double time) const;
 
-  /// The point in the words of the input: its number, or the id of its track.
+  /// The name of the point in the input: its number, or the id of its track.
   virtual std::string name(Point_id id) const { return std::to_string(id); }
 
-  /// The labels of the points, by id, if the input has labels; else empty.
+  /// The labels of the points by id; empty if the input has no labels.
   virtual std::vector<std::string> labels() const { return {}; }
 
-  /// The points that the input calls by that name: one, or those of a track. None if there are
-  /// none. By default the point of that number, which need not exist.
+  /// The points with this name in the input: one, or those of a track; possibly empty. By default
+  /// the point with this number, which need not exist.
   virtual std::vector<Point_id> points_named(const std::string& name) const;
 
-  /// What names are, for messages.
+  /// A description of valid names, for messages.
   virtual std::string expected_name() const { return "the number of a point"; }
 
-  /// Whether there is a time at which both points may be there.
+  /// Whether both points may exist at the same time.
   virtual bool are_there_together(Point_id /*a*/, Point_id /*b*/) const { return true; }
 
-  /// Where points can be, as Well-Known Text, if the input has that; else empty.
+  /// The walkable area of the input as Well-Known Text; empty if it has none.
   virtual std::string walkable_area() const { return {}; }
 
-  /// What a user should know of what was read; one line each.
+  /// Remarks about the input for the user, a line each.
   virtual std::vector<std::string> remarks() const { return {}; }
 
-  /// The line of the input that a point comes from; 0 where there is none.
+  /// The line of the input with the point; 0 if there is none.
   virtual std::size_t line_of(Point_id /*id*/) const { return 0; }
 
-  /// A table of the points, for sources whose points have names.
+  /// Writes the table of points, if they have names.
   virtual void write_points(std::ostream& /*out*/) const {}
 
-  /// Adds what the page of --html says of the source.
+  /// Adds what the page of --html shows about the source.
   virtual void describe(Viewer_settings& settings) const;
 
  protected:

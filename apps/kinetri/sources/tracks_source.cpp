@@ -37,7 +37,7 @@ class Tracks_source final : public Run_source {
     if (!file_.frame_rate) return std::nullopt;
     return Frame_rate{*file_.frame_rate, "--fps"};
   }
-  /// That of all observations, if there are any.
+  /// The bounding box of all observations.
   std::optional<Box_2> extent() const override { return extent_; }
   std::string response() const override { return settings_.logs_contacts ? "log" : "none"; }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
@@ -72,7 +72,7 @@ class Tracks_source final : public Run_source {
   double from_ = 0;
   double until_ = 0;
   std::optional<Box_2> extent_;
-  std::size_t coincident_ = 0;    // ids that are left out, being at one place with another
+  std::size_t coincident_ = 0;    // number of ids left out because they coincide with others
   std::string coincident_names_;  // of the first of them
 };
 
@@ -109,7 +109,7 @@ void Tracks_source::read() {
   if (settings_.leaves_out_coincident) leave_out_coincident(options);
 }
 
-// That a rate has frames to divide by it.
+// Throws if --fps is given and the file has no frames.
 void Tracks_source::check_frame_rate() const {
   if (!settings_.reading.fps || file_.frame_rate) return;
   throw Usage_error(joined("--fps: ", input_name(path()),
@@ -117,7 +117,7 @@ void Tracks_source::check_frame_rate() const {
                            "rate of --frames and --vtu)"));
 }
 
-// All but the first of those that are at one place for some time.
+// Leaves out all but the first of ids that coincide for some time.
 void Tracks_source::leave_out_coincident(const Tracks_options& options) {
   const auto companion =
       shared_paths(observations_, stays_,
@@ -149,7 +149,7 @@ void Tracks_source::leave_out_coincident(const Tracks_options& options) {
   coincident_names_ = separated(named, ", ");
 }
 
-// Finite numbers may be too far apart for a finite velocity.
+// Differences of finite numbers may be too large for a finite velocity.
 void Tracks_source::check_velocities() const {
   for (const Stay& stay : stays_) {
     for (std::size_t i = stay.first; i < stay.last; ++i) {
@@ -191,7 +191,7 @@ std::vector<double> Tracks_source::disc_radii() const {
   return result;
 }
 
-// That there are radii of discs that can touch.
+// Throws if contacts are logged and radii are missing, 0 or too large.
 void Tracks_source::check_radii() const {
   if (!settings_.logs_contacts) return;
   if (settings_.radius.has_value() == file_.has_radii) {

@@ -15,11 +15,11 @@ namespace kinetri::app {
 
 struct Tracks_settings {
   std::string tracks;                  ///< a path, or "-"
-  Tracks_file_options reading;         ///< how they are read
-  std::optional<double> from;          ///< without one, the first observation
-  std::optional<double> until;         ///< without one, the last
-  std::optional<double> longest_gap;   ///< without one, there is none
-  bool leaves_out_coincident = false;  ///< all but one of those that are at one place for a while
+  Tracks_file_options reading;         ///< options for reading the file
+  std::optional<double> from;          ///< default: the first observation
+  std::optional<double> until;         ///< default: the last one
+  std::optional<double> longest_gap;   ///< default: no limit
+  bool leaves_out_coincident = false;  ///< all but one of ids that coincide for some time
   bool logs_contacts = false;          ///< of discs
   std::optional<double> radius;        ///< of all discs, instead of the column of the tracks
 };

@@ -29,7 +29,7 @@ using app::Command;
 
 constexpr std::array<std::string_view, 3> plane_names = {"y", "cb", "cr"};
 
-// The options' values as they stand on the command line.
+// The texts of the options.
 struct Compare_options {
   std::string source;
   std::string other;

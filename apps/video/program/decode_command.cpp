@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 3> styles = {"linear", "flat", "smooth"};
 constexpr std::array<Interpolation, 3> interpolations = {Interpolation::linear, Interpolation::flat,
                                                          Interpolation::smooth};
 
-// The options' values as they stand on the command line.
+// The texts of the options.
 struct Decode_options {
   std::string input;
   std::string output;

@@ -24,7 +24,7 @@ using app::Usage_error;
 
 constexpr std::array<std::string_view, 2> placements = {"content", "grid"};
 
-// The options' values as they stand on the command line.
+// The texts of the options.
 struct Encode_options {
   std::string input;
   std::string output;

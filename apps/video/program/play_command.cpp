@@ -9,7 +9,7 @@
 namespace kinetri::video {
 namespace {
 
-// The options' values as they stand on the command line.
+// The texts of the options.
 struct Play_options {
   std::string input;
   std::string page;
