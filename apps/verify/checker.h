@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Goes through the log and decides whether its edges are a Delaunay triangulation at all times. The
+// Decides by the log whether its edges are a Delaunay triangulation at all times. The
 // lemmas named here are in README.md.
 #ifndef KINETRI_VERIFY_CHECKER_H
 #define KINETRI_VERIFY_CHECKER_H
@@ -13,7 +13,7 @@ class Checker : Certified_triangulation {
   Checker(const Options& options, const std::vector<Change>& points, const std::vector<Row>& rows)
       : Certified_triangulation(options, points, rows) {}
 
-  // All of it; throws Refuted. Returns the number of certificates.
+  // Checks the whole log; throws Refuted. Returns the number of certificates.
   std::size_t check(const std::vector<Edge>& initial_edges, const std::vector<Edge>* final_edges) {
     try {
       for (const Edge& e : initial_edges) add_edge(e);
@@ -25,7 +25,7 @@ class Checker : Certified_triangulation {
     } catch (const Refuted& refuted) {
       note(refuted);
     }
-    // What is false may have begun before the row at which it was noticed.
+    // An earlier certificate may have failed before the row that was refuted.
     for (auto& lives : alive_) {
       for (auto& [id, life] : lives) {
         life.goes_on = is_complete_;
@@ -89,9 +89,9 @@ class Checker : Certified_triangulation {
     }
   }
 
-  // Whether the row is the first one of its instant. Without the column `instant`, a row is of the
-  // instant of the row before if what is printed of its time is the same, and what it tells of
-  // happens now or it is about a rebuild.
+  // Whether the row is the first one of its instant. Without the column `instant`, a row belongs to
+  // the instant of the previous row if its printed time is the same, and its event happens now or
+  // is a rebuild.
   bool begins_instant(const Row& row) {
     if (row.instant) return row.instant == row.number;
     if (row_ == 0 || !is_of_time_of(row, (&row)[-1])) return true;
@@ -114,8 +114,8 @@ class Checker : Certified_triangulation {
     has_change_ = false;
   }
 
-  // The time of the instant that begins with this row: that at which the first certificate fails of
-  // those that its rows are about. All holds now, so a failure is where something has to change.
+  // The time of the instant that begins with this row: the first failure of a certificate that its
+  // rows concern. All certificates hold now, so a change is due at a failure.
   Time time_of_instant(const Row& row) {
     for (;;) {
       std::optional<Time> first = next_failure(row);
@@ -138,7 +138,8 @@ class Checker : Certified_triangulation {
     refute(message.str());
   }
 
-  // The first time from now on, in the interval of the row, at which what it is about fails.
+  // The first failure from now on, in the interval of the row, of the certificates that the row
+  // concerns.
   std::optional<Time> next_failure(const Row& row) {
     if (is_contact(row)) return next_contact(row);
     if (!is_flip(row)) return next_failure_at(row);
@@ -168,7 +169,7 @@ class Checker : Certified_triangulation {
     return first;
   }
 
-  // Whether one of them fails at the present time.
+  // Whether one of these certificates fails at the present time.
   bool fails_now(const Row& row) {
     const auto all = certificates_at(row);
     return std::ranges::any_of(all, [&](const Polynomial& p) {
@@ -190,9 +191,9 @@ class Checker : Certified_triangulation {
     return beyond < 0 || (beyond == 0 && std::bit_cast<std::uint64_t>(row.time) % 2 == 0);
   }
 
-  // The certificates of edges at the points of the rows that have one instant with this one,
-  // without the column `instant` one interval; and that hidden points there are above the triangles
-  // that hide them. Where they leave these triangles is a special time.
+  // The certificates of edges at the points of all rows of this instant (without the column
+  // `instant`, of the same interval), and those by which hidden points there are above the
+  // triangles that hide them. A time at which one leaves its triangle is a special time.
   std::vector<Polynomial> certificates_at(const Row& row) const {
     std::set<Edge> edges;
     std::vector<Polynomial> result;
@@ -226,8 +227,8 @@ class Checker : Certified_triangulation {
     return result;
   }
 
-  // Whether something is false just after now, if no row is of this time: whether the triangles
-  // that are made anew are none, or one of their certificates does not hold.
+  // Whether the triangulation would be incorrect just after now without a row of this time: whether
+  // triangles that are made anew are invalid, or a certificate of one does not hold.
   bool is_false_now() {
     try {
       if (is_witness_lost_) find_witness();
@@ -257,8 +258,8 @@ class Checker : Certified_triangulation {
 
   // ---- flips ----
 
-  // The edges that the row may flip: one between triangles or, if a point leaves the hull, the edge
-  // of that point and the infinite one.
+  // The edges that the row may flip: an edge between two triangles or, if a point leaves the hull,
+  // the edge between it and the infinite point.
   std::vector<Edge> candidates(const Row& row) const {
     std::vector<Edge> result = row.removed;
     if (row.kind == "hull_remove") {
@@ -271,8 +272,8 @@ class Checker : Certified_triangulation {
     return result;
   }
 
-  // Whether the triangles at an edge are known, and their points are there. Those at both of whose
-  // ends other rows have changed edges are made after all rows.
+  // Whether the triangles at an edge are known, and their points are present. If other rows have
+  // changed edges at both ends, the triangles are made after all rows.
   bool is_known(const Edge& e) const {
     const auto is_there = [&](Id v) { return v == infinite || is_present(v); };
     const auto is_touched = [&](Id v) { return v == infinite || touched_.contains(v); };
@@ -280,8 +281,8 @@ class Checker : Certified_triangulation {
            is_there(e.second) && is_there(apex(e.first, e.second)) &&
            is_there(apex(e.second, e.first));
   }
-  // Whether all edges that the row may flip are known. The corner that leaves the hull is one
-  // between the two ends, on either side of the hull: so these have to be known, too.
+  // Whether all edges that the row may flip are known. The point that leaves the hull is between
+  // two corners of the hull, whose edges must be known, too.
   bool are_known(const Row& row) const {
     std::vector<Edge> edges = candidates(row);
     if (edges.empty()) return false;
@@ -296,7 +297,7 @@ class Checker : Certified_triangulation {
     return Certifier::decider({edge_life, {}, courses({a, b, apex(a, b), apex(b, a)}), {}, {}});
   }
 
-  // Which of the edges that the row may flip is to be flipped now.
+  // The edge that has to be flipped now, of those that the row may flip.
   std::optional<Edge> flipped_now(const Row& row) {
     for (const Edge& e : candidates(row)) {
       if (is_known(e) && sign_just_after(decider(e), now_) < 0) return e;
@@ -304,10 +305,9 @@ class Checker : Certified_triangulation {
     return std::nullopt;
   }
 
-  // An edge between two triangles becomes the other diagonal. With the infinite point: a point
-  // becomes a corner of the hull, or ceases to be one. Other rows of the instant may have changed
-  // what is around the edge; then the triangles are made of the edges that there are after all
-  // rows.
+  // Replaces an edge between two triangles by the other diagonal. With the infinite point: a point
+  // becomes a corner of the hull, or ceases to be one. If other rows of the instant have changed
+  // edges nearby, the triangles are made from the edges after all rows.
   void flip(const Row& row) {
     if (has_change_ || (has_rebuild_ && !has_hidden_)) {
       refute("it is after a rebuild, or a change of a motion, of the same time");
@@ -340,9 +340,8 @@ class Checker : Certified_triangulation {
     add_triangle(r, l, a);
   }
 
-  // Rows of a rebuild are written where flips alone do not lead to the triangulation just after:
-  // where more than one certificate vanishes, or all points are on a line. So one edge that is
-  // flipped is no rebuild.
+  // Rows of a rebuild are valid only if flips alone do not lead to the triangulation just after: if
+  // more than one certificate is zero, or all points are on a line. A single flip is not a rebuild.
   void check_rebuild() {
     if (!has_rows_ || is_on_line_ || present_ - hidden_.size() < 4) return;
     std::size_t removed = 0;
@@ -378,7 +377,7 @@ class Checker : Certified_triangulation {
       return vanishing.size() > 1;
     };
     const auto& lives = alive_[edge_life];
-    for (const Id v : points) {  // mostly others vanish near them
+    for (const Id v : points) {  // certificates that are zero are usually near each other
       for (const Id n : neighbors_[v]) {
         for (const Edge& e : {edge(v, n), Edge{n, infinite}}) {
           const auto life = lives.find(key(e.first, e.second));
@@ -429,7 +428,7 @@ class Checker : Certified_triangulation {
       if (!is_contact(row) && row.kind != "insert" && hits_wall(change.id)) {
         refute("it has no row of a wall that point " + std::to_string(change.id) + " hits first");
       }
-      if (row.kind == "trajectory") {  // maybe it jumps
+      if (row.kind == "trajectory") {  // the position may jump
         touched_.insert(change.id);
         touched_.insert(neighbors_[change.id].begin(), neighbors_[change.id].end());
       }
@@ -445,7 +444,7 @@ class Checker : Certified_triangulation {
     }
   }
 
-  // The next contact that the row may tell of, in its interval.
+  // The next contact in the interval of the row that the row may mean.
   std::optional<Time> next_contact(const Row& row) {
     if (!std::ranges::all_of(row.points, [&](Id v) { return is_present(v); })) return std::nullopt;
     std::optional<Time> first;

@@ -37,7 +37,7 @@ struct Bad_input : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// What the log says is not true; found at the row with that number, or at -1, the start.
+// The log is refuted at the row with this number, or at the start (-1).
 struct Refuted {
   long row;
   std::string message;
@@ -50,12 +50,12 @@ using Motion = std::array<double, numbers>;
 
 struct Change {
   Id id;
-  std::optional<Motion> motion;  // none where the point is erased
+  std::optional<Motion> motion;  // none if the point is erased
 };
 
 struct Row {
   std::size_t number = 0;              // in the column `event`
-  std::optional<std::size_t> instant;  // in the column `instant`, if there is one
+  std::optional<std::size_t> instant;  // in the column `instant`, if present
   std::string kind;
   double time = 0;
   Dyadic lo, hi;
@@ -72,7 +72,7 @@ inline std::string row_name(long row, const std::vector<Row>& rows) {
 
 struct Options {
   Dyadic from, until;
-  std::map<std::size_t, double> box;  // sides that there are: 0 left, 1 lower, 2 right, 3 upper
+  std::map<std::size_t, double> box;  // positions of sides: 0 left, 1 lower, 2 right, 3 upper
   bool has_rim = false;
   bool has_contacts = false;
   bool may_collide = true;
@@ -80,7 +80,7 @@ struct Options {
   std::size_t threads = 1;
 };
 
-// Decimal or hexadecimal, with a sign; std::from_chars takes only a minus sign and no 0x.
+// Reads a decimal or hexadecimal number with a sign; std::from_chars accepts neither + nor 0x.
 inline bool read_number(std::string_view text, double& value) {
   const bool is_negative = text.starts_with('-');
   if (is_negative || text.starts_with('+')) text.remove_prefix(1);
@@ -124,7 +124,7 @@ class Table {
     return false;
   }
 
-  // The columns have to be these, and may end with one more.
+  // Checks that the columns are the expected ones, with or without the optional one at the end.
   void expect_header(const std::string& expected, const std::string& optional = "") const {
     std::string header;
     for (const std::string& name : header_) header += (header.empty() ? "" : ",") + name;
@@ -157,7 +157,7 @@ class Table {
     fail("the column " + std::string(name) + " is '" + text + "'; expected a whole number");
   }
 
-  // Appends the edge in two columns, if there is one.
+  // Appends the edge in two columns unless they are empty.
   void append_edge(std::string_view a, std::string_view b, std::vector<Edge>& edges) const {
     if (field(a).empty() && field(b).empty()) return;
     edges.emplace_back(static_cast<Id>(index(a)), static_cast<Id>(index(b)));
@@ -168,7 +168,7 @@ class Table {
   }
 
  private:
-  // Takes the fields of the line. False if a quotation mark is not closed.
+  // Splits the line into fields. False if a quotation mark is not closed.
   bool split(const std::string& text) {
     fields_.assign(1, "");
     bool is_quoted = false;
@@ -181,15 +181,15 @@ class Table {
         fields_.back() += c;
       }
     }
-    for (std::string& field : fields_) {  // without blanks around it
+    for (std::string& field : fields_) {  // trim blanks
       field.erase(0, field.find_first_not_of(" \t"));
       field.erase(field.find_last_not_of(" \t") + 1);
     }
     return !is_quoted;
   }
 
-  // Whether the line, which begins with #, is that of a point: its first column is the label, and
-  // its numbers are numbers.
+  // Whether the line, which begins with #, is a point with a label that begins with #: all columns
+  // of numbers contain numbers.
   bool is_row(const std::string& text) {
     static const std::set<std::string_view> of_numbers = {
         "x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "radius", "growth", "mass", "z", "vz"};
@@ -215,10 +215,10 @@ inline bool changes_motions(const Row& row) {
   return kinds.contains(row.kind);
 }
 
-// The motions at the start: the rows of a file of points, or those without an event of a file of
-// motions. Its other rows go to the rows of their events, if these are asked for; a file of points
-// has none, and so no row may need one. The radii and growths of points, and which of the two
-// columns there are, only if these are asked for.
+// The motions at the start: the rows of a file of points, or the rows without an event in a file of
+// motions. Other rows of a file of motions are added to `rows`, if given, at their events; with a
+// file of points no row of the log may need a motion. If `columns` is given, radii and growths of
+// points are read, and it gets the columns that exist.
 inline std::vector<Change> read_motions(const std::string& path, std::vector<Row>* rows,
                                         std::set<std::size_t>* columns = nullptr) {
   static constexpr std::array<std::string_view, numbers> names = {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must hold for some time, and whether it does: certificates and their lives. README.md lists
-// the certificates.
+// Certificates, and the intervals of time (lives) in which they must hold. README.md lists the
+// certificates.
 #ifndef KINETRI_VERIFY_LIVES_H
 #define KINETRI_VERIFY_LIVES_H
 
@@ -14,7 +14,7 @@ constexpr Id absent = infinite - 1;
 using Place = std::array<Polynomial, 2>;
 using Points = std::array<Id, 4>;
 
-// A motion, all lengths times one integer for all points.
+// A motion with lengths multiplied by one integer for all points.
 struct Course {
   Motion motion;
   Place place;
@@ -87,10 +87,10 @@ inline Polynomial dot(const Place& u, const Place& v) {
 inline Polynomial orientation(const Course& a, const Course& b, const Course& c) {
   return cross(minus(b, a), minus(c, a));
 }
-// How far the lifted end of a difference is above the plane that touches the surface of the lifting
-// over its origin: lifted by x^2 + y^2 - radius^2 and, each times a number that is infinitely small
-// beside the one before, x y, x^2 and y^2. The first lifting that does not make a condition vanish
-// at all times decides it (Lemma 7).
+// The height of the lifted point above the tangent plane of the lifting at the origin. The lifting
+// is x^2 + y^2 - radius^2, perturbed by x y, x^2 and y^2, each times a number infinitely small
+// compared with the previous one. The first lifting for which a condition is not identically zero
+// decides it (Lemma 7).
 constexpr std::array liftings = {0, 1, 2, 3};
 inline Polynomial lift(int lifting, const Course& point, const Course& origin,
                        const Place& difference) {
@@ -100,8 +100,8 @@ inline Polynomial lift(int lifting, const Course& point, const Course& origin,
   if (point.radius == origin.radius) return squared;
   return squared - (point.radius - origin.radius) * (point.radius + origin.radius);
 }
-// Positive if d is outside the circle of a, b, c, which are counterclockwise: for discs, the circle
-// that is orthogonal to theirs, from which the rim of d is to be away.
+// Positive if d is outside the circle of a, b, c, which are counterclockwise. For discs, it is the
+// circle orthogonal to theirs: positive if the power of its center to d is greater than to them.
 inline Polynomial outside(const Course& a, const Course& b, const Course& c, const Course& d) {
   const Place u = minus(a, d);
   const Place v = minus(b, d);
@@ -114,13 +114,13 @@ inline Polynomial outside(const Course& a, const Course& b, const Course& c, con
   }
   return {};
 }
-// Not negative if b is a corner of a convex hull: a left turn or, where a, b and c are always on a
-// line, no way back.
+// Not negative if b is a corner of a convex hull: abc is a left turn or, if they are always on a
+// line, b is between a and c.
 inline Polynomial corner(const Course& a, const Course& b, const Course& c) {
   Polynomial p = orientation(a, b, c);
   return p.empty() ? dot(minus(b, a), minus(c, b)) : p;
 }
-// Of three points that are always on a line: not negative if the others do not hide the middle one.
+// For three points always on a line: not negative if the others do not hide the middle one.
 inline Polynomial above_middle(const Course& a, const Course& middle, const Course& b) {
   const Place u = minus(a, middle);
   const Place v = minus(b, middle);
@@ -154,24 +154,24 @@ struct Certificate {
 
 struct Instant {
   Time time;
-  long first_row;  // the number of the first row at this time, or of the next one
+  long first_row;  // number of the first row at this time, or of the next row
   long rows_end;
   long blamed() const { return rows_end > first_row ? rows_end - 1 : first_row; }
 };
 
 enum Kind : std::size_t { edge_life, hidden_life, box_life, kinds };
 
-// Some points, none of which changes its motion from birth to death.
+// A certificate's points, none of which changes its motion from birth to death.
 struct Life {
   Kind kind;
   Points points;  // of an edge: its ends, the apexes at the left and at the right
   std::array<const Course*, 4> courses;
   std::shared_ptr<const Instant> birth, death;
   bool passes = false;   // whether the discs of an edge pass through each other
-  bool goes_on = false;  // whether it is to hold just after its death, too
+  bool goes_on = false;  // whether it must also hold just after its death
 };
 
-// Whether two discs, or a point and a wall, that are apart where g is positive touch at t.
+// Whether two discs, or a point and a wall, make contact at t; they are apart if g is positive.
 inline bool is_contact(const Polynomial& g, Time& t) {
   return sign_at(g, t) <= 0 && sign_just_after(derivative(g), t) < 0;
 }
@@ -182,7 +182,7 @@ class Certifier {
     for (const auto& [side, place] : options.box) sides_[side] = trimmed({scale(place)});
   }
 
-  // How far the point is inside of the sides of the box.
+  // The distances of the point from the sides of the box, positive inside.
   std::map<std::size_t, Polynomial> clearances(const Course& point) const {
     std::map<std::size_t, Polynomial> result;
     for (const auto& [side, place] : sides_) {
@@ -246,7 +246,7 @@ class Certifier {
     return result;
   }
 
-  // What fails first in (birth, death), at the row where it shows.
+  // The first failure in (birth, death), with the first row after it.
   std::optional<Refuted> refutation(const Life& life, const std::vector<Row>& rows) const {
     std::optional<Refuted> first;
     const auto note = [&](long row, const Certificate& certificate, Time time) {
@@ -291,8 +291,8 @@ class Certifier {
     return first;
   }
 
-  // Whether a motion goes on where the old one ends at the time of the row, up to rounding;
-  // README.md says what is asked.
+  // Whether a motion starts where the old one ends at the time of the row, up to rounding;
+  // README.md has the conditions.
   bool goes_on(const Course& old, const Course& next, const Row& row) const {
     const Motion& was = old.motion;
     const Motion& is = next.motion;
@@ -301,8 +301,8 @@ class Certifier {
         is[growth] == 0 && std::all_of(&is[vx], &is[radius], [](double n) { return n == 0; });
     if (is[epoch] != row.time || (is[growth] != was[growth] && !has_stopped)) return false;
     const bool is_straight = std::all_of(&was[ax], &was[radius], [](double n) { return n == 0; });
-    // Inward of a lower side (1) or of an upper one (-1), one component is turned around. The rim
-    // of a disc parts from the side as fast as it came.
+    // At a lower side (1) or an upper one (-1), one component is reversed. The boundary of a disc
+    // leaves the side as fast as it came.
     const Integer grown = options_.has_rim ? 2 * scale_(was[growth]) : Integer(0);
     const auto is_turned = [&](std::size_t i, int side) {
       const double before = was[vx + i];
@@ -342,7 +342,7 @@ class Certifier {
     const Dyadic exact = value(p, t);
     for (const int side : {-1, 1}) {
       const double other = std::nextafter(number, side * std::numeric_limits<double>::infinity());
-      if (std::isinf(other)) return false;  // the greatest number is no place of a run
+      if (std::isinf(other)) return false;  // the greatest number is not a valid position
       const Dyadic half_way = middle(dyadic(number), dyadic(other));
       const int order = side * compare(exact, {half_way.m * scale_.one(), half_way.e});
       if (order > 0 || (order == 0 && std::bit_cast<std::uint64_t>(number) % 2 != 0)) return false;
@@ -350,8 +350,8 @@ class Certifier {
     return true;
   }
 
-  // Whether a coordinate is the first one, inward from where the old motion is, for which the point
-  // is inside at all times of the row.
+  // Whether a coordinate is the first binary64 number, inward from the position on the old motion,
+  // at which the point is inside for all times in the interval of the row.
   bool is_moved_inside(const Course& old, const Course& next, std::size_t i, const Row& row) const {
     const Polynomial moved = trimmed({scale_(next.motion[i])}) - old.place[i];
     const int direction = sign_at(moved, dyadic(row.time));

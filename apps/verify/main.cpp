@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinetri-verify: decides from the points, the event log and the motions alone whether a run of
-// kinetri was right.
+// kinetri was correct.
 #include "checker.h"
 
 namespace {
@@ -13,10 +13,10 @@ constexpr const char* usage =
     "Decides whether the edges are a Delaunay triangulation of the points just after T0,\n"
     "and whether the events keep them one at all times until T, in exact arithmetic.\n"
     "One of the files of edges is needed: those just after T0, or those just after T.\n"
-    "A file of motions may stand for POINTS. --box, --rim and --collisions are those of\n"
+    "A file of motions may replace POINTS. --box, --rim and --collisions are those of\n"
     "the run; without them, the log tells where its walls are, and whether discs\n"
     "collide.\n"
-    "--threads 2 checks certificates beside the rows.\n"
+    "--threads 2 checks certificates on a second thread.\n"
     "\n"
     "Exit code: 0 verified, 1 refuted, 2 bad usage or bad input, 3 internal error.\n"
     "\n"
@@ -45,7 +45,7 @@ std::vector<double> numbers_of(const std::string& option, const std::string& tex
              (count == 1 ? "a finite number" : std::to_string(count) + " finite numbers"));
 }
 
-// The edges before the first row, from those after the last one.
+// The edges before the first row, computed backward from those after the last row.
 std::vector<verify::Edge> undone(const std::vector<verify::Edge>& final_edges,
                                  const std::vector<verify::Row>& rows) {
   std::set<verify::Edge> edges(final_edges.begin(), final_edges.end());
@@ -56,8 +56,8 @@ std::vector<verify::Edge> undone(const std::vector<verify::Edge>& final_edges,
   return {edges.begin(), edges.end()};
 }
 
-// The discs at the start are those of the columns of the points, and equal where there is no such
-// column. Where discs touch nothing they may all be points.
+// Checks that the discs at the start have the radii and growths of the columns of the points, or
+// equal ones without such a column. If discs touch nothing, all may be points.
 void check_discs(const std::vector<verify::Change>& points, const std::set<std::size_t>& columns,
                  const std::vector<verify::Change>& start, bool may_be_points) {
   const auto is_point = [](const verify::Change& change) {
@@ -74,7 +74,7 @@ void check_discs(const std::vector<verify::Change>& points, const std::set<std::
   }
 }
 
-// Where a motion is at a time: x, y or the radius.
+// The value of x, y or the radius at a time.
 mpq_class value(const verify::Motion& m, std::size_t what, const verify::Dyadic& time) {
   mpq_class t(time.m, verify::Integer(1) << time.e);
   t.canonicalize();
@@ -83,9 +83,9 @@ mpq_class value(const verify::Motion& m, std::size_t what, const verify::Dyadic&
   return m[what] + s * (m[what + 2] + s / 2 * (m[what + 4] + s / 3 * m[what + 6]));
 }
 
-// Sides of a box, of the decimal numbers that are shortest, on which the points of all rows of
-// walls are at the times of these rows; without such sides, nothing. How a velocity changes tells
-// the side.
+// The sides of a box, as shortest decimal numbers, on which the points of all rows of walls are at
+// the times of these rows; none if there are no such sides. The change of velocity determines the
+// side.
 std::optional<verify::Options> with_box(verify::Options options, bool has_rim,
                                         const std::vector<verify::Change>& points,
                                         const std::vector<verify::Row>& rows) {
@@ -212,7 +212,7 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
     points = std::move(start);
   }
   for (const verify::Row& row : rows) {
-    if (row.kind == "collision" && !given.contains("--collisions")) {  // it is to be inferred
+    if (row.kind == "collision" && !given.contains("--collisions")) {  // must be inferred
       options.has_contacts = true;
     }
   }
@@ -221,7 +221,7 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
   const std::vector<verify::Edge> initial_edges =
       has_initial ? verify::read_edges(given["--initial-edges"]) : undone(final_edges, rows);
 
-  // Without --box: at the walls that rows tell of, with discs that go up to them or not.
+  // Without --box: infers the walls from the rows, with and without --rim.
   const auto is_wall = [](const verify::Row& row) { return row.kind == "wall"; };
   const auto wall = std::ranges::find_if(rows, is_wall);
   std::vector<verify::Options> possible = {options};

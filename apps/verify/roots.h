@@ -104,7 +104,7 @@ inline Polynomial greatest_common_divisor(Polynomial p, Polynomial q) {
   q = primitive_part(std::move(q));
   if (p.size() < q.size()) std::swap(p, q);
   while (!q.empty()) {
-    while (p.size() >= q.size()) {  // a multiple of p, less a multiple of q
+    while (p.size() >= q.size()) {  // a multiple of p minus a multiple of q
       const Integer factor = p.back();
       const std::size_t shift = p.size() - q.size();
       for (Integer& c : p) c *= q.back();
@@ -143,7 +143,7 @@ inline int sign_at(const Polynomial& p, const Dyadic& t) {
   return sgn(value(p, t).m);
 }
 
-// The Bernstein coefficients of p over [l, u], but for positive factors; the last one first.
+// The Bernstein coefficients of p over [l, u], up to positive factors, in reverse order.
 inline Polynomial bernstein(const Polynomial& p, const Dyadic& l, const Dyadic& u) {
   const unsigned long e = std::max(l.e, u.e);
   const Integer lower = l.m << (e - l.e);
@@ -164,7 +164,7 @@ inline Polynomial bernstein(const Polynomial& p, const Dyadic& l, const Dyadic& 
   return c;
 }
 
-// What the signs of the Bernstein coefficients of p over [l, u], l < u, tell (Lemma 1).
+// What follows from the signs of the Bernstein coefficients of p over [l, u], l < u (Lemma 1).
 struct Signs {
   int first = 0, last = 0;  // of p at l and at u
   int changes = 0;
@@ -210,8 +210,8 @@ inline bool has_root(const Polynomial& p, const Polynomial& f, const Dyadic& lo,
   return g.size() > 1 && sign_at(g, lo) * sign_at(g, hi) < 0;
 }
 
-// The order of two times (Lemma 3). Intervals are narrowed, as below, but not for good where the
-// times are equal: with each such comparison they would have more digits.
+// The order of two times (Lemma 3). Intervals are narrowed, but restored if the times are equal:
+// else each such comparison would add digits.
 inline int compare(Time& a, Time& b) {
   constexpr int patience = 8;  // refining is mostly faster than a greatest common divisor
   std::vector<Dyadic> before;
@@ -300,7 +300,7 @@ inline std::vector<Time> roots_in(const Polynomial& p, const Dyadic& lo, const D
   return roots;
 }
 
-// For messages only: nothing is decided by this number.
+// An approximation for messages only.
 inline double approximate(const Dyadic& t) {
   return mpq_class(t.m, Integer(1) << t.e).get_d();
 }

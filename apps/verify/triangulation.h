@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The triangulation that edges and motions imply, as time goes on, and the lives of its
-// certificates. The lemmas named here are in README.md.
+// The triangulation that edges and motions imply at each time, and the lives of its certificates.
+// The lemmas named here are in README.md.
 #ifndef KINETRI_VERIFY_TRIANGULATION_H
 #define KINETRI_VERIFY_TRIANGULATION_H
 
@@ -8,9 +8,8 @@
 
 namespace verify {
 
-// The edges and motions of the present instant may be changed. When time goes on, all of it has to
-// be a Delaunay triangulation just after that instant; what it consists of then lives until it is
-// changed.
+// Edges and motions may be changed at the present instant. When time advances, they must form a
+// Delaunay triangulation just after that instant, whose certificates live until they are changed.
 class Certified_triangulation {
  protected:
   Certified_triangulation(const Options& options, const std::vector<Change>& points,
@@ -30,8 +29,8 @@ class Certified_triangulation {
 
   using Triangle = std::array<Id, 3>;
 
-  // A time at which the ends of edges meet; or all points may be on a line (both infinite); or
-  // hidden points leave their triangles (both are that point).
+  // A time at which the ends of an edge meet; or all points may be on a line (both ids are
+  // `infinite`); or a hidden point leaves its triangle (both are that point).
   struct Special {
     Time time;
     std::set<Edge> what;
@@ -130,8 +129,8 @@ class Certified_triangulation {
     }
   }
 
-  // A triangle that is flat now may turn over while all its edges stay. The triangles beyond these
-  // are then others, too, so all its corners are touched if one is (Lemma 5).
+  // A triangle that is flat now may turn over while all its edges stay. Then the triangles at these
+  // edges change, too, so all its corners are touched if one is (Lemma 5).
   void touch_flat() {
     std::vector<Id> more(touched_.begin(), touched_.end());
     while (!more.empty()) {
@@ -149,7 +148,7 @@ class Certified_triangulation {
     }
   }
 
-  // The triangles anew at all points that are touched.
+  // Makes the triangles at all touched points anew.
   void remake() {
     touch_flat();
     for (const Id v : touched_) {
@@ -247,7 +246,8 @@ class Certified_triangulation {
     }
   }
 
-  // Whether two points are in one place now. Their motions may have changed since it was found.
+  // Whether two points coincide now. Their motions may have changed since the special time was
+  // found.
   bool do_meet(Id a, Id b) {
     return std::ranges::all_of(minus(course(a), course(b)),
                                [&](const Polynomial& p) { return sign_at(p, now_) == 0; });
@@ -258,7 +258,7 @@ class Certified_triangulation {
     specials_.pop_front();
     for (const auto& [a, b] : what) {
       if (a == infinite) {
-        if (is_on_line_) continue;  // a time of points that have gone
+        if (is_on_line_) continue;  // the points of that time have been erased
         const auto is_flat = [&](const Course* c) {
           return c == nullptr || sign_at(orientation(*witness_[0], *witness_[1], *c), now_) == 0;
         };
@@ -275,7 +275,7 @@ class Certified_triangulation {
     }
   }
 
-  // Goes by the times before this one at which triangles may change without a row (Lemma 5).
+  // Processes the earlier times at which triangles may change without a row (Lemma 5).
   void pass_before(Time time) {
     close();
     while (!specials_.empty() && compare(specials_.front().time, time) < 0) {
@@ -300,7 +300,7 @@ class Certified_triangulation {
     while (!specials_.empty() && compare(specials_.front().time, now_) == 0) touch_specials();
   }
 
-  // Everything that has changed at this time holds just after it.
+  // Checks that everything changed at this time holds just after it.
   void close() {
     if (changed_.empty() && touched_.empty() && moved_.empty()) return;
     // Lives that have ended hold the instant as it was, which other threads read.
@@ -332,7 +332,8 @@ class Certified_triangulation {
     blamed_ = row;
   }
 
-  // The hull goes around once: one corner is less than both neighbors, in the order of x, then y.
+  // Checks that the hull winds once: exactly one corner is less than both neighbors in the order of
+  // x, then y.
   void check_hull() {
     const auto is_less = [&](Id a, Id b) {
       const auto [dx, dy] = minus(course(a), course(b));
@@ -345,7 +346,7 @@ class Certified_triangulation {
     if (count != 1) refute("the hull goes around " + std::to_string(count) + " times");
   }
 
-  // A point that is there without an edge is hidden, and rows tell of each change (Lemma 6).
+  // A present point without edges is hidden, and each such change must have a row (Lemma 6).
   void note_hidden() {
     std::set<Id> looked_at = touched_;
     for (const auto& more : {moved_, told_}) looked_at.insert(more.begin(), more.end());
@@ -366,7 +367,7 @@ class Certified_triangulation {
     }
   }
 
-  // The triangle of each hidden point.
+  // Finds the triangle of each hidden point.
   void place_hidden() {
     for (auto& [v, t] : hidden_) {
       const auto life = alive_[hidden_life].find(key(v, v));
@@ -383,7 +384,8 @@ class Certified_triangulation {
     }
   }
 
-  // Walks from a triangle, or from any one, to one that contains the point just after now.
+  // Walks from triangle t, or an arbitrary one, to the triangle that contains the point just after
+  // now.
   Triangle triangle_of(Id v, Triangle t) {
     for (auto any = left_.begin(); t[0] == absent && any != left_.end(); ++any) {
       const Triangle found = {static_cast<Id>(any->first >> 32U), static_cast<Id>(any->first),
@@ -407,8 +409,8 @@ class Certified_triangulation {
 
   // ---- contacts of discs ----
 
-  // The first contact of two discs up to a time, since both have their motions and, if they have
-  // passed through each other, since they have been apart.
+  // The first contact of two discs up to a time: since both got their motions and, if they passed
+  // through each other, since they separated.
   std::optional<Time> first_contact(const Edge& pair, const Dyadic& last) {
     const auto [a, b] = pair;
     const Polynomial p = gap(course(a), course(b));
@@ -435,11 +437,11 @@ class Certified_triangulation {
     return std::nullopt;
   }
 
-  // Whether the log may be that of the second part of a run, before which discs have come into
-  // contact that pass through each other at the start.
+  // Whether the log may be that of a resumed run, in which discs may pass through each other at the
+  // start.
   bool continues() const { return rows_.empty() || rows_.front().number != 0; }
 
-  // Two discs that become neighbors, and overlap, have not come into contact without a row.
+  // Checks that two discs that become neighbors and overlap did not make contact without a row.
   void check_contact_before(const Edge& pair) {
     if (sign_at(gap(course(pair.first), course(pair.second)), now_) > 0) return;
     std::optional<Time> first = first_contact(pair, now_.hi);
@@ -453,7 +455,7 @@ class Certified_triangulation {
            " is missing");
   }
 
-  // Discs that have passed through each other may have a contact again once they are apart.
+  // Discs that have passed through each other may make contact again after they have separated.
   void end_passes(Id v) {
     std::erase_if(passing_, [&](const auto& entry) {
       const auto [a, b] = entry.first;
@@ -492,8 +494,8 @@ class Certified_triangulation {
     return result;
   }
 
-  // Ends the life with that key, unless it goes on with the same points and motions, and begins
-  // one, if there are points.
+  // Ends the life with that key unless its points and motions are unchanged, and begins a new one
+  // if there are points.
   void renew(Kind kind, std::uint64_t id, const std::optional<Points>& points) {
     const auto found = alive_[kind].find(id);
     std::optional<Life> life;
@@ -550,7 +552,7 @@ class Certified_triangulation {
     return first;
   }
 
-  // Keeps what is refuted first in the log.
+  // Keeps the refutation that is first in the log.
   void note(const std::optional<Refuted>& refuted) {
     if (refuted && (!refuted_ || refuted->row < refuted_->row)) refuted_ = refuted;
   }
@@ -561,7 +563,7 @@ class Certified_triangulation {
   const Scale scale_;
   const Certifier certifier_;
   std::deque<Course> motions_;
-  std::vector<const Course*> courses_;  // of the points that are there
+  std::vector<const Course*> courses_;  // of the points that are present
   std::size_t present_ = 0;
   std::vector<const Course*> witness_;
   bool is_witness_lost_ = true;
@@ -573,10 +575,10 @@ class Certified_triangulation {
   std::set<Id> hull_;
   std::map<Id, Triangle> hidden_;
   std::vector<Time> begins_;      // of motions
-  std::map<Edge, Time> passing_;  // the last collision of discs, if it left both as they were
+  std::map<Edge, Time> passing_;  // the last collision of discs that did not change them
 
   // In this instant:
-  std::set<Id> touched_;  // points whose triangles are to be made anew
+  std::set<Id> touched_;  // points whose triangles must be made anew
   std::set<Id> moved_;
   std::set<Edge> changed_;  // edges whose ends or apexes changed
   std::set<Id> told_;       // points that are hidden or revealed
@@ -594,7 +596,7 @@ class Certified_triangulation {
   std::vector<std::future<std::optional<Refuted>>> workers_;
   std::optional<Refuted> refuted_;
   std::size_t certificates_ = 0;
-  bool is_complete_ = false;  // whether the end has come without a fault
+  bool is_complete_ = false;  // whether the end was reached without a refutation
 };
 
 }  // namespace verify

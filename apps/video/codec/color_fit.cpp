@@ -61,7 +61,7 @@ std::vector<double> Color_fit::solve(std::vector<double> start) {
     entries_.push_back({static_cast<Point_id>(numbers >> 32U),
                         static_cast<Point_id>(numbers & 0xFFFFFFFFU), value});
   }
-  // The order of a hash table is nobody's business.
+  // The order of a hash table is unspecified.
   std::ranges::sort(entries_, {}, [](const Entry& e) { return std::pair(e.row, e.column); });
 
   std::vector<double> x = std::move(start);
@@ -76,7 +76,7 @@ std::vector<double> Color_fit::solve(std::vector<double> start) {
       scaled[i] = d > 0 ? residual[i] / d : 0.0;
     }
   };
-  // A sum for each channel: the problems have nothing to do with each other.
+  // A sum for each channel: the problems are independent.
   const auto dot = [&](const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<double> sums(channels_, 0.0);
     for (std::size_t i = 0; i < a.size(); ++i) sums[i % channels_] += a[i] * b[i];

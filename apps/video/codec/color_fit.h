@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Colors at points by least squares: those with which the picture is nearest to given frames.
+// Fits colors at points to given frames by least squares.
 #ifndef KINETRI_VIDEO_CODEC_COLOR_FIT_H
 #define KINETRI_VIDEO_CODEC_COLOR_FIT_H
 
@@ -16,17 +16,17 @@
 namespace kinetri::video {
 
 /// The normal equations of a least squares problem with one unknown for each point. A sample of a
-/// frame is the sum of the unknowns at the corners of its triangle, each times its weight; some
-/// frames count more than others. `channels` problems with one matrix are solved together.
+/// frame is the sum of the unknowns at the corners of its triangle, each times its weight; frames
+/// have different weights. `channels` problems with one matrix are solved together.
 class Color_fit {
  public:
   /// `points`: one more than the greatest number.
   Color_fit(std::size_t points, std::size_t channels);
 
-  /// Adds a frame, which counts `importance` times. At each position the unknowns, times `factor`,
-  /// and the known values, with the factor 1, are to make the sample. `known` has the values of the
-  /// points by number, then by channel; `samples` is called with a position and a channel.
-  /// O(positions).
+  /// Adds a frame with the weight `importance`. At each position the sample should equal the
+  /// interpolated unknowns times `factor` plus the interpolated known values. `known` has the
+  /// values of the points by number, then by channel; `samples` is called with a position and a
+  /// channel. O(positions).
   template <class Samples>
   void add(std::span<const Corner_weights> weights, double importance, double factor,
            std::span<const double> known, Samples samples) {
@@ -52,8 +52,7 @@ class Color_fit {
     begin_triangle({no_point, no_point, no_point});
   }
 
-  /// Pulls the unknowns of a point towards `values`, as `weight` samples would do that it alone
-  /// makes.
+  /// Pulls the unknowns of a point toward `values`, as `weight` samples at the point would.
   void pull(Point_id point, double weight, std::span<const double> values);
 
   /// The unknowns by number, then by channel, by the method of conjugate gradients with the
@@ -76,8 +75,8 @@ class Color_fit {
   std::vector<double> diagonal_;
   std::vector<double> right_;
   std::unordered_map<std::uint64_t, double> products_;  // by the numbers of two points
-  std::vector<Entry> entries_;                          // the same, when all are known
-  // Of the triangle of the last positions: sums that are not yet in those above.
+  std::vector<Entry> entries_;                          // the same, sorted, once all are known
+  // Sums for the triangle of the last positions, not yet added to those above.
   std::array<Point_id, 3> corners_ = {no_point, no_point, no_point};
   std::array<double, 3> square_ = {};
   std::array<double, 3> product_ = {};

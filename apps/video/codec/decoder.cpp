@@ -15,7 +15,7 @@ class Decoder {
         style_(settings.style),
         take_(take),
         decoded_(decoded) {
-    // Of frames of the source, how long one of the result is: a quotient of 64 bits.
+    // The duration of an output frame in frames of the source, as a quotient of 64-bit numbers.
     const Ratio& source = stream.header().format.rate;
     step_numerator_ = std::uint64_t{source.numerator} * format_.rate.denominator;
     step_denominator_ = std::uint64_t{source.denominator} * format_.rate.numerator;

@@ -14,18 +14,18 @@
 
 namespace kinetri::video {
 
-/// What frames are made.
+/// The settings of the frames to make.
 struct Decoder_settings {
   Interpolation style = Interpolation::linear;
-  std::optional<Ratio> rate;            ///< frames a second; as the source if there is none
-  std::optional<std::uint32_t> width;   ///< as the source if there is none
+  std::optional<Ratio> rate;            ///< frames a second; by default that of the source
+  std::optional<std::uint32_t> width;   ///< by default that of the source
   std::optional<std::uint32_t> height;  ///< the same
 };
 
-/// What a stream was found to be while it was decoded.
+/// Statistics of a decoded stream.
 struct Decoded {
-  std::uint32_t source_frames = 0;  ///< of the source, as far as the stream is whole
-  std::uint64_t frames = 0;         ///< that were made
+  std::uint32_t source_frames = 0;  ///< of the source, up to a damaged block
+  std::uint64_t frames = 0;         ///< frames made
   std::uint64_t events = 0;         ///< of the triangulation
 };
 
@@ -35,8 +35,8 @@ Video_format decoded_format(const Video_format& source, const Decoder_settings& 
 /// Makes the frames: frame j is the picture at the exact time j / rate, for all times before the
 /// end of the last source frame. Calls `take` for each, in order. Reads the stream block by block.
 ///
-/// Throws Damaged_stream_error where the stream is damaged, after all frames before that place have
-/// been made: `decoded` has their number then.
+/// Throws Damaged_stream_error if the stream is damaged, after making all frames before that place;
+/// `decoded` then has their number.
 void decode(Stream_reader& stream, const Decoder_settings& settings,
             const std::function<void(const Frame&)>& take, Decoded& decoded);
 

@@ -26,20 +26,20 @@
 namespace kinetri::video {
 namespace {
 
-// A frame of which so many points are lost, or whose histogram differs by so much, begins a scene.
+// A frame begins a scene if this fraction of points is lost, or its histogram differs by this much.
 constexpr double share_of_cut = 0.6;
 constexpr double histogram_of_cut = 0.5;
-// Of the stage, in pixels.
+// The margin of the stage in pixels.
 constexpr unsigned margin = 32;
-// How often points of a key are replaced by better ones.
+// Rounds of replacing points of a key by better ones.
 constexpr int key_rounds = 10;
-// Of the points, so many may be replaced by better ones at the begin of a group.
+// The fraction of points that may be replaced at the begin of a group.
 constexpr double most_replaced = 1.0 / 16;
-// A triangle must be so much worse than what the removal of a point makes worse: a point that comes
-// costs more bits than one that stays.
+// A point is moved to a triangle only if its error is this many times that of removing the point: a
+// new point costs more bits.
 constexpr double worth_replacing = 4;
 
-// Half of the sum of differences: 0 for equal histograms, 1 for those without common levels.
+// Half of the sum of differences: 0 for equal histograms, 1 for disjoint ones.
 double histogram_distance(const Frame& a, const Frame& b) {
   std::array<double, 32> counts = {};
   for (const std::uint8_t sample : a.planes[0]) counts[sample / 8] += 1;
@@ -94,7 +94,7 @@ class Encoder {
   double width() const { return header_.format.width; }
   double height() const { return header_.format.height; }
 
-  // None after the last one. Those before the present time are forgotten.
+  // The frame, or null after the last one. Frames before the present time are dropped.
   const Frame* frame(std::uint32_t number) {
     while (number >= first_frame_ + frames_.size()) {
       Frame next;
@@ -168,7 +168,8 @@ class Encoder {
         [&](std::uint32_t number) -> const Frame& { return *frame(number); }, targets, fixed);
   }
 
-  // A group up to `segment_end` at most. False if the next frame is not there, or begins a scene.
+  // Adds a group that ends at `segment_end` at the latest. False if there is no next frame, or it
+  // begins a scene.
   bool add_group(std::uint32_t segment_end) {
     const std::uint32_t first = now();
     std::vector<bool> is_replaced(writer_.points().points().size());
@@ -204,8 +205,8 @@ class Encoder {
     return true;
   }
 
-  // Adds points for what enters the picture until the time `last`. Where there is no room for them,
-  // the points that are worth least go.
+  // Adds points for what enters the picture until the time `last`. If there would be too many
+  // points, the least valuable ones are removed.
   void add_entering_points(std::uint32_t last, std::size_t staying, Points& points,
                            std::vector<std::optional<Place>>& targets) {
     if (settings_.placement == Placement::grid) return;
@@ -237,7 +238,7 @@ class Encoder {
     }
   }
 
-  // Over how many frames the points can be followed, at most `most`.
+  // The number of frames over which the points can be followed, at most `most`.
   std::uint32_t follow(Followed_points& followed, std::uint32_t first, std::uint32_t most) {
     if (settings_.has_motion && flow_end_ != first + 1) flow_.add(frame(first)->planes[0]);
     for (std::uint32_t step = 1; step <= most; ++step) {
@@ -256,7 +257,8 @@ class Encoder {
     return most;
   }
 
-  // Neighbors, as indices; a new point has the corners of the triangle that it is in as such.
+  // Pairs of neighbors, as indices; a new point's neighbors are the corners of the triangle that
+  // contains it.
   Index_pairs edges_of(const std::vector<std::size_t>& index, const Points& points,
                        std::size_t staying) const {
     Index_pairs result;
@@ -292,8 +294,8 @@ class Encoder {
     }
     Points points = writer_.points().at_begin_of(group);
     picture_.begin(group);
-    // Those that come have the colors with which their surroundings are best: that of the pixel is
-    // wrong in large triangles.
+    // New points get colors fitted to their surroundings: the color of a pixel would be wrong in
+    // large triangles.
     const std::size_t old = points.size() - group.inserted.size();
     std::vector<Node> at_begin(points.size());
     if (!group.inserted.empty()) fit_colors(points, first, 0, at_begin, old);
@@ -307,9 +309,8 @@ class Encoder {
     write(group);
   }
 
-  // Places of new points: around the picture where others have left a gap, and where the error is
-  // largest, as many as are missing, and some in place of points that make the picture little
-  // better, which are marked.
+  // Positions of new points: in gaps of the rings around the picture, and where the error is
+  // largest. They replace missing points, and some of the least valuable points, which are marked.
   std::vector<Place> new_places(const Points& points, std::vector<bool>& is_replaced) const {
     std::vector<Place> result;
     if (settings_.placement == Placement::grid) return result;
@@ -345,8 +346,8 @@ class Encoder {
   Moving_picture picture_;
   Picture_fit fit_;
   Optical_flow flow_;
-  std::uint32_t flow_end_ = 0;  // one more than the last frame that the flow has
-  std::deque<Frame> frames_;    // those that are read, from the present one on
+  std::uint32_t flow_end_ = 0;  // one more than the last frame of the flow
+  std::deque<Frame> frames_;    // frames that have been read, from the present one on
   std::uint32_t first_frame_ = 0;
   std::vector<double> error_;  // of brightness, at the present time
   Encoded result_;

@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::size_t least_to_judge = 10;
 constexpr int relaxations = 30;
-// How near to the border of the picture a feature may not be seen, in pixels.
+// Within this distance of the border, in pixels, a feature may not be found.
 constexpr double unseen = 8;
-// Of two points that come nearer to each other than this, in pixels, one goes.
+// If two points come nearer to each other than this, in pixels, one is removed.
 constexpr double least_gap = 0.75;
 
 bool is_inside(const Vector_2& p, double width, double height, double distance) {
@@ -26,7 +26,8 @@ bool is_on_stage(const Stream_header& header, const Place& p) {
   return p.x > header.left() && p.y > header.top() && p.x < header.right() && p.y < header.bottom();
 }
 
-// Of points in the same square of the size of the least gap, or in one beside it, the first stays.
+// Removes all but the first of points in the same square of the size of the least gap, or in
+// adjacent ones.
 void remove_crowds(const Stream_header& header, std::vector<std::optional<Place>>& targets) {
   const double gap = std::ldexp(least_gap, static_cast<int>(header.place_bits));
   std::set<std::pair<std::int64_t, std::int64_t>> squares;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the points of a group go.
+// The motion of the points of a group.
 #ifndef KINETRI_VIDEO_CODEC_GROUP_MOTION_H
 #define KINETRI_VIDEO_CODEC_GROUP_MOTION_H
 
@@ -19,23 +19,23 @@ namespace kinetri::video {
 /// Points that are followed from frame to frame.
 class Followed_points {
  public:
-  /// From these places on.
+  /// Starts at these positions.
   explicit Followed_points(std::vector<Vector_2> places);
 
-  /// Goes to the next frame of the flow. Points that are lost are not followed any further. One
-  /// that is outside of the picture of the given size, or so near to its border that the flow does
-  /// not see enough around it to know it again, counts as featureless where it is not found.
+  /// Advances to the next frame of the flow. Lost points are not followed further. A point that is
+  /// not found counts as featureless, not lost, if it is outside of the picture of the given size,
+  /// or so near to its border that too little of its surroundings is visible.
   void step(const Optical_flow& flow, double width, double height);
 
-  /// Of the points that had a feature in the last step, the share that was lost; 0 if there were
-  /// fewer than ten such points.
+  /// The fraction of points with a feature that were lost in the last step; 0 if there were fewer
+  /// than ten such points.
   double lost_share() const { return lost_share_; }
 
   std::size_t steps() const { return places_.size() - 1; }
-  /// Where the point was after some steps.
+  /// The position of the point after `step` steps.
   const Vector_2& place(std::size_t point, std::size_t step) const { return places_[step][point]; }
-  /// What became of the point in the steps up to that one: lost if it ever was, else featureless if
-  /// it ever was.
+  /// The kind of the point in the steps up to that one: lost if it ever was, else featureless if it
+  /// ever was.
   Track::Kind kind(std::size_t point, std::size_t step) const { return kinds_[step][point]; }
 
  private:
@@ -44,11 +44,11 @@ class Followed_points {
   double lost_share_ = 0;
 };
 
-/// The targets of points after `frames` steps; none for those that are to go: those that leave the
-/// stage, and of two that come too near to each other one. A point without a feature, or a lost
-/// one, moves as the mean of its neighbors: what is hidden leaves no hole. Displacements are
-/// relaxed over the edges (indices into `points`). A displacement that is within one unit of the
-/// expected one is that. The corners rest.
+/// The targets of points after `frames` steps; none for points to be removed: those that leave the
+/// stage, and one of two that come too near to each other. A point without a feature, or a lost
+/// one, moves as the mean of its neighbors, so that hidden parts leave no holes. Displacements are
+/// relaxed over the edges (indices into `points`). A displacement within one unit of the expected
+/// one is replaced by it. The corners rest.
 std::vector<std::optional<Place>> targets_of(
     const Stream_header& header, const std::vector<Present_points::Point>& points,
     const Followed_points& followed, std::uint32_t frames,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The picture that a stream describes, at any time: colors at points that move, on their Delaunay
-// triangulation, which is exact at that time. Encoder and decoder both have one.
+// The picture of a stream at any time: colors at moving points, on their exact Delaunay
+// triangulation. Used by encoder and decoder.
 #ifndef KINETRI_VIDEO_CODEC_MOVING_PICTURE_H
 #define KINETRI_VIDEO_CODEC_MOVING_PICTURE_H
 
@@ -17,7 +17,7 @@
 
 namespace kinetri::video {
 
-/// The picture while blocks are followed and time goes on.
+/// The picture as blocks begin and time advances.
 class Moving_picture {
  public:
   using Triangulation = Kinetic_delaunay_triangulation_2<>;
@@ -25,41 +25,39 @@ class Moving_picture {
 
   explicit Moving_picture(const Stream_header& header);
 
-  /// A segment begins at the time of the key; the one before it goes to its end first.
+  /// Begins a segment at the time of the key, after advancing the previous one to its end.
   /// Precondition: as that of Present_points::follow.
   void begin(const Key& key);
 
-  /// Points come and go, and get their motions. The time is then that at which the group begins.
-  /// Precondition: the same, and the time is not after that.
+  /// Begins a group: erases and inserts points, and sets motions. Advances to the time at which the
+  /// group begins. Precondition: the same, and the time is not after that.
   void begin(const Group& group);
 
-  /// Colors of the present group, when these are found only now: those of `group.inserted` and
-  /// `group.targets`, which have the places of the group that has begun. (The triangulation does
-  /// not depend on them.)
+  /// Sets the colors of the present group if they were not known at its begin: those of
+  /// `group.inserted` and `group.targets`, whose positions must be unchanged. (The triangulation
+  /// does not depend on colors.)
   void set_colors(const Group& group);
 
-  /// Goes to the time. Precondition: it is not before the present one, nor after the end of the
+  /// Advances to the time. Precondition: it is not before the present one, nor after the end of the
   /// group that has begun.
   void advance_to(const Time& time);
 
-  /// Draws the picture at the present time in the format, whose size may be another one than that
-  /// of the stream; the kind of color too, except that a stream without color has none. Values are
-  /// rounded to the nearest whole number, halves up.
-  /// Exact: the triangle of each sample. The values are computed in binary64 arithmetic, with the
-  /// same bits on every machine.
+  /// Draws the picture at the present time in the format, whose size and chroma format may differ
+  /// from those of the stream, except that a stream without color has none. Values are rounded to
+  /// the nearest whole number, halves up. Exact: the triangle of each sample. The values are
+  /// computed in binary64 arithmetic, with the same bits on every machine.
   void draw(const Video_format& format, Interpolation style, Frame& frame) const;
 
-  /// Before the first key there is none.
+  /// Precondition: a key has begun.
   const Triangulation& triangulation() const { return *triangulation_; }
   /// @{
-  /// Of the triangulation of the present segment, from now on. Precondition: a key has begun.
+  /// Observes the triangulation of the present segment. Precondition: a key has begun.
   void add_observer(Event_observer& observer) { triangulation_->add_observer(observer); }
   void remove_observer(Event_observer& observer) { triangulation_->remove_observer(observer); }
   /// @}
   /// The time at which the present group, or key, ends.
   std::uint32_t end() const { return end_; }
-  /// How many events of the triangulation there have been: edges that were flipped, for the most
-  /// part, not points that turn, come or go.
+  /// The number of events of the triangulation, mostly flips; changes of points are not counted.
   std::uint64_t events() const { return events_; }
 
  private:

@@ -14,16 +14,16 @@ namespace {
 const cv::Size window(15, 15);
 constexpr int levels = 3;
 constexpr float furthest_back = 0.5F;
-// Of the least eigenvalue of the matrix of gradients, for a pixel: below it there is no corner. In
-// OpenCV's unit, gray levels are divided by 32 and gradients by 32.
+// Threshold per pixel of the least eigenvalue of the matrix of gradients: below it there is no
+// corner. In OpenCV's units, gray levels are divided by 32 and gradients by 32.
 constexpr float least_eigenvalue = 1e-3F;
-// In which a fade is looked for: so many parts in a row and in a column.
+// Parts in a row and in a column in which a fade is detected.
 constexpr int parts = 8;
-// Of the parts, so many become weaker, or stronger, in contrast in a fade.
+// The fraction of parts whose contrast decreases, or increases, in a fade.
 constexpr double share_of_fade = 0.8;
 
-// How samples of one frame become those of the next one where the picture rests: by a factor, and
-// then a sum.
+// Samples of the next frame, where the picture is at rest, are those of the present one times a
+// factor plus an offset.
 struct Fade {
   double factor = 1;
   double sum = 0;
@@ -35,8 +35,8 @@ double median(std::array<double, parts * parts>& values) {
   return *middle;
 }
 
-// The fade from one frame to the next one: nearly all parts of the picture change their contrast in
-// the same way. Without one, where things move, as many become stronger as become weaker.
+// The fade from one frame to the next, in which nearly all parts of the picture change their
+// contrast in the same direction; motion changes it in both directions.
 std::optional<Fade> fade_between(const cv::Mat& present, const cv::Mat& next) {
   if (present.cols < 2 * parts || present.rows < 2 * parts) return std::nullopt;
   std::array<double, parts* parts> factors = {};
@@ -116,7 +116,7 @@ void Optical_flow::add(std::span<const std::uint8_t> brightness) {
 std::vector<Track> Optical_flow::follow(std::span<const Vector_2> places) const {
   std::vector<Track> result(places.size());
   if (places.empty()) return result;
-  // A pixel's center has whole numbers as coordinates there.
+  // OpenCV's coordinates of pixel centers are whole numbers.
   std::vector<cv::Point2f> from;
   for (const Vector_2& p : places) {
     from.emplace_back(static_cast<float>(p.x - 0.5), static_cast<float>(p.y - 0.5));
@@ -130,7 +130,7 @@ std::vector<Track> Optical_flow::follow(std::span<const Vector_2> places) const 
   const cv::TermCriteria criteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 20, 0.02);
   cv::calcOpticalFlowPyrLK(pyramids_->present, pyramids_->next, from, to, found, eigenvalues,
                            window, levels, criteria, cv::OPTFLOW_LK_GET_MIN_EIGENVALS, 1e-6);
-  // The way back begins with the expected result, which is the place itself.
+  // The backward search starts with the expected result, the original position.
   back = from;
   cv::calcOpticalFlowPyrLK(pyramids_->next, pyramids_->present, to, back, found_back, errors,
                            window, levels, criteria, cv::OPTFLOW_USE_INITIAL_FLOW, 1e-6);

@@ -8,17 +8,16 @@
 namespace kinetri::video {
 namespace {
 
-// How much a point is pulled towards its color before, in samples: where few samples, or none,
-// determine a color, it stays, which costs no bits.
+// The weight, in samples, by which a color is pulled toward its previous value: a color that few
+// samples determine stays, which costs no bits.
 constexpr double inertia = 2;
-// The same of a color that stays in any case: more than all samples of a picture.
+// The same for a color that must stay: more than all samples of a picture.
 constexpr double fixation = 1e9;
 // A color changes only if it is off by more than this many steps.
 constexpr double dead_zone = 1;
 
-// The last frame of a group counts as much as all others together. Else the colors there, with
-// which the next group begins, would be wrong in favor of the frames before, in turns too high and
-// too low.
+// The last frame of a group counts as much as all others together. Else its colors, with which the
+// next group begins, would be biased by the earlier frames, and oscillate from group to group.
 double importance_of(std::uint32_t frame, std::uint32_t frames) {
   return frame == frames ? std::max(frames, 1U) : 1.0;
 }

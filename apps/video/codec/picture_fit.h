@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Colors of the points of a picture that moves: those with which it is nearest to the frames.
+// Fits the colors of a moving picture to frames.
 #ifndef KINETRI_VIDEO_CODEC_PICTURE_FIT_H
 #define KINETRI_VIDEO_CODEC_PICTURE_FIT_H
 
@@ -19,7 +19,7 @@
 
 namespace kinetri::video {
 
-/// Fits colors to frames, and knows how the last one that was fitted is made.
+/// Fits colors to frames, and keeps the weights of the last one.
 class Picture_fit {
  public:
   using Points = std::vector<Present_points::Point>;
@@ -30,22 +30,21 @@ class Picture_fit {
   /// Finds the colors of `targets`, one for each point: those at the end of a group that begins at
   /// the time `first` with the colors of the points, and has so many frames; 0 at a key, whose
   /// colors are fitted to that frame alone. Advances the picture to the end. A color that would
-  /// change by little stays, and those of the first `fixed` points stay in any case.
+  /// change little is kept, and those of the first `fixed` points always are.
   void fit(Moving_picture& picture, const Points& points, std::uint32_t first, std::uint32_t frames,
            const Frames& frame, std::vector<Node>& targets, std::size_t fixed = 0);
 
   /// Of the samples of brightness of the frame that was fitted last.
   std::span<const Corner_weights> weights() const { return weights_; }
 
-  /// How much the brightness of the frame that was fitted last is off with the colors of the
-  /// points.
+  /// The errors of brightness in the frame fitted last, with the colors of the points.
   std::vector<double> error(const Points& points, const Frame& frame) const;
 
   /// The nearest color of the stream.
   std::int16_t quantized(double value) const;
 
  private:
-  // Planes that have samples at the same places.
+  // Planes with samples at the same positions.
   struct Plane_set {
     std::size_t first = 0;
     std::size_t count = 1;

@@ -14,10 +14,10 @@ namespace kinetri::video {
 namespace {
 
 constexpr double least_distance = 2;
-// Large triangles get a point in each square of so many pixels a side, in one round.
+// The side in pixels of the squares of large triangles that each get a point in one round.
 constexpr std::size_t square_side = 16;
 
-// What is known of a triangle: the sum of squared errors, and where the error is largest.
+// The sum of squared errors in a triangle, and the position of the largest error.
 struct Worst {
   double sum = 0;
   double largest = 0;
@@ -72,7 +72,7 @@ double sample_at(const Stream_header& header, const Frame& frame, std::size_t pl
 }
 
 void sort_places(const Stream_header& header, std::span<Place> places) {
-  // Each strip goes in the direction opposite to the one before.
+  // Each strip runs in the opposite direction to the previous one.
   const double area = static_cast<double>(header.right()) * header.bottom();
   const double count = static_cast<double>(std::max<std::size_t>(places.size(), 1));
   const auto height = static_cast<std::int32_t>(std::max(1.0, std::sqrt(area / count) * 2));
@@ -178,7 +178,7 @@ std::vector<Place> places_by_content(const Stream_header& header, const Frame& f
   const Video_format& format = header.format;
   std::vector<Place> places = corner_places(header);
   const std::vector<Place> ring = ring_places(header, ring_spacing(header, count));
-  // Evenly fewer where there are few points in all.
+  // If there are few points in total, every n-th position of a ring.
   const std::size_t most_in_ring = (count - number_of_corners) / 2;
   const std::size_t every = ring.size() / (most_in_ring + 1) + 1;
   for (std::size_t i = every - 1; i < ring.size(); i += every) places.push_back(ring[i]);
@@ -206,7 +206,7 @@ std::vector<Place> places_by_content(const Stream_header& header, const Frame& f
       }
       error[i] = frame.planes[0][i] - value;
     }
-    // As many as make the triangulation half as large again: errors are those of the round before.
+    // At most half as many as there are points: the errors are those of the previous round.
     const std::size_t most =
         std::min(count - places.size(), std::max<std::size_t>(16, places.size() / 2));
     motions.clear();

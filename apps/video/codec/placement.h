@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where points are put: error-driven insertion into the Delaunay triangulation, many points a
+// Placement of points: error-driven insertion into the Delaunay triangulation, many points a
 // round. M. Garland, P. S. Heckbert, Fast polygonal approximation of terrains and height fields,
 // Carnegie Mellon University, CMU-CS-95-181, 1995.
 #ifndef KINETRI_VIDEO_CODEC_PLACEMENT_H
@@ -31,15 +31,15 @@ std::vector<Candidate> candidates(const Stream_header& header,
                                   std::span<const double> error,
                                   std::span<const Vector_2> positions);
 
-/// Puts the places in the order in which points that come are stored: strips from the top to the
-/// bottom, so that successive ones are near to each other.
+/// Sorts positions into the order in which new points are stored: strips from top to bottom, so
+/// that successive ones are near each other.
 void sort_places(const Stream_header& header, std::span<Place> places);
 
 /// The distance of points in a ring around the picture, for that number of points.
 double ring_spacing(const Stream_header& header, std::size_t count);
 
-/// Places around the picture: on its border if the stage has no margin, else in two rings on the
-/// margin, the outer one with half as many. That is where points come from that enter the picture.
+/// Positions around the picture: on its border if the stage has no margin, else in two rings on the
+/// margin, the outer one with half as many. Points that enter the picture start there.
 std::vector<Place> ring_places(const Stream_header& header, double spacing);
 
 /// The places of a key: the corners of the stage, rings around the picture as far as a half of the

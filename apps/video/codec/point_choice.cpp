@@ -11,11 +11,10 @@
 namespace kinetri::video {
 namespace {
 
-// A place of a ring gets a point where there is none within this share of the rings' spacing.
+// A position of a ring gets a point if none is within this fraction of the rings' spacing.
 constexpr double ring_gap = 0.7;
 
-// The value at the origin of the linear function that is nearest to given values, by least squares,
-// of which those count most that are near.
+// Fits a linear function to values by least squares, weighted by nearness to the origin.
 class Plane_fit {
  public:
   void add(double x, double y, double value) {
@@ -27,7 +26,8 @@ class Plane_fit {
     }
   }
 
-  // By Cramer's rule; the mean if the positions are on a line. Precondition: there is a value.
+  // The value at the origin, by Cramer's rule; the mean if the positions are on a line.
+  // Precondition: there is a value.
   double value() const {
     const auto& m = matrix_;
     const double a = m[1][1] * m[2][2] - m[1][2] * m[2][1];
@@ -45,7 +45,7 @@ class Plane_fit {
   std::array<double, 3> right_ = {};
 };
 
-// How far from the picture, or, negative, from its border inside.
+// The distance from the picture; inside, minus the distance from its border.
 double distance_outside(const Stream_header& header, const Vector_2& p) {
   return std::max(std::max(-p.x, p.x - header.format.width),
                   std::max(-p.y, p.y - header.format.height));
@@ -76,7 +76,7 @@ std::vector<Removable> removable_points(const Stream_header& header, std::size_t
   std::vector<Removable> result;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point_id id = points[i].id;
-    // Those of the rings are about to enter the picture. Further outside none is of use.
+    // Points of the rings may enter the picture soon; points further outside are useless.
     const double outside = distance_outside(header, position_of(header, points[i].node.place));
     if (id < number_of_corners || (outside >= 0 && outside <= 4 * spacing)) continue;
     const double difference = (points[i].node.colors[0] - fits[id].value()) * unit;

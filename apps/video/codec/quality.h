@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How near two videos are to each other.
+// Measures the difference of two videos.
 #ifndef KINETRI_VIDEO_CODEC_QUALITY_H
 #define KINETRI_VIDEO_CODEC_QUALITY_H
 
@@ -13,7 +13,7 @@
 
 namespace kinetri::video {
 
-/// Of one frame, by plane; 0 for planes that are not there.
+/// The quality of one frame by plane; 0 for absent planes.
 struct Frame_quality {
   std::array<double, 3> mean_square = {};  ///< of the differences of samples
   std::array<double, 3> ssim = {};         ///< structural similarity: 1 for equal planes
@@ -28,21 +28,20 @@ struct Frame_quality {
 double ssim(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b,
             std::size_t columns, std::size_t rows);
 
-/// Compares videos frame by frame, while they come.
+/// Compares videos frame by frame.
 class Quality {
  public:
   explicit Quality(const Video_format& format) : format_(format) {}
 
-  /// Adds a frame of the source and the one that stands for it. Precondition: both are of the
-  /// format.
+  /// Adds a frame of the source and the corresponding one of the other video. Precondition: both
+  /// have the format.
   void add(const Frame& source, const Frame& other);
 
   const std::vector<Frame_quality>& frames() const { return frames_; }
   /// The mean of all frames.
   Frame_quality mean() const;
-  /// How much the other video changes from frame to frame where the source does not: the mean
-  /// difference of samples of brightness that change by at most 1 in the source. None if there are
-  /// no such samples.
+  /// The mean change from frame to frame, in the other video, of samples of brightness that change
+  /// by at most 1 in the source. None if there are no such samples.
   std::optional<double> flicker() const;
 
  private:

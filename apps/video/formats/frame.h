@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Frames of a video as they are in memory, and where their samples are in the picture.
+// Frames of a video in memory, and the positions of their samples.
 #ifndef KINETRI_VIDEO_FORMATS_FRAME_H
 #define KINETRI_VIDEO_FORMATS_FRAME_H
 
@@ -15,8 +15,8 @@
 
 namespace kinetri::video {
 
-/// Which samples of color there are for the samples of brightness, and where. The numbers are those
-/// of the stream (docs/VIDEO.md).
+/// The chroma format: number and position of samples of color. The values are those in the stream
+/// (docs/VIDEO.md).
 enum class Chroma : std::uint8_t {
   mono = 0,          ///< none
   yuv444 = 1,        ///< one for each, at the same place
@@ -26,7 +26,7 @@ enum class Chroma : std::uint8_t {
   yuv420_paldv = 5,  ///< one for two times two, at the place of the upper left one
 };
 
-/// The width and height of frames, at most.
+/// The greatest width and height of frames.
 inline constexpr std::uint32_t greatest_size = 16384;
 
 /// A positive ratio of whole numbers.
@@ -37,12 +37,12 @@ struct Ratio {
   friend bool operator==(const Ratio&, const Ratio&) = default;
 };
 
-/// What all frames of a video have in common. The picture is the rectangle from (0, 0), its upper
+/// The format of all frames of a video. The picture is the rectangle from (0, 0), its upper
 /// left corner, to (width, height): the sample of brightness in column i and row j is at
 /// (i + 1/2, j + 1/2).
 struct Video_format {
   std::uint32_t width = 0;   ///< samples of brightness in a row
-  std::uint32_t height = 0;  ///< how many rows of them
+  std::uint32_t height = 0;  ///< number of rows
   Chroma chroma = Chroma::yuv444;
   /// Whether samples use 0 ... 255 (as JPEG does), else 16 ... 235 and 16 ... 240 (ITU-R BT.601).
   bool is_full_range = false;
@@ -54,13 +54,13 @@ struct Video_format {
   /// 1 or 3.
   std::size_t planes() const { return chroma == Chroma::mono ? 1 : 3; }
   /// @{
-  /// How many samples of color there are in a row of the picture, and rows of them. If the picture
-  /// has an odd size, the last ones stand for less.
+  /// The number of samples of color in a row, and of rows. If the picture has an odd size, the last
+  /// ones cover less of it.
   std::uint32_t chroma_width() const;
   std::uint32_t chroma_height() const;
   /// @}
-  /// Where the samples of brightness (`plane` 0) or color (1 or 2) are in the picture that
-  /// `picture` describes, which is shown in this format: its width and height are scaled.
+  /// The positions of samples of brightness (`plane` 0) or color (1 or 2) in a picture of format
+  /// `picture` that is scaled to this format.
   Grid_2 grid(std::size_t plane, const Video_format& picture) const;
 };
 
@@ -74,32 +74,31 @@ struct Frame {
 /// A frame of the format, black.
 Frame black_frame(const Video_format& format);
 
-/// Frames, one after the other.
+/// A source of frames in order.
 class Frame_source {
  public:
   virtual ~Frame_source() = default;
 
   virtual const Video_format& format() const = 0;
-  /// What messages name.
+  /// The name for messages.
   virtual const std::string& name() const = 0;
   /// Reads the next frame. Returns whether there is one. Throws Input_error.
   virtual bool read(Frame& frame) = 0;
 };
 
-/// Where frames go, one after the other. Nothing of them can be seen before `commit`, unless the
-/// output is a pipe.
+/// A sink of frames in order. The output is not visible before `commit`, unless it is a pipe.
 class Frame_sink {
  public:
   virtual ~Frame_sink() = default;
 
   /// Throws Output_error.
   virtual void write(const Frame& frame) = 0;
-  /// The output is whole. Throws Output_error.
+  /// Completes the output. Throws Output_error.
   virtual void commit() = 0;
 };
 
-/// The frames of a file in the format Y4M, of standard input ("-") in that format, or of the PNG
-/// files of a folder, shown with `rate` then. Throws Input_error.
+/// The frames of a Y4M file, of standard input ("-") in that format, or of the PNG files of a
+/// folder, which have the rate `rate`. Throws Input_error.
 std::unique_ptr<Frame_source> open_frames(const std::string& path, const Ratio& rate);
 
 /// Writes a file in the format Y4M, or standard output ("-"), or PNG files in a new folder if the

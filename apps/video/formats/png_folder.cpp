@@ -71,7 +71,7 @@ Picture read_png(const std::string& path) {
   return result;
 }
 
-// From the range of ITU-R BT.601 to the full one.
+// From the limited range of ITU-R BT.601 to full range.
 std::uint8_t full_brightness(std::uint8_t y) {
   return rounded((y - 16) * 76309);  // 255 / 219 * 65536
 }
@@ -83,9 +83,9 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// The order of names in which frame2 is before frame10: pieces of digits by the number that they
-// are, of any length, and the other characters by their code. Of names that differ in leading zeros
-// alone, the one that the order of texts has first.
+// Natural order, in which frame2 is before frame10: digits are compared as numbers of any length,
+// other characters by their codes. Names that differ only in leading zeros are in lexicographic
+// order.
 bool is_before(const std::string& a, const std::string& b) {
   std::size_t i = 0;
   std::size_t j = 0;

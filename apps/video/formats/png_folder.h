@@ -3,9 +3,9 @@
 // Video as PNG files of one size in a folder, in the order of the numbers in their names:
 // frame2.png is before frame10.png.
 //
-// PNG files have red, green and blue. They become brightness and color, and back, by the formulas
-// of ITU-R BT.601 with full range, as JFIF has them, computed with whole numbers; a color that is
-// converted there and back is off by at most 2. Gray files stay as they are.
+// Red, green and blue are converted to brightness and color, and back, by the formulas of ITU-R
+// BT.601 with full range, as in JFIF, in integer arithmetic. A round trip changes a value by at
+// most 2. Gray files are not converted.
 #ifndef KINETRI_VIDEO_FORMATS_PNG_FOLDER_H
 #define KINETRI_VIDEO_FORMATS_PNG_FOLDER_H
 
@@ -22,8 +22,8 @@ namespace kinetri::video {
 /// are of different sizes, have more than 8 bits, or are transparent anywhere.
 std::unique_ptr<Frame_source> open_png_folder(const std::string& path, const Ratio& rate);
 
-/// Writes 00000.png, 00001.png, ... into a new folder, or an empty one, which is there only when it
-/// is whole. Color that has fewer samples is taken from the nearest one.
+/// Writes 00000.png, 00001.png, ... into a new or empty folder, which appears only when complete.
+/// Each pixel has the color of the nearest sample.
 std::unique_ptr<Frame_sink> create_png_folder(const std::string& path, const Video_format& format);
 
 /// @{

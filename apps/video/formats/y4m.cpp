@@ -27,7 +27,7 @@ struct Chroma_tag {
   std::string_view tag;
   Chroma chroma;
 };
-// The first tag of a kind is the one that is written.
+// The first tag of a format is used for writing.
 constexpr std::array<Chroma_tag, 7> chroma_tags = {{{"mono", Chroma::mono},
                                                     {"444", Chroma::yuv444},
                                                     {"422", Chroma::yuv422},
@@ -228,7 +228,7 @@ class Y4m_sink : public Frame_sink {
       out.write(reinterpret_cast<const char*>(plane.data()),
                 static_cast<std::streamsize>(plane.size()));
     }
-    // The rest need not be computed.
+    // Nobody reads the rest.
     if (!out) output_.finish();
   }
 

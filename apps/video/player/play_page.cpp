@@ -18,7 +18,7 @@
 namespace kinetri::video {
 namespace {
 
-// More than any run has: recordings are not thinned.
+// More than any run has, so that recordings are not thinned.
 constexpr std::size_t most_rows = std::size_t{1} << 40U;
 // After the end of every stream.
 constexpr double last_time = 0x1p33;
@@ -52,7 +52,7 @@ class Page_data {
       json_.key("groups");
       json_.begin_list();
       points_.follow(block);
-      // So that there is one where no other follows.
+      // A group for a key that no group follows.
       add_group(begin_, begin_, points_.points(), key->points);
     } else if (const Group* group = std::get_if<Group>(&block)) {
       picture_.begin(*group);
@@ -106,8 +106,7 @@ class Page_data {
     json_.end_object();
   }
 
-  // Red, green, blue by the formulas of JFIF. Where a corner is outside of the picture, they may be
-  // beyond what a screen shows.
+  // Red, green, blue by the formulas of JFIF. They may be out of the displayable range.
   std::array<std::int16_t, 3> rgb_at(const Node& node) const {
     const double unit = header_.color_step / 8.0;
     const bool is_full = header_.format.is_full_range;

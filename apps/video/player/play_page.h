@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A page that plays a stream: one HTML file with everything in it, which asks the network for
-// nothing.
+// A page that plays a stream: one HTML file that needs no network.
 //
 // The page has the files of this folder, and the element `<script type="application/json"
 // id="stream">` with the object

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The files of the player page, which the build embeds.
+// The embedded files of the player page.
 #ifndef KINETRI_VIDEO_PLAYER_PLAYER_ASSETS_H
 #define KINETRI_VIDEO_PLAYER_PLAYER_ASSETS_H
 
@@ -8,7 +8,7 @@
 
 namespace kinetri::video {
 
-extern const std::string_view player_page;    // player.html, whose end is missing
+extern const std::string_view player_page;    // player.html without its end
 extern const std::string_view player_script;  // player.js
 
 }  // namespace kinetri::video

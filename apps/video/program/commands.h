@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The commands of the program kinetri-video: each function gives one, with its options and what it
-// does.
+// The commands of the program kinetri-video, one by each function.
 #ifndef KINETRI_VIDEO_PROGRAM_COMMANDS_H
 #define KINETRI_VIDEO_PROGRAM_COMMANDS_H
 
@@ -26,8 +25,8 @@ app::Command program();
 /// "30000:1001". Throws Usage_error.
 Ratio rate_argument(std::string_view option, std::string_view text);
 
-/// Throws Usage_error if both are one file: the output would take the place of the input.
-/// `argument` names the output.
+/// Throws Usage_error if both are the same file, which the output would replace. `argument` names
+/// the output.
 void check_output(std::string_view argument, const std::string& output, const std::string& input);
 
 }  // namespace kinetri::video

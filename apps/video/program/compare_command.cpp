@@ -53,7 +53,7 @@ void check_formats(const Video_format& source, const Video_format& other,
                            ", as ", options.source, " has"));
 }
 
-// By its name, or by what the file begins with.
+// By the name or the first bytes of the file.
 bool is_stream(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".kvd") return true;
   std::error_code ignored;
@@ -63,7 +63,7 @@ bool is_stream(const std::string& path) {
   return std::string_view(begin.data(), begin.size()) == stream_signature;
 }
 
-// Adds frame by frame, and sees that both have as many.
+// Adds pairs of frames, and checks that both videos have the same number.
 class Pairs {
  public:
   Pairs(Frame_source& source, const std::string& other, Quality& quality)
@@ -189,20 +189,18 @@ Command compare_command() {
   const auto options = std::make_shared<Compare_options>();
   Command result;
   result.name = "compare";
-  result.summary = "Show how near a stream, or another video, is to its source";
+  result.summary = "Compare a stream, or another video, with its source";
   result.add_required("A", &options->source, "FILE",
                       "The source: YUV4MPEG2 video (Y4M), or a folder of PNG files");
-  result.add_required("B", &options->other, "FILE",
-                      "What stands for it: a stream (.kvd), or as the source");
+  result.add_required("B", &options->other, "FILE", "The other video: a stream (.kvd), or as A");
   result.add("--csv", &options->table, "FILE", "Write a row for each frame, - for standard output");
   result.add("--rate", &options->rate, "FPS", "Frames a second of folders (default 25)");
   result.description = {
       "PSNR is that of the mean of squares over all frames; SSIM is the mean of all frames. "
       "Flicker "
       "is the mean change of brightness from frame to frame where the source changes by at most 1.",
-      "If B is a stream and ffmpeg is installed, the same is shown of x264 at about as many bits, "
-      "in "
-      "two passes.",
+      "If B is a stream and ffmpeg is installed, the same is shown for x264 at about as many bits, "
+      "in two passes.",
       "Exit codes: see kinetri-video encode."};
   result.examples = {"kinetri-video compare clip.y4m clip.kvd --csv frames.csv"};
   result.run = [options](const Command& /*program*/) { return run(*options); };

@@ -57,7 +57,7 @@ Decoder_settings settings_of(const Decode_options& options) {
   return result;
 }
 
-// A name that promises another format would deceive.
+// Refuses a name with the ending of another format.
 void check_name(const Decode_options& options) {
   constexpr std::array<std::string_view, 8> others = {".avi", ".gif", ".jpg",  ".mkv",
                                                       ".mov", ".mp4", ".webm", ".png"};
@@ -105,7 +105,7 @@ Command decode_command() {
   const auto options = std::make_shared<Decode_options>();
   Command result;
   result.name = "decode";
-  result.summary = "Make frames of a stream, at any frame rate and size";
+  result.summary = "Decode a stream to frames of any rate and size";
   result.add_required("IN", &options->input, "FILE", "The stream (.kvd), - for standard input");
   result.add_required("OUT", &options->output, "FILE",
                       "YUV4MPEG2 video (Y4M), - for standard output, or, ending with /, a folder "
@@ -121,8 +121,8 @@ Command decode_command() {
       "The triangulation of each frame is that at the frame's exact time. The same stream gives "
       "the "
       "same frames, byte by byte, on every machine.",
-      "A stream that is cut off or damaged is decoded up to that place. The message says where it "
-      "is, and the exit code is 2. Else the output appears only when it is whole.",
+      "A truncated or damaged stream is decoded up to the damage. The message says where it is, "
+      "and the exit code is 2. Otherwise the output appears only when it is complete.",
       "Exit codes: see kinetri-video encode."};
   result.examples = {"kinetri-video decode clip.kvd clip.y4m",
                      "kinetri-video decode clip.kvd - --fps 100 --size 1280x960 | ffplay -",

@@ -98,7 +98,7 @@ Command encode_command() {
   const auto options = std::make_shared<Encode_options>();
   Command result;
   result.name = "encode";
-  result.summary = "Make a stream of moving triangles from a video";
+  result.summary = "Encode a video as a stream of moving triangles";
   result.add_required(
       "IN", &options->input, "FILE",
       "YUV4MPEG2 video (Y4M), - for standard input, or a folder of PNG files, in the "
@@ -107,26 +107,26 @@ Command encode_command() {
   result.add("--points", &options->points, "N",
              "Points at one time, at most; 4 or more (default 2000)");
   result.add("--key-every", &options->key_every, "S",
-             "Place all points anew after so many seconds (default: only at the begin)");
-  result.add_flag("--scene-cut", options->scene_cut, "Place them anew where a scene begins");
+             "Place all points anew after this many seconds (default: only at the begin)");
+  result.add_flag("--scene-cut", options->scene_cut, "Place them anew if a scene begins");
   result.add("--turn-every", &options->turn_every, "FRAMES",
-             "Frames between two turns of a point, a power of two (default 8)");
+             "Frames between changes of a point's velocity, a power of two (default 8)");
   result.add(
       "--color-step", &options->color_step, "STEP",
       "Colors are multiples of this, a multiple of 1/8; a finer step takes more bits (default 4)");
   result.add("--rate", &options->rate, "FPS",
              "Frames a second of a folder, a number or a ratio (default 25)");
   result.add("--placement", &options->placement, app::choice_type(placements),
-             "Where points are put: where the picture needs them, or on a grid, for comparison "
+             "Where points are placed: where the error is largest, or on a grid, for comparison "
              "(default content)");
   result.add_flag("--no-motion", options->no_motion, "Points rest, for comparison");
   result.description = {
-      "Points are put where linear interpolation between the points so far is worst, and follow "
-      "the "
-      "picture by optical flow (pyramidal Lucas-Kanade). Their paths are straight from one turn to "
-      "the next; their colors are those with which the frames in between are met best. Points that "
-      "lose their texture move with their neighbors, those that leave go, and new ones come where "
-      "the error is largest; they may take the places of points that make little difference.",
+      "Points are placed where the error of linear interpolation between the points so far is "
+      "largest, and follow the picture by optical flow (pyramidal Lucas-Kanade). Their paths are "
+      "piecewise linear; their colors are fitted to the frames by least squares. Points that lose "
+      "their texture move with their neighbors, points that leave the picture are removed, and new "
+      "ones are inserted where the error is largest; they may replace points that make little "
+      "difference.",
       "The file appears when all of it has been written. docs/VIDEO.md describes the method and "
       "the format.",
       "Exit codes: 0 done, 2 bad usage, input or output, 3 internal error, 130 interrupted."};

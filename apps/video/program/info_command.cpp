@@ -17,7 +17,7 @@ namespace {
 
 using app::Command;
 
-// What there is to say of a stream.
+// Statistics of a stream.
 class Summary {
  public:
   explicit Summary(const Stream_header& header) : header_(header), picture_(header) {}
@@ -72,11 +72,11 @@ Command info_command() {
   const auto input = std::make_shared<std::string>();
   Command result;
   result.name = "info";
-  result.summary = "Show what a stream has: frames, points, events, bytes";
+  result.summary = "Show the numbers of frames, points, events and bytes of a stream";
   result.add_required("IN", input.get(), "FILE", "The stream (.kvd), - for standard input");
   result.description = {
-      "Events are those of the exact triangulation, for the most part edges that are flipped. The "
-      "run is made to count them.",
+      "Events are those of the exact triangulation, mostly flips, which the command executes to "
+      "count them.",
       "Exit codes: see kinetri-video encode."};
   result.examples = {"kinetri-video info clip.kvd"};
   result.run = [input](const Command& /*program*/) {

@@ -25,7 +25,7 @@ app::Command play_command() {
   result.add_required("IN", &options->input, "FILE", "The stream (.kvd), - for standard input");
   result.add_required("--html", &options->page, "FILE", "The page, - for standard output");
   result.description = {
-      "The page has all that it needs. It plays forward and backward at any speed, in the size of "
+      "The page needs no other file. It plays forward and backward at any speed, in the size of "
       "the "
       "window, and shows the mesh over the picture. The triangles are those of the exact run, "
       "which "

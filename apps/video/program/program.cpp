@@ -20,7 +20,7 @@ app::Command program() {
       "Points with colors follow the picture from frame to frame, and the triangles between them "
       "are their Delaunay triangulation at every time. No triangle is stored: the triangulation is "
       "exact, so that every machine finds the same one. The result can be shown at any size and "
-      "frame rate. It is no rival of block codecs where bits count."};
+      "frame rate. Block codecs need fewer bits."};
   result.examples = {"ffmpeg -i clip.mp4 -f yuv4mpegpipe - | kinetri-video encode - clip.kvd",
                      "kinetri-video decode clip.kvd - --fps 100 --size 1920x1080 | ffplay -",
                      "kinetri-video play clip.kvd --html clip.html"};
@@ -30,7 +30,7 @@ app::Command program() {
                        {2, "Bad usage, input or output; standard error says what was expected."},
                        {3, "An internal check failed."},
                        {130, "Interrupted; there is no output, unless it is a pipe."},
-                       {141, "Nobody reads the pipe to which standard output goes."}};
+                       {141, "The pipe at standard output has no reader any more."}};
   app::add_documentation_commands(result, "", {"kinetri-video help encode"});
   return result;
 }

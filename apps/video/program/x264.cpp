@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int not_found = 127;  // what the shell says of a program that is not there
+constexpr int not_found = 127;  // exit code of the shell if a program is not found
 
 std::string_view pixel_format(Chroma chroma) {
   constexpr std::array<std::string_view, 6> names = {"gray",    "yuv444p", "yuv422p",
@@ -32,7 +32,7 @@ std::string_view pixel_format(Chroma chroma) {
   return names[static_cast<std::size_t>(chroma)];
 }
 
-// A new folder for temporary files, which goes with all that is in it.
+// A new folder for temporary files, which is removed with its content.
 class Temporary_folder {
  public:
   Temporary_folder() : path_((fs::temp_directory_path() / "kinetri-video-XXXXXX").string()) {
@@ -48,7 +48,7 @@ class Temporary_folder {
   Temporary_folder& operator=(const Temporary_folder&) = delete;
 
   std::string file(const std::string& name) const { return path_ + "/" + name; }
-  /// As one word of the shell.
+  /// The path of a file, quoted for the shell.
   std::string word(const std::string& name) const {
     std::string result = "'";
     for (const char c : file(name)) c == '\'' ? result += R"('\'')" : result += c;
@@ -59,7 +59,7 @@ class Temporary_folder {
   std::string path_;
 };
 
-// A command of the shell, to whose standard input frames go.
+// A shell command that reads frames from standard input.
 class Command_pipe {
  public:
   explicit Command_pipe(const std::string& command) : pipe_(popen(command.c_str(), "w")) {}
@@ -69,7 +69,7 @@ class Command_pipe {
   Command_pipe(const Command_pipe&) = delete;
   Command_pipe& operator=(const Command_pipe&) = delete;
 
-  // Whether it wants more. A plane that is not there has no bytes, and no address.
+  // Whether it reads more. An absent plane has no bytes, and no address.
   bool write(const void* bytes, std::size_t size) {
     return pipe_ != nullptr && (size == 0 || std::fwrite(bytes, 1, size, pipe_) == size);
   }
@@ -101,8 +101,8 @@ int run_on_frames(const std::string& command, const std::string& path, const Rat
   return pipe.close();
 }
 
-// What ffmpeg has said first, which is the reason of what follows, without the name and the address
-// of its part: "[libx264 @ 0x55] requested bitrate is too low".
+// The first message of ffmpeg, which is the cause of the others, without the name and address of
+// its component: "[libx264 @ 0x55] requested bitrate is too low".
 std::string first_message(const std::string& path) {
   std::ifstream file(path);
   std::string line;
@@ -142,7 +142,7 @@ X264_result x264_at(const std::string& source, const Ratio& rate, std::uint64_t 
                pass == 1 ? "/dev/null" : folder.word("stream.h264"), messages);
     if (failed(run_on_frames(command, source, rate))) return result;
   }
-  // Without these words ffmpeg makes limited range of full range.
+  // Without these options ffmpeg converts full range to limited range.
   const std::string_view range = format.is_full_range ? "pc" : "tv";
   const std::string command =
       joined(ffmpeg, "-i ", folder.word("stream.h264"),

@@ -13,7 +13,7 @@
 
 namespace kinetri::video {
 
-/// What x264 has made of frames.
+/// The result of encoding with x264.
 struct X264_result {
   /// Why there is no comparison; empty if there is one.
   std::string problem;
@@ -22,9 +22,9 @@ struct X264_result {
 };
 
 /// Encodes the frames of the source, which is opened twice, in two passes by x264 with the settings
-/// `medium`, so that they take about `bytes` bytes, and compares the result with the source. The
-/// bytes are as x264 meets them, which it does badly where they are few. Throws Input_error as the
-/// source does. Runs the shell and `ffmpeg`, and keeps files in a temporary folder meanwhile.
+/// `medium`, so that they take about `bytes` bytes, and compares the result with the source. x264
+/// may miss that number, especially a small one. Throws Input_error as the source does. Runs the
+/// shell and `ffmpeg`, and keeps files in a temporary folder meanwhile.
 X264_result x264_at(const std::string& source, const Ratio& rate, std::uint64_t bytes,
                     std::uint64_t frames);
 

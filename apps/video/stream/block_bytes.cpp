@@ -14,8 +14,9 @@
 namespace kinetri::video {
 namespace {
 
-// Numbers of seven bits a byte, the lowest ones first; the highest bit of a byte says that more
-// follow. Numbers with a sign as 0, -1, 1, -2, 2, ...
+// Variable-length numbers (LEB128): seven bits a byte, the lowest first; the highest bit of a byte
+// means that more follow. Signed numbers are mapped to 0, 1, 2, ... in the order 0, -1, 1, -2, 2,
+// ...
 class Number_writer {
  public:
   void add(std::uint32_t number) {
@@ -35,7 +36,7 @@ class Number_writer {
   std::string bytes_;
 };
 
-// Reads them; after a number that is not there, or too large, everything is 0, and `is_good` false.
+// Reads numbers. After one that is missing or too large, all are 0, and `is_good` is false.
 class Number_reader {
  public:
   explicit Number_reader(std::string_view bytes) : bytes_(bytes) {}
@@ -59,7 +60,7 @@ class Number_reader {
     const auto half = static_cast<std::int32_t>(number >> 1U);
     return number % 2 == 0 ? half : -half - 1;
   }
-  // A number of things of which each takes a byte or more.
+  // Reads a number of elements that take at least a byte each.
   std::size_t next_count() {
     const std::uint32_t number = next();
     if (number <= bytes_.size()) return number;
@@ -90,7 +91,7 @@ std::int16_t color(Number_reader& in, std::int16_t expected) {
   return static_cast<std::int16_t>(sum(in, expected, Limits::min(), Limits::max()));
 }
 
-// Points that come, each as the difference to the one before it.
+// Adds new points, each as the difference to the previous one.
 void add_nodes(Number_writer& out, const std::vector<Node>& nodes, std::size_t planes) {
   Place place;
   for (const Node& node : nodes) {
@@ -122,7 +123,7 @@ std::vector<Node> read_nodes(Number_reader& in, std::size_t planes) {
   return nodes;
 }
 
-// The median step of the points that are no corners: by it new ones are expected to move.
+// The median step of the points other than corners, which is the expected step of new points.
 Place median_step(const std::vector<Present_points::Point>& points,
                   const std::vector<Node>& targets) {
   std::vector<std::int32_t> xs;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The content of a block as bytes, before it is compressed (docs/VIDEO.md): whole numbers of
-// variable length, those of one kind one after the other, as differences to what is expected.
+// variable length, grouped by kind, as differences to expected values.
 #ifndef KINETRI_VIDEO_STREAM_BLOCK_BYTES_H
 #define KINETRI_VIDEO_STREAM_BLOCK_BYTES_H
 
@@ -24,7 +24,7 @@ inline constexpr std::size_t block_header_bytes = 17;
 inline constexpr char key_type = 'K';
 inline constexpr char group_type = 'G';
 inline constexpr char end_type = 'E';
-/// The size of the content of a block, at most.
+/// The greatest size of the content of a block.
 inline constexpr std::uint32_t most_block_bytes = 1U << 30U;
 /// @}
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The points of a segment at the present, which writer and reader follow alike: what they expect of
-// the next block, and what a block may say.
+// The points of a segment at the end of the blocks so far. Writer and reader use them to predict
+// and to check the next block.
 #ifndef KINETRI_VIDEO_STREAM_PRESENT_POINTS_H
 #define KINETRI_VIDEO_STREAM_PRESENT_POINTS_H
 
@@ -13,44 +13,45 @@
 
 namespace kinetri::video {
 
-/// The points that are there after the blocks so far.
+/// The points that exist after the blocks so far.
 class Present_points {
  public:
   struct Point {
     Point_id id = 0;
     Node node;
-    /// By which the last group moved it, and in how many frames; 0 frames if it has just come.
+    /// Its displacement in the last group, and the frames of that group; 0 frames if the point is
+    /// new.
     Place step;
     std::uint32_t frames = 0;
   };
 
   explicit Present_points(const Stream_header& header) : header_(header) {}
 
-  /// Why the block cannot be the next one; empty if it can. That is everything stream.h says of it,
-  /// and that numbers fit. Cost: O(n log n).
+  /// Why the block cannot be the next one; empty if it can. Checks all conditions of stream.h, and
+  /// ranges of numbers. Cost: O(n log n).
   std::string problem(const Block& block) const;
 
   /// Goes to the end of the block. Precondition: problem(block) is empty.
   void follow(const Block& block);
 
-  /// Gives the points the colors of the targets, where these are found only now. Precondition: as
-  /// many as points.
+  /// Sets the colors of the points to those of the targets, if they were not known before.
+  /// Precondition: there are as many targets as points.
   void set_colors(const std::vector<Node>& targets);
 
   /// By number.
   const std::vector<Point>& points() const { return points_; }
-  /// The time up to which the blocks reach.
+  /// The time at which the last block ends.
   std::uint32_t time() const { return time_; }
   bool has_begun() const { return has_begun_; }
   bool has_ended() const { return has_ended_; }
   /// The number that the next point gets.
   Point_id next_id() const { return next_id_; }
 
-  /// The points after those that the group erases have gone and those that it inserts have come.
+  /// The points after the group's erasures and insertions.
   std::vector<Point> at_begin_of(const Group& group) const;
 
-  /// Where a point is expected to be after a group of `frames`: it goes on as before; where it has
-  /// not moved before, by `shift`. Quotients are rounded towards zero.
+  /// The expected position of a point after a group of `frames`: it continues as before, or, if it
+  /// is new, moves by `shift`. Quotients are rounded toward zero.
   static Place expected_place(const Point& point, std::uint32_t frames, const Place& shift);
 
  private:

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a .kvd stream says, as values: docs/VIDEO.md describes its bytes.
+// The content of a .kvd stream as values; docs/VIDEO.md describes the bytes.
 //
 // Time is counted in frames of the source: frame n is at time n. A video is a sequence of segments.
 // Each begins with a key: points with places and colors. Then come groups of frames, one after the
-// other. At the begin of a group points go and come; within it each point moves on a straight line
-// at constant speed, and its color changes linearly. Between the last group of a segment and the
-// next key the picture stays as it is. The triangulation of the points is not stored: it is the
-// Delaunay triangulation, at every time.
+// other. At the begin of a group points are erased and inserted; within it each point moves on a
+// straight line at constant speed, and its color changes linearly. Between the last group of a
+// segment and the next key the picture stays as it is. The triangulation of the points is not
+// stored: it is the Delaunay triangulation, at every time.
 //
-// Points may be outside of the picture, on the stage, which is larger by a margin on each side: so
-// they come and leave without a gap at the border.
+// Points may be outside of the picture, on the stage, which is larger by a margin on each side, so
+// that they enter and leave without a gap at the border.
 //
 // All numbers are whole: a place is in units of 2^-place_bits of a pixel, a color in units of
 // color_step / 8. A group has a power of two of frames, so that the velocities, and the places at
@@ -29,13 +29,13 @@
 
 namespace kinetri::video {
 
-/// The frames of a group, at most.
+/// The greatest number of frames of a group.
 inline constexpr std::uint32_t most_group_frames = 1024;
-/// The points of a segment at one time, at most.
+/// The greatest number of points of a segment at one time.
 inline constexpr std::uint32_t most_points = 1 << 24;
 inline constexpr unsigned most_place_bits = 8;
-/// The first points of each key are the corners of the stage, from the upper left one on as the
-/// hands of a clock go; they never move nor go, so that the triangles always cover the picture.
+/// The first points of each key are the corners of the stage, clockwise from the upper left one;
+/// they never move and are never erased, so that the triangles always cover the picture.
 inline constexpr std::size_t number_of_corners = 4;
 
 /// A place, in units of the stream.
@@ -46,7 +46,7 @@ struct Place {
   friend auto operator<=>(const Place&, const Place&) = default;
 };
 
-/// What holds for the whole stream.
+/// The header of a stream.
 struct Stream_header {
   Video_format format;      ///< of the source
   unsigned place_bits = 4;  ///< places are multiples of 2^-place_bits pixels
@@ -91,21 +91,21 @@ struct Key {
   friend bool operator==(const Key&, const Key&) = default;
 };
 
-/// What happens from one time to another. First points go, then points come, and get the next
-/// numbers; after that no two are at the same place.
+/// A group of frames. First points are erased, then points are inserted, and get the next numbers;
+/// after that no two are at the same position.
 struct Group {
   std::uint32_t first = 0;       ///< the time at which it begins
-  std::uint32_t frames = 1;      ///< how many later it ends: a power of two
-  std::vector<Point_id> erased;  ///< the numbers of the points that go, ascending
-  std::vector<Node> inserted;    ///< the points that come, as they are at `first`
-  std::vector<Node> targets;     ///< all points that are there, by number, at the end
+  std::uint32_t frames = 1;      ///< its length, a power of two
+  std::vector<Point_id> erased;  ///< the numbers of erased points, ascending
+  std::vector<Node> inserted;    ///< the new points at `first`
+  std::vector<Node> targets;     ///< all points by number, at the end
 
   std::uint32_t last() const { return first + frames; }
 
   friend bool operator==(const Group&, const Group&) = default;
 };
 
-/// The stream is whole.
+/// The end of the stream.
 struct End {
   std::uint32_t frames = 0;  ///< of the source: the picture ends at this time
 

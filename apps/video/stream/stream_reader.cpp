@@ -18,10 +18,10 @@
 namespace kinetri::video {
 namespace {
 
-// The content of the bytes that a block has stored; none if they are not such.
+// Decompresses the stored bytes of a block; none if they are invalid.
 std::optional<std::string> decompressed(std::string_view stored, std::size_t size) {
   if (size == 0 && stored.empty()) return std::string();
-  // Does not believe the size before there is a reason.
+  // Checks the size before allocating it.
   if (ZSTD_getFrameContentSize(stored.data(), stored.size()) != size) return std::nullopt;
   std::string result(size, '\0');
   const std::size_t found = ZSTD_decompress(result.data(), size, stored.data(), stored.size());
@@ -94,7 +94,7 @@ Stream_reader Stream_reader::open(const std::string& path) {
 }
 
 std::string Stream_reader::read_bytes(std::size_t count) {
-  // A size that is not true must not take all memory.
+  // A false size must not exhaust memory.
   constexpr std::size_t most_at_once = 1U << 20U;
   std::string bytes;
   while (bytes.size() < count && *in_) {

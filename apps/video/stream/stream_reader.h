@@ -16,20 +16,19 @@
 
 namespace kinetri::video {
 
-/// A stream is cut off or damaged at a block. What comes before it has been read. `what()` says in
-/// which block, at which byte, and from which frame on nothing is known.
+/// A stream is truncated or damaged at a block; the blocks before it have been read. `what()` names
+/// the block, its byte, and the first frame that cannot be decoded.
 class Damaged_stream_error : public Input_error {
  public:
   using Input_error::Input_error;
 };
 
 /// Reads a stream block by block, as it comes. Every block is checked before it is returned: its
-/// checksum, and that it says what stream.h allows. So one that somebody has made up is refused as
-/// well.
+/// checksum, and the conditions of stream.h, so that forged blocks are refused as well.
 class Stream_reader {
  public:
-  /// Reads the header; `name` is for messages. Throws Input_error if it is not that of a stream of
-  /// a version that is known.
+  /// Reads the header; `name` is for messages. Throws Input_error if it is not the header of a
+  /// stream of a known version.
   Stream_reader(std::istream& in, std::string name);
 
   /// The same of a file, or of standard input ("-").
@@ -41,9 +40,9 @@ class Stream_reader {
   /// The next block; none after the last one, which is End. Throws Damaged_stream_error.
   std::optional<Block> read();
 
-  /// After the last block read.
+  /// The points after the last block read.
   const Present_points& points() const { return *points_; }
-  /// How many bytes have been read.
+  /// The number of bytes read.
   std::uint64_t bytes() const { return bytes_; }
 
  private:

@@ -12,7 +12,7 @@
 namespace kinetri::video {
 namespace {
 
-// Blocks are small, and the strongest level makes them a few percent smaller than the default.
+// Blocks are small; this level makes them a few percent smaller than the default.
 constexpr int compression_level = 19;
 
 std::string bytes_of(const Stream_header& header) {

@@ -22,9 +22,9 @@ class Stream_writer {
   /// give the same bytes with the same version of zstd.
   void write(const Block& block);
 
-  /// After the last block written.
+  /// The points after the last block written.
   const Present_points& points() const { return points_; }
-  /// How many bytes have been written.
+  /// The number of bytes written.
   std::uint64_t bytes() const { return bytes_; }
 
  private:
