@@ -14,12 +14,12 @@ Arrays in, arrays out::
 - `Simulation`: walls, and discs that collide
 - `Tracks`: recorded tracks
 - `sweep`, `run_in_pieces`: many runs, and long ones, on several processes or machines
-- `scenario`, `packing`, `read_points`: points to begin with
+- `scenario`, `packing`, `read_points`: initial points
 - `to_dataframe`: events as a table of pandas
 - `sturm_sequence`: the roots of a polynomial, counted exactly
 
-Positions and times are taken exactly, and every decision is exact. What comes back in arrays is rounded
-to nearest; a `Time` is exact.
+Positions and times are not rounded, and every decision is exact. Returned arrays are rounded to nearest; a
+`Time` is exact.
 """
 from ._answers import Watch
 from ._arrays import NO_POINT

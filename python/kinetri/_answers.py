@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Answers about a run: who meets whom, who is connected. Each is an observer of the engine."""
+"""Answers about a run, such as encounters and connectivity. Each is an observer of the engine."""
 from __future__ import annotations
 
 import math
@@ -18,7 +18,7 @@ from .errors import PreconditionError
 if TYPE_CHECKING:
     import pandas as pd
 
-# The questions, with what each needs, and what it may have.
+# The questions, with the required and the optional parameters of each.
 QUESTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "closest": (("number",), ()),
     "encounters": (("range",), ()),
@@ -33,10 +33,10 @@ QUESTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 
 
 class Watch:
-    """Follows a run, and answers a question about it at any time.
+    """Observes a run, and answers a question about it at any time.
 
-    `MovingPoints.watch` makes one. It sees what happens from then on, as long as it exists; several can
-    follow one run.
+    Created by `MovingPoints.watch`. It observes the run from then on, as long as it exists; several can observe
+    one run.
     """
 
     def __init__(self, engine: _kinetri.Engine, about: str, number: int | None, range: float | None,
@@ -61,12 +61,12 @@ class Watch:
         self._watch = _kinetri.Watch(engine, about, count, distance, pairs)
 
     def table(self) -> pd.DataFrame:
-        """The answer from the beginning of this object up to the present time of the run.
+        """The answer from the creation of this object to the present time of the run.
 
         Returns
         -------
         pandas.DataFrame
-            As the method of that name gives it: `MovingPoints.encounters`, for example.
+            The same as from the method of that name, such as `MovingPoints.encounters`.
         """
         import pandas as pd
 
@@ -101,7 +101,7 @@ def _column(values: Any) -> Any:
 
 
 def cell_limits(walkable: str | ArrayLike | None, cutoff: float | None) -> _kinetri.CellLimits:
-    """What bounds cells, as the engine takes it."""
+    """The bounds of cells, as arguments of the engine."""
     text = walkable if isinstance(walkable, str) else None
     polygon = None if walkable is None or text is not None else _arrays.point_array("walkable", walkable)
     return _kinetri.CellLimits(text, polygon,
@@ -109,7 +109,7 @@ def cell_limits(walkable: str | ArrayLike | None, cutoff: float | None) -> _kine
 
 
 class RunAnswers:
-    """The methods of `MovingPoints` that go to a time and answer a question on the way."""
+    """The methods of `MovingPoints` that advance to a time and answer a question about that run."""
 
     _engine: _kinetri.Engine
 
@@ -126,7 +126,7 @@ class RunAnswers:
 
     def watch(self, about: str, *, number: int | None = None, range: float | None = None,
               ridge: float | None = None, between: ArrayLike | None = None) -> Watch:
-        """Follows the run from now on, to answer a question later.
+        """Observes the run from now on, to answer a question later.
 
         Parameters
         ----------
@@ -135,18 +135,18 @@ class RunAnswers:
             'neighbor_lives', 'exchanges', 'nearest_neighbor_changes' or 'certificates'. The method of
             that name answers it.
         number : int, optional
-            How many; of 'closest' only.
+            The number of approaches; for 'closest' only.
         range : float, optional
-            What is near; of 'encounters', 'components' and 'connected' only.
+            The distance up to which points are near; for 'encounters', 'components' and 'connected' only.
         ridge : float, optional
-            What is short; of 'neighbor_lives' and 'exchanges' only.
+            The length below which a ridge is short; for 'neighbor_lives' and 'exchanges' only.
         between : array_like of int, shape (2,) or (k, 2), optional
-            Two ids; of 'connected' only. Of several pairs, it counts when one of them is connected.
+            Two ids; for 'connected' only. With several pairs, the times at which any of them is connected.
 
         Returns
         -------
         Watch
-            Its method `table` answers, at any time. Several can follow one run.
+            Its method `table` gives the answer at any time.
 
         Examples
         --------
@@ -166,10 +166,10 @@ class RunAnswers:
         return watch.table()
 
     def encounters(self, range: float, *, until: TimeLike, progress: Progress = False) -> pd.DataFrame:
-        """Goes to a time and gives all encounters on the way: which points were near each other, and when.
+        """Advances to a time and returns all encounters: which points were near each other, and when.
 
-        Two points are near while they are at most `range` apart; discs, while the gap between their rims
-        is at most `range`. A touch of one moment counts.
+        Two points are near while their distance is at most `range`; discs, while the gap between them is. A
+        single instant counts.
 
         Parameters
         ----------
@@ -185,16 +185,16 @@ class RunAnswers:
         pandas.DataFrame
             One row for each time that a pair was near, by exact begin, then by a and b: a, b (ids, a < b);
             begin, end and closest, the time of the least distance, each with its bounds in columns that
-            end in _lo and _hi; distance, the least one, of the centres; gap, if there are discs. Each
-            number is the float64 nearest to the exact one. What is near now begins now, or when one of
-            the two comes; what is near at the end ends then, or when one of the two leaves.
+            end in _lo and _hi; distance, the least one, of the centers; gap, if there are discs. Each number is
+            the float64 nearest to the exact one. An encounter begins at the earliest now or when a point is
+            inserted, and ends at the latest at the end or when a point is erased.
         """
         return self._answer(self.watch("encounters", range=range), until, progress)
 
     def components(self, range: float, *, until: TimeLike, progress: Progress = False) -> pd.DataFrame:
-        """Goes to a time and gives each time on the way at which points get connected, or disconnected.
+        """Advances to a time and returns each time at which components merge or split.
 
-        Points that are at most `range` apart are linked; what links connect is a component.
+        Points at most `range` apart are linked. A component is a set of points connected by links.
 
         Parameters
         ----------
@@ -210,21 +210,21 @@ class RunAnswers:
         pandas.DataFrame
             In order of time: time, time_lo, time_hi; kind, which is 'start' in the first row, then
             'merge' or 'split', and 'insert' or 'erase' of a point without links; a and b, the pair whose
-            link begins or ends (of insert and erase a is the point); components, how many there are
-            after that; largest, the number of points of the largest.
+            link begins or ends (of insert and erase a is the point); components, the number of components after
+            that; largest, the number of points in the largest.
         """
         return self._answer(self.watch("components", range=range), until, progress)
 
     def connected(self, a: int, b: int, range: float, *, until: TimeLike,
                   progress: Progress = False) -> pd.DataFrame:
-        """Goes to a time and gives the times on the way at which two points are connected.
+        """Advances to a time and returns the times at which two points are connected.
 
-        Points that are at most `range` apart are linked; two are connected by one link or several.
+        Points at most `range` apart are linked; two are connected if a path of links joins them.
 
         Parameters
         ----------
         a, b : int
-            The points. They need not be there all of the time.
+            The points. They need not exist all of the time.
         range : float
             At least 0.
         until : time
@@ -235,8 +235,8 @@ class RunAnswers:
         Returns
         -------
         pandas.DataFrame
-            One row for each time that the two were connected without a break, in order: a, b, begin and
-            end, each with its bounds in columns that end in _lo and _hi. Both ends belong to it.
+            One row for each closed interval during which the two were connected, in order: a, b, begin and end,
+            each time with its bounds in columns that end in _lo and _hi.
 
         Examples
         --------
@@ -251,7 +251,7 @@ class RunAnswers:
         return self._answer(watch, until, progress)
 
     def spanning_tree(self, *, until: TimeLike, progress: Progress = False) -> pd.DataFrame:
-        """Goes to a time and gives the Euclidean minimum spanning tree on the way.
+        """Advances to a time and returns the Euclidean minimum spanning tree and its changes.
 
         Parameters
         ----------
@@ -264,41 +264,40 @@ class RunAnswers:
         -------
         pandas.DataFrame
             time, time_lo, time_hi; kind; a and b (ids, a < b), an edge; length. Kinds are 'start' (an
-            edge at the start); 'remove' and 'add', in order of time (an edge that leaves the tree, or
-            comes into it); 'longest' (from then on this edge is the longest; the points are connected at
-            a range of at least its length); in the last two rows 'least' and 'greatest', the least and
-            the greatest such range, when first. Lengths are those at the time, rounded to the nearest
-            float64; NaN where it is the edge that matters. Where lengths are equal throughout some time,
-            the order of the ids decides.
+            edge at the start); 'remove' and 'add', in order of time (an edge that leaves or enters the tree);
+            'longest' (from then on this edge is the longest; the points are connected at ranges of at least its
+            length); in the last two rows 'least' and 'greatest', the least and the greatest length of the
+            longest edge, at the first such time. Lengths are those at the time, rounded to the nearest float64;
+            NaN in rows 'remove' and 'add'. If lengths are equal during some time, the order of ids decides.
         """
         return self._answer(self.watch("spanning_tree"), until, progress)
 
     def neighbor_lives(self, *, until: TimeLike, ridge: float | None = None,
                        progress: Progress = False) -> pd.DataFrame:
-        """Goes to a time and gives the life of each edge on the way: who was whose neighbor, and when.
+        """Advances to a time and returns the lifetime of each edge: which points were neighbors, and when.
 
         Parameters
         ----------
         until : time
             As in `advance_to`.
         ridge : float, optional
-            The length below which the side that two cells have in common is short.
+            The length below which the common side of two cells is short.
         progress : bool or callable
             As in `advance_to`.
 
         Returns
         -------
         pandas.DataFrame
-            One row for each time that a pair were neighbors, by exact begin, then by a and b: a, b (ids,
+            One row for each lifetime of an edge, by exact begin, then by a and b: a, b (ids,
             a < b); begin and end, each with its bounds in columns that end in _lo and _hi; begins_by and
-            ends_by: 'exchange' (by motion), 'point' (one comes or goes, there or beside), or 'run' (the
-            observation begins or ends); with `ridge` also short: whether the side between the two cells
-            was shorter than that during all of the life, decided exactly.
+            ends_by: 'exchange' (by motion), 'point' (by inserting or erasing an end or a point nearby), or
+            'run' (the observation begins or ends); with `ridge` also short: whether the side between the two
+            cells was always shorter than that, decided exactly.
         """
         return self._answer(self.watch("neighbor_lives", ridge=ridge), until, progress)
 
     def certificates(self, *, until: TimeLike, progress: Progress = False) -> pd.DataFrame:
-        """Goes to a time and gives for each event on the way the proof that it happened just then.
+        """Advances to a time and returns for each event the proof of its time.
 
         Parameters
         ----------
@@ -311,8 +310,9 @@ class RunAnswers:
         -------
         pandas.DataFrame
             One row for each event, in order: event (its number), kind, and certificate: the line of JSON
-            that the program writes with --certificates. It has the polynomial whose failure the event is,
-            and signs of its Sturm sequence that prove the time; or, where nothing fails, the reason.
+            that the program writes with --certificates. It has the polynomial of the certificate that fails,
+            and signs of its Sturm sequence that prove the time; or, if no certificate fails, the reason of the
+            event.
 
         Examples
         --------
@@ -327,7 +327,7 @@ class RunAnswers:
 
     def exchanges(self, *, until: TimeLike, ridge: float | None = None,
                   progress: Progress = False) -> pd.DataFrame:
-        """Goes to a time and counts the neighbor exchanges (T1) of each point on the way.
+        """Advances to a time and counts the neighbor exchanges (T1) of each point.
 
         Parameters
         ----------
@@ -341,15 +341,15 @@ class RunAnswers:
         Returns
         -------
         pandas.DataFrame
-            One row for each point that was there: id; from and until, when it came and left, each with
-            its bounds; gained and lost, how many neighbors it got and lost by exchanges; with `ridge` also
-            short, how many of those begin or end a short life; rate, those that do not in a unit of time,
-            NaN of a point that was there for no time.
+            One row for each point that existed: id; from and until, the time during which it existed, with
+            bounds; gained and lost, the numbers of neighbors gained and lost by exchanges; with `ridge` also
+            short, how many of these begin or end a short lifetime; rate, the others per unit of time, NaN if
+            the point existed for no time.
         """
         return self._answer(self.watch("exchanges", ridge=ridge), until, progress)
 
     def nearest_neighbor_changes(self, *, until: TimeLike, progress: Progress = False) -> pd.DataFrame:
-        """Goes to a time and gives each time on the way at which a point gets another nearest neighbor.
+        """Advances to a time and returns each change of a point's nearest neighbor.
 
         Parameters
         ----------
@@ -362,14 +362,13 @@ class RunAnswers:
         -------
         pandas.DataFrame
             In the exact order of time, then by id: time, time_lo, time_hi, id, before and after (ids;
-            missing at the start, and where there is no other point). The first rows are those of the
-            start.
+            missing at the start, and if there is no other point). The first rows are those of the start.
         """
         return self._answer(self.watch("nearest_neighbor_changes"), until, progress)
 
     def areas(self, times: ArrayLike, *, walkable: str | ArrayLike | None = None,
               cutoff: float | None = None, progress: Progress = False) -> pd.DataFrame:
-        """Goes to one time after the other and gives the room of each point there.
+        """Advances to several times and returns the area of each point at each.
 
         Parameters
         ----------
@@ -383,8 +382,8 @@ class RunAnswers:
         Returns
         -------
         pandas.DataFrame
-            t, id, area, density: a row for each time and each point that is there just after it. The
-            density is one over the area, NaN where that is 0.
+            t, id, area, density: a row for each time and each point that exists just after it. The density is 1
+            / area, NaN if the area is 0.
         """
         import pandas as pd
 
@@ -415,9 +414,9 @@ class RunAnswers:
     def mean_areas(self, *, until: TimeLike, walkable: str | ArrayLike | None = None,
                    cutoff: float | None = None, tolerance: float = 1e-6,
                    progress: Progress = False) -> pd.DataFrame:
-        """Goes to a time and gives the mean room of each point on the way, exact in time.
+        """Advances to a time and returns the mean area of each point, exact in time.
 
-        Between two events at a cell its area is a smooth function of time, which is integrated.
+        Between events the area of a cell is a smooth function of time, which is integrated.
 
         Parameters
         ----------
@@ -426,15 +425,15 @@ class RunAnswers:
         walkable, cutoff
             As in `cell_areas`.
         tolerance : float
-            Each such integral is computed until its relative error is about this.
+            The approximate relative error of each integral.
         progress : bool or callable
             As in `advance_to`.
 
         Returns
         -------
         pandas.DataFrame
-            id, from, until, area, error: of each point, from when until when it was there on the way,
-            the mean of its area over that time, and an estimate of the error of that.
+            id, from, until, area, error: for each point, the interval during which it existed, the mean of its
+            area over that interval, and an estimate of the error of the mean.
         """
         import pandas as pd
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arguments as arrays without gaps: what they hold is checked, and never rounded in silence."""
+"""Arguments as contiguous arrays: they are checked, and never rounded silently."""
 from __future__ import annotations
 
 import operator
@@ -12,7 +12,7 @@ import numpy.typing as npt
 from ._types import ArrayLike, Box, Floats, Ids
 from .errors import PreconditionError
 
-#: Where there is no point: the id of no point.
+#: The id that stands for no point.
 NO_POINT = 2**32 - 1
 
 
@@ -21,7 +21,7 @@ def _shape_text(shape: Sequence[int | str]) -> str:
 
 
 def expect_no_mask(name: str, value: Any) -> None:
-    """Refuses an array of `numpy.ma` that has no value somewhere."""
+    """Raises an error if an array of `numpy.ma` has masked values."""
     if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
         raise PreconditionError(
             f"{name} is masked at [{_first(np.asarray(value.mask))}]; expected no masked values")
@@ -36,19 +36,19 @@ def _as_array(name: str, value: ArrayLike, expected: str) -> npt.NDArray[Any]:
 
 
 def _differs(array: npt.NDArray[Any], result: Floats) -> npt.NDArray[np.bool_]:
-    """Where the array, as float64, is another number."""
+    """A mask of the numbers that float64 rounds."""
     differs: npt.NDArray[np.bool_] = result.astype(array.dtype) != array
     if array.dtype.kind == "f":
         differs &= ~np.isnan(result)
     else:
-        # Beyond the range of the integers, where a conversion back has no meaning.
+        # Beyond the range of the integers, a conversion back is undefined.
         info = np.iinfo(array.dtype)
         differs |= result >= 2.0 ** (info.bits - (info.min < 0))
     return differs
 
 
 def _is_float_array(array: npt.NDArray[Any], shape: tuple[int | None, ...]) -> bool:
-    """Whether it is one of finite float64 and of that shape: mostly, so there is no need to look on."""
+    """Whether it is an array of finite float64 of that shape, the usual case, which needs no other checks."""
     return (array.dtype == np.float64 and array.ndim == len(shape)
             and all(n is None or n == m for n, m in zip(shape, array.shape))
             and bool(np.isfinite(array).all()))
@@ -57,7 +57,7 @@ def _is_float_array(array: npt.NDArray[Any], shape: tuple[int | None, ...]) -> b
 def float_array(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> Floats:
     """The numbers as float64, C-contiguous, of that shape; None in `shape` is any length.
 
-    Integers and other kinds of float are taken where float64 has the same number.
+    Integers and other floats are accepted if float64 represents them exactly.
     """
     expect_no_mask(name, value)
     if isinstance(value, np.ndarray) and _is_float_array(value, shape):
@@ -99,7 +99,7 @@ def point_array(name: str, value: ArrayLike, size: int | None = None) -> Floats:
 
 
 def rows(name: str, value: ArrayLike, size: int | None = None, copies: int = 1) -> Floats:
-    """The same; two numbers are a row, which is taken `copies` times."""
+    """The same; two numbers are one row, which is repeated `copies` times."""
     array = _as_array(name, value, "real numbers of shape (n, 2)")
     if array.shape == (2,):
         array = np.broadcast_to(array, (copies, 2))
@@ -107,7 +107,7 @@ def rows(name: str, value: ArrayLike, size: int | None = None, copies: int = 1) 
 
 
 def column(name: str, value: ArrayLike, size: int) -> Floats:
-    """One number for each of `size` points: a number is that of all."""
+    """One number for each of `size` points; a single number is repeated."""
     if _is_number(name, value):
         return np.full(size, one_number(name, value))
     return float_array(name, value, (size,))
@@ -121,9 +121,9 @@ def check_not_negative(name: str, values: Floats | None) -> None:
 
 
 def rows_by_id(name: str, value: ArrayLike, is_there: npt.NDArray[np.bool_]) -> Floats:
-    """The rows, of two numbers each, of the points that are there, from one row for each id.
+    """The rows of existing points, from an array with a row of two numbers for each id.
 
-    A row without a point must be NaN. Two numbers are the row of all points.
+    Rows of ids without a point must be NaN. Two numbers are one row for all points.
     """
     size = len(is_there)
     array = _as_array(name, value, f"real numbers of shape ({size}, 2)")
@@ -147,7 +147,7 @@ def id_slice(name: str, value: slice, next_id: int) -> npt.NDArray[np.intp]:
 
 
 def id_array(name: str, value: ArrayLike, next_id: int | None = None) -> Ids:
-    """Ids as uint32, of shape (n,). A single id is an array of one; with `next_id`, a mask may tell them."""
+    """Ids as uint32, of shape (n,). A single id is an array of one; with `next_id`, a mask is accepted."""
     if (isinstance(value, np.ndarray) and value.dtype == np.uint32 and value.ndim == 1 and value.size > 0
             and value.max() < NO_POINT):
         return np.ascontiguousarray(value)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Things of tracks that are at one place for some time: a rider and the bus, two who rest on one bench."""
+"""Things in tracks that coincide for some time: a rider and the bus, or two people on a bench."""
 from __future__ import annotations
 
 import math
@@ -13,7 +13,7 @@ _MOST_NAMED = 10
 
 
 def leaves_out(coincident: str | None) -> bool:
-    """Whether the word of the parameter says so."""
+    """Whether the parameter `coincident` is 'leave-out'."""
     if coincident not in (None, "refuse", "leave-out"):
         raise PreconditionError(f"coincident is {coincident!r}; expected one of 'refuse', 'leave-out'")
     return coincident == "leave-out"
@@ -21,7 +21,7 @@ def leaves_out(coincident: str | None) -> bool:
 
 def kept_things(times: Floats, places: Floats, offsets: Any, radii: Floats | None, max_gap: float,
                 labels: list[Any]) -> tuple[list[int], list[str]]:
-    """The first things of each group that shares a path, and a remark on the others, if there are any."""
+    """The first thing of each group that coincides, and a remark on the others, if any."""
     first, _, _ = _kinetri.shared_paths(times, places, offsets, radii, -math.inf, math.inf, max_gap)
     kept = [thing for thing in range(len(labels)) if first[thing] == thing]
     others = [thing for thing in range(len(labels)) if first[thing] != thing]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Columns of tables of tracks: times, names of things, and those of pandas."""
+"""Columns of tables of tracks: times, names of things, columns of pandas."""
 from __future__ import annotations
 
 import datetime
@@ -14,7 +14,7 @@ from .errors import InputError, PreconditionError
 
 
 def values_of(column: Any) -> Any:
-    """A column of pandas as an array: nullable numbers too, with NaN where there is none."""
+    """A column of pandas as an array; missing numbers become NaN."""
     if getattr(column.dtype, "numpy_dtype", None) is None:
         return column.to_numpy()
     if column.isna().any():
@@ -23,7 +23,7 @@ def values_of(column: Any) -> Any:
 
 
 def seconds_of(t: ArrayLike) -> tuple[Floats, np.datetime64 | None]:
-    """Times as numbers; and the date of 0, where they are dates."""
+    """Times as numbers; and the date of time 0, if they are dates."""
     _arrays.expect_no_mask("t", t)
     array = np.asarray(t)
     if array.dtype.kind == "O":
@@ -49,12 +49,12 @@ def seconds_of(t: ArrayLike) -> tuple[Floats, np.datetime64 | None]:
     return _arrays.float_array("t", durations / np.timedelta64(1, "s"), (None,)), origin
 
 
-# Of numbers that are dates, by their digits.
+# Formats of dates that are written as numbers, by the number of digits.
 _FORMS_OF_DIGITS = {8: "%Y%m%d", 10: "%Y%m%d%H", 12: "%Y%m%d%H%M", 14: "%Y%m%d%H%M%S"}
 
 
 def _expect_no_dates_of_digits(numbers: Floats) -> None:
-    """Throws if all numbers are dates without signs between, as 20200131, whose differences are no seconds."""
+    """Raises an error if all numbers look like dates, such as 20200131, whose differences are not seconds."""
     if len(numbers) == 0 or not np.all((numbers >= 1e7) & (numbers < 1e14) & (numbers == np.floor(numbers))):
         return
     texts = [str(int(number)) for number in np.unique(numbers)]
@@ -77,7 +77,7 @@ _TYPES_OF_TIMES: dict[str, tuple[type, ...]] = {
 
 
 def _times_of_objects(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    """Objects of Python and pandas that are dates, in UTC, or durations; other objects as they are."""
+    """Dates of Python and pandas in UTC, and durations; other objects unchanged."""
     values = array.ravel().tolist()
     kinds = [next((dtype for dtype, types in _TYPES_OF_TIMES.items() if isinstance(value, types)), "")
              for value in values]
@@ -96,7 +96,7 @@ def _times_of_objects(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
             "none")
     if any(offsets):
         values = [value.astimezone(datetime.timezone.utc).replace(tzinfo=None) for value in values]
-    # Those of pandas have nanoseconds, which numpy does not take by itself.
+    # numpy would drop the nanoseconds of pandas' dates.
     return np.asarray([value.to_numpy() if hasattr(value, "to_numpy") else value for value in values],
                       dtype=kinds[0]).reshape(array.shape)
 
@@ -109,7 +109,7 @@ def _is_missing(name: Any) -> bool:
 
 
 def things_of(names: npt.NDArray[Any], times: Floats) -> tuple[list[Any], npt.NDArray[np.int64]]:
-    """The distinct names in the order of their first observation, and the index of each row's."""
+    """The distinct names in the order of their first observation, and the index of each row's name."""
     if names.dtype.kind in "fOmM":
         for i, name in enumerate(names):
             if _is_missing(name):
@@ -128,9 +128,9 @@ def things_of(names: npt.NDArray[Any], times: Floats) -> tuple[list[Any], npt.ND
 
 def merged_places(thing: npt.NDArray[np.int64], times: Floats, places: Floats, rows: npt.NDArray[np.int64],
                   labels: list[Any], duplicates: str | None) -> tuple[npt.NDArray[np.bool_], int]:
-    """Which of the observations, which are sorted, are kept, and how many others had another place at the same time.
+    """Which of the sorted observations are kept, and how many others had another position at the same time.
 
-    The kept ones get the place that `duplicates` says. `rows` are their numbers in messages.
+    The kept ones get the position that `duplicates` selects. `rows` are their numbers in messages.
     """
     if duplicates not in (None, "first", "last", "mean", "refuse"):
         raise PreconditionError(f"duplicates is {duplicates!r}; expected one of 'first', 'last', 'mean', 'refuse'")
@@ -143,7 +143,7 @@ def merged_places(thing: npt.NDArray[np.int64], times: Floats, places: Floats, r
     begins = np.flatnonzero(keep)
     ends = np.append(begins[1:], len(times))
     groups = np.unique(np.searchsorted(begins, differ, side="right") - 1)
-    # Few may come of rounded times; many, of several things with one name.
+    # A few may be due to rounded times; many, to several things with one name.
     conflicts = np.bincount(thing[begins[groups]], minlength=len(labels))
     is_refused = conflicts > 0
     if duplicates is None:
@@ -166,7 +166,7 @@ def merged_places(thing: npt.NDArray[np.int64], times: Floats, places: Floats, r
 
 
 def seen_places(x: ArrayLike, y: ArrayLike, size: int) -> tuple[Floats, Floats, npt.NDArray[np.int64]]:
-    """The coordinates of the rows that have some, those whose x and y are not both NaN, and the numbers of these rows."""
+    """The coordinates of rows whose x and y are not both NaN, and the numbers of these rows."""
     for name, column in (("x", x), ("y", y)):
         _arrays.expect_no_mask(name, column)
     columns = [np.asarray(column) for column in (x, y)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The classes of moving points. Each holds an engine of `_kinetri` and checks what it is given."""
+"""The classes of moving points. Each holds an engine of `_kinetri` and checks its arguments."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -29,7 +29,7 @@ _Simulation = TypeVar("_Simulation", bound="Simulation")
 
 
 class VoronoiCell(NamedTuple):
-    """The region of all places that are at least as near to a point as to any other.
+    """The region of all positions at least as near to a point as to any other.
 
     Attributes
     ----------
@@ -38,9 +38,9 @@ class VoronoiCell(NamedTuple):
     vertices : array of float64, shape (k, 2) or (k - 1, 2)
         The end of each side. An unbounded cell has one fewer than sides.
     rays : array of float64, shape (2, 2), or None
-        Of an unbounded cell: the directions in which its first and last sides go to infinity.
+        The directions of the first and last sides of an unbounded cell.
     is_empty : bool
-        Whether there is no such place: only where points have weights.
+        Whether the cell is empty; only with weights.
     """
 
     neighbors: Ids
@@ -55,11 +55,10 @@ class NearestNeighbors(NamedTuple):
     Attributes
     ----------
     ids : array of uint32, shape (n,) or (n, k)
-        By id: the nearest neighbor, exactly; of equally near ones the smallest id; `NO_POINT` if there is
-        none. With k, the k nearest in the exact order of their distances, and equally near ones in the
-        order of their ids.
+        By id: the nearest neighbor, exactly; `NO_POINT` if there is none. With k, the k nearest in the exact
+        order of their distances. Ties are broken by the smaller id.
     distances : array of float64, shape (n,) or (n, k)
-        The distance of the rounded positions; NaN where there is no neighbor.
+        The distance of the rounded positions; NaN if there is no neighbor.
     """
 
     ids: Ids
@@ -67,12 +66,12 @@ class NearestNeighbors(NamedTuple):
 
 
 class Location(NamedTuple):
-    """What is at a place.
+    """The vertex, edge or face at a position.
 
     Attributes
     ----------
     kind : {'vertex', 'edge', 'face', 'outside_convex_hull'}
-        What the place is on, decided exactly.
+        What contains the position, decided exactly.
     points : tuple of int
         The point; or the ends of the edge; or the corners of the triangle, counterclockwise.
     """
@@ -82,7 +81,7 @@ class Location(NamedTuple):
 
 
 class AuditReport:
-    """What an audit has found. True if that is nothing.
+    """The result of an audit. True if there are no failures.
 
     Attributes
     ----------
@@ -107,7 +106,7 @@ class AuditReport:
 
 
 def _columns(size: int, **values: tuple[ArrayLike | None, bool]) -> dict[str, Floats | None]:
-    """The optional columns as the engine takes them: those that are None stay so."""
+    """The optional columns as arguments of the engine; None stays None."""
     result: dict[str, Floats | None] = {}
     for name, (value, is_vector) in values.items():
         if value is None:
@@ -122,7 +121,7 @@ def _columns(size: int, **values: tuple[ArrayLike | None, bool]) -> dict[str, Fl
 
 def _vectors(positions: ArrayLike, velocities: ArrayLike | None, acceleration: ArrayLike | None,
              jerk: ArrayLike | None, size: int | None = None) -> tuple[Floats, Any, Any, Any]:
-    """The columns of some of the points; those of one point may be two numbers each."""
+    """The columns of some points; for one point, two numbers each are enough."""
     places = _arrays.rows("positions", positions, size)
 
     def column(name: str, vectors: ArrayLike | None) -> Floats | None:
@@ -152,7 +151,7 @@ def _triangulation(positions: ArrayLike, velocities: ArrayLike | None, accelerat
                    ) -> _kinetri.Engine:
     """The engine of a triangulation: a regular one if there are sizes (radius, growth, weight).
 
-    The epoch of the motions is that of the start, unless another one is given.
+    The epoch of the motions is the start by default.
     """
     start = Time(start)
     motions, _ = _motions(positions, velocities, acceleration, jerk, *(sizes or (None, None, None)),
@@ -162,13 +161,13 @@ def _triangulation(positions: ArrayLike, velocities: ArrayLike | None, accelerat
 
 
 class MovingPoints(RunAnswers):
-    """What `KineticDelaunay`, `KineticRegular` and `Simulation` have in common.
+    """Base class of `KineticDelaunay`, `KineticRegular` and `Simulation`.
 
-    Points have ids: 0, 1, 2, ... in the order in which they are given. An id is not used again when its
-    point has left; arrays by id then have NaN (or 0, or `NO_POINT`) in its row.
+    Points have ids: 0, 1, 2, ... in the order in which they are given. The id of an erased point is not used
+    again; arrays by id have NaN (or 0, or `NO_POINT`) in its row.
 
-    Objects can be copied and pickled. One object serves one call at a time; two objects can be used by
-    two threads at once, since the interpreter is not held up while time advances.
+    Objects can be copied and pickled. An object may be used by one thread at a time. Calls that advance time
+    release the GIL, so different objects can advance in parallel.
     """
 
     _engine: _kinetri.Engine
@@ -180,25 +179,25 @@ class MovingPoints(RunAnswers):
 
     @property
     def time(self) -> _kinetri.Time:
-        """Time: the exact time just after which the triangulation is what it is now."""
+        """Time: the present time, exact. The triangulation is that just after it."""
         return self._engine.current_time()
 
     def __len__(self) -> int:
-        """The number of points that are there now."""
+        """The number of points."""
         return self._engine.number_of_points()
 
     def __contains__(self, id: int) -> bool:
-        """Whether the point is there."""
+        """Whether the point exists."""
         return self._engine.contains(_arrays.one_id("id", id))
 
     @property
     def next_id(self) -> int:
-        """int: the id that is given next; arrays by id are that long."""
+        """int: the next id; also the length of arrays by id."""
         return self._engine.next_id()
 
     @property
     def ids(self) -> Ids:
-        """array of uint32: the ids of the points that are there, ascending."""
+        """array of uint32: the ids of all points, ascending."""
         return np.flatnonzero(self._is_there()).astype(np.uint32)
 
     def positions(self) -> Floats:
@@ -207,7 +206,7 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         array of float64, shape (n, 2)
-            By id, each coordinate rounded to the nearest float64; NaN where there is no point.
+            By id, each coordinate rounded to the nearest float64; NaN if there is no point.
         """
         return self._engine.positions()
 
@@ -217,7 +216,7 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         array of float64, shape (n, 2)
-            By id; exact where points do not accelerate, else rounded. NaN where there is no point.
+            By id; exact if points do not accelerate, else rounded. NaN if there is no point.
         """
         return self._engine.velocities()
 
@@ -227,13 +226,13 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         array of float64, shape (n,)
-            By id; exact where nothing grows, else rounded. 0 of points without discs, NaN where there
-            is no point. Of a `KineticRegular`, less than 0 where a radius has shrunk below.
+            By id; exact if nothing grows, else rounded. 0 for points without discs, NaN if there is no point.
+            In a `KineticRegular`, negative if a radius has shrunk below 0.
         """
         return self._engine.radii()
 
     def motion(self, id: int) -> dict[str, Any]:
-        """The motion that a point has now.
+        """The present motion of a point.
 
         Parameters
         ----------
@@ -290,12 +289,11 @@ class MovingPoints(RunAnswers):
 
     @property
     def threads(self) -> int:
-        """int: how many threads may work together while time advances; 0, as at first: all that there are.
+        """int: the maximum number of threads while time advances; 0, the default: as many as are available.
 
-        The results are the same for any number, up to 1024. Several threads share the work where there are
-        some 50 000 points or more, of which at most one in 1000 is hidden, many events are to come, and
-        `collisions` is no function, not "log" and not "remove". Copies, and objects that are loaded or restored, begin
-        with 0.
+        The results are the same for any number, up to 1024. Several threads are used if there are about 50 000
+        points or more, of which at most one in 1000 is hidden, many events are due, and `collisions` is neither
+        a function nor "log" nor "remove". Copies, and objects that are loaded or restored, begin with 0.
         """
         return self._engine.threads()
 
@@ -307,14 +305,14 @@ class MovingPoints(RunAnswers):
         self._engine.set_threads(number)
 
     def advance_to(self, time: TimeLike, *, progress: Progress = False) -> int:
-        """Goes to a time: every event at or before it has happened then.
+        """Advances to a time, and executes all events up to it, events at that time included.
 
         Parameters
         ----------
         time : float, int, fractions.Fraction or Time
             Not before `self.time`.
         progress : bool or callable
-            Whether to show a bar; or a function that is called with the present time, now and then.
+            Whether to show a progress bar; or a function that is called with the present time repeatedly.
 
         Returns
         -------
@@ -326,12 +324,12 @@ class MovingPoints(RunAnswers):
         PreconditionError
             If the time is in the past.
         KeyboardInterrupt
-            After Ctrl-C: time has stopped at an event, and the object can be used on.
+            After Ctrl-C: time has stopped at an event, and the object remains usable.
         """
         return self._advance(time, None, progress)
 
     def step(self, until: TimeLike | None = None) -> int:
-        """Goes to the next time at which something changes, and executes all events of that time.
+        """Advances to the time of the next event, and executes all events of that time.
 
         Parameters
         ----------
@@ -347,7 +345,7 @@ class MovingPoints(RunAnswers):
 
     def record(self, until: TimeLike, *, kinds: str | Iterable[str] | None = None,
                progress: Progress = False) -> Events:
-        """Goes to a time and gives the events on the way.
+        """Advances to a time and returns the events up to it.
 
         Parameters
         ----------
@@ -361,8 +359,8 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         structured array of `event_dtype`, shape (events,)
-            With the fields kind, time, time_lo, time_hi, removed, added, points. An exception on the way
-            has those before it as its attribute `events`.
+            With the fields kind, time, time_lo, time_hi, removed, added, points. An exception has the events
+            before it as its attribute `events`.
 
         Raises
         ------
@@ -386,15 +384,15 @@ class MovingPoints(RunAnswers):
         return take(table)
 
     def events(self, until: TimeLike | None = None) -> Iterator[_kinetri.Event]:
-        """Iterates over the events, while time advances.
+        """Advances time, and yields the events.
 
-        When an event is given, the triangulation is that just after its time: all events of one time
-        have happened then.
+        When an event is yielded, the triangulation is that just after its time, with all events of that time
+        executed.
 
         Parameters
         ----------
         until : time, optional
-            The iteration ends there, at that time; without it, after the last event of all.
+            The time at which the iteration ends; by default, after the last event.
 
         Yields
         ------
@@ -423,7 +421,7 @@ class MovingPoints(RunAnswers):
         return float(self.time)
 
     def _kept(self, ids: Ids, values: dict[str, ArrayLike | None]) -> dict[str, ArrayLike | None]:
-        """Columns of the sizes that are not given: those that the points have."""
+        """Fills in sizes that are not given with the present ones of the points."""
         if not self._engine.kind()[1]:
             return values
         kept = dict(values)
@@ -433,7 +431,7 @@ class MovingPoints(RunAnswers):
             return values
         radii = [m["radius"] if m["growth"] == 0 else m["radius"] + m["growth"] * (now - m["epoch"])
                  for m in motions]
-        # The weight is the square of the radius: it does not have to be less than 0.
+        # The weight is the square of the radius, so it need not be negative.
         signs = [-1 if radius < 0 and isinstance(self, KineticRegular) else 1 for radius in radii]
         if values["radius"] is None:
             kept["radius"] = [abs(radius) for radius in radii]
@@ -462,27 +460,27 @@ class MovingPoints(RunAnswers):
     @overload
     def set_velocities(self, ids: IdsLike, velocities: ArrayLike) -> None: ...
     def set_velocities(self, *arguments: Any, **named: Any) -> None:
-        """Gives points other velocities from now on, all at once.
+        """Sets the velocities of points from now on, all at once.
 
-        With the arguments ``(velocities)`` it is about all points, with ``(ids, velocities)`` about some;
-        they may be named. Each point goes on from its place at `float(self.time)`, rounded to float64, with
-        its acceleration there and its radius.
+        Called with ``(velocities)`` for all points, or ``(ids, velocities)`` for some; keywords are allowed.
+        Each point continues from its position at `float(self.time)`, rounded to float64, and keeps its
+        acceleration and radius there.
 
         Parameters
         ----------
         ids : int, array of ids of shape (n,), slice, or array of bool, optional
-            The points, each named once; by default all. A slice is one of all ids, from 0 to `next_id`,
-            and is about the points of these that are there. An array of bool has one for each id.
+            The points, each once; by default all. A slice selects from all ids up to `next_id`; ids without a
+            point are skipped. An array of bool has one for each id.
         velocities : array_like of float, shape (n, 2) or (2,)
-            Two numbers for each point, in the order of `ids`; (2,) is the velocity of all. Without `ids`,
-            two numbers for each id: NaN where there is no point, as `velocities()` has it.
+            Two numbers for each point, in the order of `ids`; shape (2,) is one velocity for all. Without
+            `ids`, two numbers for each id, NaN if there is no point, as in `velocities()`.
 
         Raises
         ------
         PreconditionError
-            If there is no such point, one is named twice, or a shape is another one.
+            If there is no such point, one is given twice, or a shape is wrong.
         CoincidentTrajectoriesError
-            If two points would be at one place at all times. Nothing has changed then.
+            If two points would coincide at all times. Nothing is changed then.
 
         Examples
         --------
@@ -539,12 +537,12 @@ class MovingPoints(RunAnswers):
         Parameters
         ----------
         ids : int, array of ids of shape (n,), slice, or array of bool
-            The points, each named once, as in `set_velocities`.
+            The points, each once, as in `set_velocities`.
 
         Raises
         ------
         PreconditionError
-            If there is no such point, or one is named twice. Nothing has changed then.
+            If there is no such point, or one is given twice. Nothing is changed then.
         """
         self._engine.erase(self._ids(ids))
 
@@ -561,7 +559,7 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         array of uint32, shape (degree,)
-            Counterclockwise: of an inner point from the smallest id on, of a hull point from one hull
+            Counterclockwise: for an inner point from the smallest id on, for a hull point from one hull
             neighbor to the other.
 
         Raises
@@ -572,7 +570,7 @@ class MovingPoints(RunAnswers):
         return self._engine.neighbors(_arrays.one_id("id", id))
 
     def nearest_vertex(self, place: ArrayLike) -> int | None:
-        """The point nearest to a place, exactly; with weights, the one of the least power there.
+        """The point nearest to a position, exactly; with weights, the one with the least power there.
 
         Parameters
         ----------
@@ -582,12 +580,12 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         int or None
-            The id; of equally near points the smallest. None if there are no points.
+            The id, the smallest one of equally near points. None if there are no points.
         """
         return self._engine.nearest_vertex(*_arrays.float_array("place", place, (2,)).tolist())
 
     def locate(self, place: ArrayLike) -> Location:
-        """The triangle, edge or point at a place, exactly.
+        """The triangle, edge or point at a position, exactly.
 
         Parameters
         ----------
@@ -627,8 +625,7 @@ class MovingPoints(RunAnswers):
         -------
         array of float64, shape (n,)
             By id; they sum to the area of the polygon. Computed in float64 from the sides of the exact
-            cells. Of points at one place the smallest id has the area, the others have 0; so has an id
-            without a point.
+            cells. Of coinciding points the smallest id has the area, the others have 0, as do ids without a point.
 
         Raises
         ------
@@ -641,7 +638,7 @@ class MovingPoints(RunAnswers):
         return self._engine.voronoi_areas(_arrays.point_array("clip", clip))
 
     def cell_areas(self, walkable: str | ArrayLike | None = None, cutoff: float | None = None) -> Floats:
-        """The room of each point: the area of its cell within walls, and within a distance.
+        """The area of each point: that of its cell within walls, and within a distance.
 
         Parameters
         ----------
@@ -649,23 +646,22 @@ class MovingPoints(RunAnswers):
             Where points can be: polygons with holes as Well-Known Text (POLYGON, MULTIPOLYGON, or a
             GEOMETRYCOLLECTION of these), or the vertices of one polygon in either order.
         cutoff : float, optional
-            No place of a cell is farther from its point than this. One of the two must be given.
+            The greatest distance of a cell's positions from its point. `walkable` or `cutoff` must be given.
 
         Returns
         -------
         array of float64, shape (n,)
-            By id. Where walls divide a cell, the part that has the point counts; so this is not
-            `voronoi_areas`, where all parts count. 0 of a point outside of the walkable area (decided
-            exactly; a wall belongs to it), of all points at one place but the one with the smallest id,
-            of a point without a cell, and of an id without a point. The density at a point is one over
-            the area.
+            By id. If walls divide a cell, only the part that contains the point counts (in `voronoi_areas` all
+            parts count). 0 for a point outside of the walkable area (decided exactly; walls belong to it), for
+            coinciding points except the one with the smallest id, for a point without a cell, and for an id
+            without a point. The density at a point is 1 / area.
 
         Raises
         ------
         PreconditionError
             If nothing bounds the cells, or the polygon crosses itself.
         InputError
-            If the text is wrong; the message says where.
+            If the text is not valid; the message says where.
 
         Examples
         --------
@@ -685,18 +681,18 @@ class MovingPoints(RunAnswers):
         Parameters
         ----------
         k : int, optional
-            How many for each point, at least 1; with k = 1 the arrays have one column.
+            The number of neighbors of each point, at least 1; with k = 1 the arrays have one column.
 
         Returns
         -------
         NearestNeighbors
-            `ids` and `distances`, by id: of shape (n,), with k of shape (n, k). A row ends with `NO_POINT`
-            and NaN where there are fewer than k other points; it has nothing else where there is no point.
+            `ids` and `distances`, by id: of shape (n,), with k of shape (n, k). If there are fewer than k other
+            points, rows end with `NO_POINT` and NaN; rows of ids without a point consist of these.
 
         Raises
         ------
         PreconditionError
-            If discs have radii of their own: the edges do not know it then.
+            If discs have radii of their own: nearest points need not be neighbors in a regular triangulation.
 
         Examples
         --------
@@ -723,7 +719,7 @@ class MovingPoints(RunAnswers):
     def gabriel_edges(self) -> Ids:
         """The edges of the Gabriel graph, exactly, just after the present time.
 
-        No other point is within the circle whose diameter is such an edge, or on it.
+        No other point is inside or on the circle with such an edge as its diameter.
 
         Returns
         -------
@@ -733,7 +729,7 @@ class MovingPoints(RunAnswers):
         Raises
         ------
         PreconditionError
-            If discs have radii of their own: the edges do not know it then.
+            If discs have radii of their own: nearest points need not be neighbors in a regular triangulation.
 
         Examples
         --------
@@ -757,7 +753,7 @@ class MovingPoints(RunAnswers):
         Raises
         ------
         PreconditionError
-            If discs have radii of their own: the edges do not know it then.
+            If discs have radii of their own: nearest points need not be neighbors in a regular triangulation.
         """
         return self._engine.relative_neighbor_edges()
 
@@ -779,7 +775,7 @@ class MovingPoints(RunAnswers):
         Parameters
         ----------
         level : {'links', 'embedding', 'delaunay', 'reference', 'certificates'}
-            How much is checked; each level includes those before it. 'reference' compares the edges with
+            What is checked; each level includes the previous ones. 'reference' compares the edges with
             a static exact triangulation, 'certificates' computes every failure time anew.
 
         Returns
@@ -790,7 +786,7 @@ class MovingPoints(RunAnswers):
         return AuditReport(self._engine.audit(str(level)))
 
     def statistics(self) -> dict[str, Any]:
-        """Counts since the start.
+        """Counters since the start.
 
         Returns
         -------
@@ -806,7 +802,7 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         Snapshot
-            It can be pickled; `restore()` makes an object that goes on as this one would.
+            It can be pickled; `restore()` makes an object that behaves from here on exactly like this one.
         """
         return self._snapshot("none")
 
@@ -815,14 +811,14 @@ class MovingPoints(RunAnswers):
         return Snapshot(type(self), self._engine.snapshot(response), attributes)
 
     def save(self, path: Path) -> None:
-        """Writes the state to a checkpoint file, whole or not at all.
+        """Writes the state to a checkpoint file atomically.
 
         The program reads it: ``kinetri resume PATH --until T``.
 
         Parameters
         ----------
         path : str or path
-            The file. It is replaced if it is there.
+            The file. An existing file is replaced.
 
         Raises
         ------
@@ -833,19 +829,19 @@ class MovingPoints(RunAnswers):
 
     @classmethod
     def load(cls: type[_Points], path: Path) -> _Points:
-        """The object of a checkpoint file.
+        """Restores an object from a checkpoint file.
 
         Parameters
         ----------
         path : str or path
-            A file of `save`, or of the program.
+            A file written by `save`, or by the program.
 
         Raises
         ------
         InputError
-            If it is no such file.
+            If it is not such a file.
         SnapshotError
-            If the state is not one of this class.
+            If the state is that of another class.
         """
         engine = _kinetri.load(str(path), False, None)[0]
         kind = KineticRegular if engine.kind()[1] else KineticDelaunay
@@ -872,14 +868,14 @@ class MovingPoints(RunAnswers):
         name = type(self).__name__
         try:
             return f"<{name} of {len(self)} points at t = {float(self.time):.6g}>"
-        except PreconditionError as error:  # in use, or left within an instant
+        except PreconditionError as error:  # in use, or interrupted within an instant
             return f"<{name}: {error}>"
 
     # ---- pictures ----
 
     def play(self, until: TimeLike, *, title: str | None = None, names: Sequence[str] | None = None,
              most_events: int = 200_000, height: int = 640, progress: Progress = False) -> Page:
-        """Goes to a time and gives the viewer's page of the run: a notebook shows it.
+        """Advances to a time and returns the viewer's page of the run, which a notebook shows.
 
         Parameters
         ----------
@@ -890,7 +886,7 @@ class MovingPoints(RunAnswers):
         names : sequence of str, optional
             Of the points, by id.
         most_events : int
-            A longer run is thinned to that many rows.
+            A run with more events is thinned to that many rows.
         height : int
             Of the frame in a notebook, in pixels.
         progress : bool or callable
@@ -909,12 +905,12 @@ class MovingPoints(RunAnswers):
         return Page(content, height)
 
     def plot(self, ax: Any = None, *, ids: bool = False, **style: Any) -> Any:
-        """Draws the triangulation now, with matplotlib.
+        """Draws the present triangulation with matplotlib.
 
         Parameters
         ----------
         ax : matplotlib.axes.Axes, optional
-            Where to draw; by default the present axes.
+            The axes; by default the current ones.
         ids : bool
             Whether to write the ids.
         **style
@@ -935,8 +931,8 @@ class KineticDelaunay(MovingPoints):
     Parameters
     ----------
     positions : array_like of float, shape (n, 2)
-        Where the points are at `start`. Taken exactly; any input may be degenerate: collinear,
-        cocircular, in one place as long as they part.
+        Positions at `start`, not rounded. Input may be degenerate: collinear, cocircular, or coinciding, unless
+        points coincide at all times.
     velocities : array_like of float, shape (n, 2)
         Their velocities there.
     acceleration, jerk : array_like of float, shape (n, 2), optional
@@ -947,9 +943,9 @@ class KineticDelaunay(MovingPoints):
     Raises
     ------
     PreconditionError
-        If a number is not finite, or a shape is another one.
+        If a number is not finite, or a shape is wrong.
     CoincidentTrajectoriesError
-        If two points are at one place at all times.
+        If two points coincide at all times.
 
     Examples
     --------
@@ -968,7 +964,7 @@ class KineticDelaunay(MovingPoints):
     @classmethod
     def _at(cls, positions: Floats, velocities: Floats, acceleration: Floats | None, jerk: Floats | None,
             epoch: float, start: TimeLike) -> KineticDelaunay:
-        """The points at the time `start`, with motions of another epoch."""
+        """A triangulation of the points at the time `start`, with motions of another epoch."""
         return cls._around(_triangulation(positions, velocities, acceleration, jerk, start, epoch))
 
     def next_event_time(self) -> _kinetri.Time | None:
@@ -982,7 +978,7 @@ class KineticDelaunay(MovingPoints):
         return self._engine.next_event_time()
 
     def reverse(self) -> int:
-        """Lets time run backwards: from now on the clock shows -t where it showed t.
+        """Reverses time: from now on the time t is called -t.
 
         Past events come again in reverse order, at mirrored times. Motions that were replaced do not
         come back.
@@ -990,20 +986,20 @@ class KineticDelaunay(MovingPoints):
         Returns
         -------
         int
-            The number of events of the present time, which are undone at once.
+            The number of events of the present time, which are reversed at once.
         """
         return self._engine.reverse()
 
     def set_motions(self, ids: IdsLike, positions: ArrayLike, velocities: ArrayLike, *,
                     acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None) -> None:
-        """Gives points other motions from now on, all at once. They may jump.
+        """Sets the motions of points from now on, all at once. Positions may jump.
 
         Parameters
         ----------
         ids : int, array of ids of shape (n,), slice, or array of bool
-            The points, each named once, as in `set_velocities`.
+            The points, each once, as in `set_velocities`.
         positions : array_like of float, shape (n, 2)
-            Where they are at `float(self.time)`. Of one point, here and below, (2,) will do.
+            Positions at `float(self.time)`. For one point, the shape (2,) is enough, here and below.
         velocities : array_like of float, shape (n, 2)
             Their velocities there.
         acceleration, jerk : array_like of float, shape (n, 2), optional
@@ -1012,9 +1008,9 @@ class KineticDelaunay(MovingPoints):
         Raises
         ------
         PreconditionError
-            If there is no such point, one is named twice, or a shape is another one.
+            If there is no such point, one is given twice, or a shape is wrong.
         CoincidentTrajectoriesError
-            If two points would be at one place at all times. Nothing has changed then.
+            If two points would coincide at all times. Nothing is changed then.
         """
         self._set_motions(ids, positions, velocities, acceleration, jerk)
 
@@ -1030,12 +1026,12 @@ class KineticDelaunay(MovingPoints):
         Returns
         -------
         array of uint32, shape (n,)
-            The ids that they have got.
+            The ids of the new points.
 
         Raises
         ------
         CoincidentTrajectoriesError
-            If two points would be at one place at all times. Nothing has changed then.
+            If two points would coincide at all times. Nothing is changed then.
         """
         return self._insert(positions, velocities, acceleration, jerk)
 
@@ -1052,16 +1048,16 @@ class KineticRegular(KineticDelaunay):
     radius : float or array_like of float, shape (n,), optional
         Of the discs at `start`; the weight is its square.
     growth : float or array_like of float, shape (n,), optional
-        Of the radius, per unit of time. A radius that shrinks goes on below 0; the weight is its square.
+        Of the radius, per unit of time. A shrinking radius becomes negative after 0; the weight is its square.
     weight : float or array_like of float, shape (n,), optional
         Added to the square of the radius; of either sign.
 
     Raises
     ------
     PreconditionError
-        If a number is not finite, or a shape is another one.
+        If a number is not finite, or a shape is wrong.
     CoincidentTrajectoriesError
-        If two points with the same weight are at one place at all times.
+        If two points with the same weight coincide at all times.
 
     Examples
     --------
@@ -1092,14 +1088,14 @@ class KineticRegular(KineticDelaunay):
                     acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
                     radius: ArrayLike | None = None, growth: ArrayLike | None = None,
                     weight: ArrayLike | None = None) -> None:
-        """Gives points other motions and sizes from now on, all at once.
+        """Sets the motions and sizes of points from now on, all at once.
 
         Parameters
         ----------
         ids, positions, velocities, acceleration, jerk
             As in `KineticDelaunay.set_motions`.
         radius, growth, weight : float or array_like of float, shape (n,), optional
-            What is not given stays what it is; a radius that grows is rounded.
+            By default unchanged; a growing radius is rounded.
         """
         self._set_motions(ids, positions, velocities, acceleration, jerk, radius=radius, growth=growth,
                           weight=weight)
@@ -1112,19 +1108,19 @@ class KineticRegular(KineticDelaunay):
         Parameters
         ----------
         positions, velocities, acceleration, jerk, radius, growth, weight
-            As in `set_motions`; what is not given is 0.
+            As in `set_motions`; 0 by default.
 
         Returns
         -------
         array of uint32, shape (n,)
-            The ids that they have got.
+            The ids of the new points.
         """
         return self._insert(positions, velocities, acceleration, jerk, radius=radius, growth=growth,
                             weight=weight)
 
 
 class Simulation(MovingPoints):
-    """Moving points in a box, with discs about them that collide; every contact exact.
+    """Moving points or discs in a box, with collisions; every contact is exact.
 
     Parameters
     ----------
@@ -1139,18 +1135,18 @@ class Simulation(MovingPoints):
     box : (xmin, ymin, xmax, ymax), optional
         Walls that reflect.
     rim : bool
-        Whether the rim of a disc touches the walls, instead of its centre.
+        Whether walls reflect the boundary of a disc, instead of its center.
     collisions : {None, 'log', 'swap', 'elastic', 'stop', 'remove'} or callable
-        What two discs do when they touch. A function is called with a `Contact` and gives None (they
-        pass through each other), two velocities, or a `Response`. It must not use the simulation.
+        What happens when two discs touch. A function is called with a `Contact` and returns None (they pass
+        through each other), two velocities, or a `Response`. It must not use the simulation.
     refuse_overlaps : bool, optional
         Whether discs that overlap at the start are an error; by default if radii differ or grow, and
-        the discs do something when they touch.
+        `collisions` is neither None nor 'log'.
 
     Raises
     ------
     PreconditionError
-        If a number is not finite or a size has no meaning.
+        If a number is not finite or a size is not valid.
     OutsideBoxError, OverlappingDiscsError, NegativeRadiusError, CoincidentTrajectoriesError
         If the start is impossible.
 
@@ -1178,7 +1174,7 @@ class Simulation(MovingPoints):
         if isinstance(mass, str):
             mass = self._masses_by_name(mass, radius)
         masses = None if mass is None else _arrays.column("mass", mass, size)
-        # Also where there are no points yet.
+        # Also if there are no points yet.
         grows = growth is not None and bool(np.any(np.asarray(given[1]) != 0))
         differs = grows or (radius is not None and (
             bool(np.any(radius != radius[:1])) or np.shape(given[0]) == (0,)))
@@ -1218,7 +1214,7 @@ class Simulation(MovingPoints):
         Returns
         -------
         array of float64, shape (n,)
-            By id; 1 where there is no point.
+            By id; 1 if there is no point.
         """
         return self._engine.masses()
 
@@ -1236,24 +1232,24 @@ class Simulation(MovingPoints):
     def set_motions(self, ids: IdsLike, positions: ArrayLike, velocities: ArrayLike, *,
                     acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
                     radius: ArrayLike | None = None, growth: ArrayLike | None = None) -> None:
-        """Gives points other motions from now on, all at once. They may jump.
+        """Sets the motions of points from now on, all at once. Positions may jump.
 
         Parameters
         ----------
         ids, positions, velocities, acceleration, jerk
             As in `KineticDelaunay.set_motions`.
         radius, growth : float or array_like of float, shape (n,), optional
-            Only if discs have radii of their own. What is not given stays what it is.
+            Only if discs have radii of their own. By default unchanged.
 
         Raises
         ------
         OutsideBoxError, CoincidentTrajectoriesError, NegativeRadiusError
-            Nothing has changed then.
+            Nothing is changed then.
         """
         self._set_motions(ids, positions, velocities, acceleration, jerk, radius=radius, growth=growth)
 
     def closest(self, number: int = 10, *, until: TimeLike, progress: Progress = False) -> pd.DataFrame:
-        """Goes to a time and gives the closest approaches on the way.
+        """Advances to a time and returns the closest approaches.
 
         Parameters
         ----------
@@ -1267,26 +1263,26 @@ class Simulation(MovingPoints):
         Returns
         -------
         pandas.DataFrame
-            a, b (ids), time, time_lo, time_hi, distance, and gap if there are discs: the pairs with the
-            least gaps between their rims while they were neighbors, in the exact order of the gaps (of
-            points: of the distances), with the first time at which each pair was nearest. Each number is
-            the float64 nearest to the exact one. The first pair is the closest one of all. A point that
-            leaves and one that comes at the same time are together at that time.
+            a, b (ids), time, time_lo, time_hi, distance, and gap if there are discs: the pairs with the least
+            gaps (for points, distances) while they were neighbors, in the exact order of the gaps, with the
+            first time at which each pair was nearest. Each number is the float64 nearest to the exact one. The
+            first pair is the closest of all pairs. A point erased and one inserted at the same time both exist
+            at that time.
 
         Raises
         ------
         PreconditionError
-            If points accelerate; or if discs have radii of their own, and `collisions` is None: then
-            overlaps are not followed; 'log' is enough.
+            If points accelerate; or if discs have radii of their own and `collisions` is None, since overlaps
+            are not tracked then; 'log' is enough.
         """
         if self._engine.kind()[1] and self.collisions in (None, "none"):
             raise PreconditionError(
-                "discs have radii of their own, and collisions is None; expected 'log' or another "
-                "response, without which overlaps are not followed")
+                "discs have radii of their own, and collisions is None; expected 'log' or another response, without which "
+                "overlaps are not tracked")
         return self._answer(self.watch("closest", number=number), until, progress)
 
     def set_masses(self, ids: IdsLike, masses: ArrayLike) -> None:
-        """Gives points other masses from now on.
+        """Sets the masses of points from now on.
 
         Parameters
         ----------
@@ -1315,12 +1311,12 @@ class Simulation(MovingPoints):
         Returns
         -------
         array of uint32, shape (n,)
-            The ids that they have got.
+            The ids of the new points.
 
         Raises
         ------
         OutsideBoxError, OverlappingDiscsError, CoincidentTrajectoriesError
-            None of the points is there then; their ids are not used again.
+            No point is inserted then; their ids are not used again.
         """
         return self._insert(positions, velocities, acceleration, jerk, masses=mass, radius=radius,
                             growth=growth)
@@ -1339,16 +1335,16 @@ class Simulation(MovingPoints):
                         acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
                         radius: float | None = None, growth: float | None = None,
                         mass: float = 1.0) -> int:
-        """Inserts a point at a time to come.
+        """Schedules the insertion of a point.
 
-        Changes of one time are made after its other events: first erasures, then motions, then
-        insertions. One that is impossible then (outside of the box, or the trajectory of another point)
-        is dropped, and the call that has reached its time raises the error.
+        Changes of one time are made after its other events: first erasures, then motions, then insertions. A
+        change that is impossible then (outside of the box, or on the trajectory of another point) is dropped,
+        and the call that reaches its time raises the error.
 
         Parameters
         ----------
         time : time
-            When; not before `self.time`.
+            The time of the change; not before `self.time`.
         position, velocity, acceleration, jerk : array_like of float, shape (2,)
             The motion at `float(time)`.
         radius, growth, mass : float, optional
@@ -1357,7 +1353,7 @@ class Simulation(MovingPoints):
         Returns
         -------
         int
-            The id that the point will have.
+            The id of the point.
         """
         return self._engine.schedule_insert(
             time, self._scheduled(time, position, velocity, acceleration, jerk, radius, growth),
@@ -1366,14 +1362,14 @@ class Simulation(MovingPoints):
     def schedule_motion(self, time: TimeLike, id: int, position: ArrayLike, velocity: ArrayLike, *,
                         acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
                         radius: float | None = None, growth: float | None = None) -> None:
-        """Gives a point another motion at a time to come; see `schedule_insert`.
+        """Schedules another motion of a point; see `schedule_insert`.
 
         Parameters
         ----------
         time : time
-            When; not before `self.time`.
+            The time of the change; not before `self.time`.
         id : int
-            The point; the change is dropped if it is not there then.
+            The point; the change is dropped if it does not exist then.
         position, velocity, acceleration, jerk, radius, growth
             As in `schedule_insert`.
         """
@@ -1382,14 +1378,14 @@ class Simulation(MovingPoints):
             self._scheduled(time, position, velocity, acceleration, jerk, radius, growth))
 
     def schedule_erase(self, time: TimeLike, id: int) -> None:
-        """Erases a point at a time to come; see `schedule_insert`.
+        """Schedules the erasure of a point; see `schedule_insert`.
 
         Parameters
         ----------
         time : time
-            When; not before `self.time`.
+            The time of the change; not before `self.time`.
         id : int
-            The point; the change is dropped if it is not there then.
+            The point; the change is dropped if it does not exist then.
         """
         self._engine.schedule_erase(time, _arrays.one_id("id", id))
 
@@ -1405,26 +1401,26 @@ class Simulation(MovingPoints):
     def save(self, path: Path) -> None:
         """Writes the state to a checkpoint file; see `MovingPoints.save`.
 
-        A response that is a function is not kept.
+        A response that is a function is not saved.
         """
         self._engine.save(str(path), self._response_name())
 
     @classmethod
     def load(cls: type[_Simulation], path: Path,
              collisions: Collisions | EllipsisType = ...) -> _Simulation:
-        """The simulation of a checkpoint file.
+        """Restores a simulation from a checkpoint file.
 
         Parameters
         ----------
         path : str or path
-            A file of `save`, or of the program.
+            A file written by `save`, or by the program.
         collisions : optional
-            The response, as in `Simulation`; by default the one whose name the file has.
+            The response, as in `Simulation`; by default the one named in the file.
 
         Raises
         ------
         InputError
-            If it is no such file.
+            If it is not such a file.
         """
         response = ... if collisions is ... else engine_response(collisions)
         engine, name = _kinetri.load(str(path), True, response)

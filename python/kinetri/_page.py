@@ -14,7 +14,7 @@ from .errors import OutputError
 class Page:
     """A recorded run as one HTML page that plays it.
 
-    In a notebook the page shows itself. It asks the network for nothing.
+    A notebook displays it. It needs no network.
 
     Parameters
     ----------
@@ -34,12 +34,12 @@ class Page:
                 'sandbox="allow-scripts allow-downloads"></iframe>')
 
     def save(self, path: Path) -> None:
-        """Writes the page to a file, whole or not at all.
+        """Writes the page to a file atomically.
 
         Parameters
         ----------
         path : str or path
-            The file. It is replaced if it is there.
+            The file. An existing file is replaced.
 
         Raises
         ------
@@ -52,7 +52,7 @@ class Page:
             try:
                 with os.fdopen(handle, "wb") as file:
                     file.write(self.content)
-                # As a file that open() makes.
+                # With the permissions of a new file.
                 mask = os.umask(0)
                 os.umask(mask)
                 os.chmod(temporary, 0o666 & ~mask)
@@ -61,7 +61,7 @@ class Page:
                 os.unlink(temporary)
                 raise
         except OSError as error:
-            raise OutputError(f"{path}: {error.strerror}; expected a place that can be written") from error
+            raise OutputError(f"{path}: {error.strerror}; expected a writable path") from error
 
     def __repr__(self) -> str:
         return f"<Page of {len(self.content)} bytes>"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures by matplotlib."""
+"""Pictures with matplotlib."""
 from __future__ import annotations
 
 from typing import Any, Protocol
@@ -10,7 +10,7 @@ from ._types import Floats, Ids
 
 
 class Drawn(Protocol):
-    """What is drawn."""
+    """The data to draw."""
 
     def positions(self) -> Floats: ...
     def radii(self) -> Floats: ...
@@ -18,7 +18,7 @@ class Drawn(Protocol):
 
 
 def draw(points: Drawn, ax: Any, ids: bool, style: dict[str, Any]) -> Any:
-    """Draws edges, discs and points on the axes, and gives these."""
+    """Draws edges, discs and points on the axes, and returns these."""
     import matplotlib.pyplot as plt
     from matplotlib.collections import EllipseCollection, LineCollection
 

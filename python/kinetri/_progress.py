@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The bar of a long run: tqdm's where that is installed, else a line of text."""
+"""The progress bar of a long run: that of tqdm if installed, else a line of text."""
 from __future__ import annotations
 
 import contextlib
@@ -12,12 +12,12 @@ from ._types import Progress
 @contextlib.contextmanager
 def progress_bar(progress: Progress, start: float,
                  until: float) -> Iterator[Callable[[float], object] | None]:
-    """Gives the function that is called with the present time, or None.
+    """Returns the function to be called with the present time, or None.
 
     Parameters
     ----------
     progress : bool or callable
-        Whether there is a bar; or the function itself.
+        Whether to show a bar; or the function itself.
     start, until : float
         The times at which the bar is empty and full.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What discs do when they touch."""
+"""Responses to contacts of discs."""
 from __future__ import annotations
 
 import dataclasses
@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 
 @dataclasses.dataclass(frozen=True)
 class Response:
-    """What two discs do after they have touched.
+    """The result of a contact of two discs.
 
-    A disc gets a new velocity, or rests, or is erased; or else it keeps its motion. If nothing is said
-    of either, they pass through each other.
+    Each disc gets a new velocity, stops, is erased, or keeps its motion. If both keep their motions, they pass
+    through each other.
 
     Parameters
     ----------
@@ -42,22 +42,22 @@ class Response:
     stops_b: bool = False
 
 
-#: What discs do when they touch.
+#: A response to a contact of two discs.
 Collisions = Union[
     ResponseName, Literal["none"], Callable[["Contact"], Union[Response, tuple["ArrayLike | None", "ArrayLike | None"], None]], None]
 
 
 def respond(name: ResponseName, contact: Contact) -> Response:
-    """What a built-in response does with a contact.
+    """The result of a built-in response for a contact.
 
-    For responses that treat some contacts in a way of their own, and leave the others.
+    For custom responses that handle only some contacts.
 
     Parameters
     ----------
     name : {'log', 'swap', 'elastic', 'stop', 'remove'}
         As `collisions` of `Simulation`.
     contact : Contact
-        The contact that your response is called with.
+        The contact with which the custom response is called.
 
     Returns
     -------
@@ -74,7 +74,7 @@ def _velocity(name: str, value: ArrayLike | None) -> list[float] | None:
 
 
 def engine_response(collisions: Any) -> str | Callable[[Contact], _Response] | None:
-    """What the engine takes: a name, None, or a function with a tuple as its result."""
+    """The response as an argument of the engine: a name, None, or a function that returns a tuple."""
     if collisions is None or isinstance(collisions, str):
         return collisions
     if not callable(collisions):

@@ -7,10 +7,10 @@ from typing import Any
 
 
 class Snapshot:
-    """The whole state of an object, to be restored later or elsewhere.
+    """The complete state of an object, to be restored later or elsewhere.
 
-    A snapshot can be pickled, and sent to another process. What is restored of it goes on as the
-    object would have: the same events at the same exact times.
+    A snapshot can be pickled, and sent to another process. The restored object behaves exactly like the
+    original: the same events at the same exact times.
 
     Attributes
     ----------
@@ -21,7 +21,7 @@ class Snapshot:
     def __init__(self, restorer: type[Any], state: bytes, attributes: dict[str, Any]) -> None:
         self._restorer = restorer
         self.state = state
-        self._attributes = attributes  # those that the engine does not have
+        self._attributes = attributes  # responses that the engine does not have
 
     def restore(self) -> Any:
         """A new object with this state.
@@ -29,7 +29,7 @@ class Snapshot:
         Returns
         -------
         KineticDelaunay, KineticRegular or Simulation
-            Of the class that the snapshot was taken of.
+            An object of the original class.
         """
         return self._restorer._restored(self.state, self._attributes)
 

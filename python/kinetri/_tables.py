@@ -15,12 +15,12 @@ _THIRD_COORDINATES = ("z", "zu", "pos_z", "position_z", "z_position", "zpos", "a
 
 
 class SupportsToPandas(Protocol):
-    """A table that pandas can have, such as a pyarrow.Table."""
+    """A table that can be converted to pandas, such as a pyarrow.Table."""
 
     def to_pandas(self) -> Any: ...
 
 
-# By the first bytes of a file: its format, and the function of pandas that reads it.
+# The format of a file by its first bytes, and the function of pandas that reads it.
 _FORMATS = {b"PAR1": ("Parquet", "read_parquet"), b"ARROW1": ("Arrow", "read_feather"),
             b"FEA1": ("Feather", "read_feather")}
 
@@ -45,21 +45,20 @@ def frame_of(table: Any) -> Any:
 
 
 def arrow_format(path: str) -> tuple[str, str] | None:
-    """The format of a file, and what of pandas reads it, if that is needed."""
-    if not os.path.isfile(path):  # another one could not be read again
+    """The format of a file, and the function of pandas to read it, if needed."""
+    if not os.path.isfile(path):  # other files, such as pipes, could not be read again
         return None
     try:
         with open(path, "rb") as file:
             head = file.read(8)
     except OSError:
-        return None  # the library says why
+        return None  # the library reports why
     return next((found for magic, found in _FORMATS.items() if head.startswith(magic)), None)
 
 
 def read_as_csv(path: str, arrow: tuple[str, str], columns: dict[str, str],
                 ) -> tuple[str, dict[str, str], str | None]:
-    """The columns of such a file that are wanted, by default t, id, x, y and radius, as CSV; which they are;
-    and a remark on the others."""
+    """The wanted columns of such a file as CSV, by default t, id, x, y and radius; their names; a remark on the others."""
     df = _read(path, *arrow)
     if not columns:
         columns = {name: name for name in ("t", "id", "x", "y", "radius") if name != "radius" or name in df.columns}
@@ -78,7 +77,7 @@ def read_as_csv(path: str, arrow: tuple[str, str], columns: dict[str, str],
     df = df[wanted].copy()
     for name in wanted:
         df[name] = _as_text(df[name])
-    # Texts in quotation marks keep blanks at their ends, and all numbers their digits.
+    # Quoting preserves blanks at the ends of texts, and the digits of numbers.
     text: str = df.to_csv(index=False, quoting=csv.QUOTE_NONNUMERIC)
     return text, columns, remark_on(others)
 
@@ -89,7 +88,7 @@ def remark_on(unused: list[Any]) -> str | None:
 
 
 def warn_of_third_coordinates(df: Any, unused: list[Any], stacklevel: int) -> None:
-    """Warns of unused columns that are third coordinates, by their names, and vary."""
+    """Warns of unused columns whose names are those of third coordinates, if they vary."""
     varying = [name for name in unused if str(name).lower() in _THIRD_COORDINATES and df[name].nunique(dropna=True) > 1]
     if varying:
         warnings.warn(f"the columns {_list_of(varying)} vary, and are left out: tracks are in the plane of x and y",
@@ -97,7 +96,7 @@ def warn_of_third_coordinates(df: Any, unused: list[Any], stacklevel: int) -> No
 
 
 def _read(path: str, name: str, function: str) -> Any:
-    """The file as a DataFrame, whose index, if it has names, is columns."""
+    """The file as a DataFrame, in which a named index becomes columns."""
     try:
         import pandas as pd
 
@@ -118,7 +117,7 @@ def _list_of(names: list[Any]) -> str:
 
 
 def _as_text(column: Any) -> Any:
-    """A column whose texts in CSV are its values: dates in UTC, durations in seconds."""
+    """The column with dates in UTC and durations in seconds, for CSV."""
     if getattr(column.dtype, "tz", None) is not None:
         return column.dt.tz_convert("UTC").dt.tz_localize(None)
     if getattr(column.dtype, "kind", None) == "m":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Answers about recorded tracks: those about a run, with labels and dates."""
+"""Answers about recorded tracks, with labels and dates."""
 from __future__ import annotations
 
 import math
@@ -17,16 +17,16 @@ if TYPE_CHECKING:
 
     from .tracks import TracksSimulation
 
-# Where times are dates: the columns of dates, by the columns of times.
+# If times are dates: the column of dates for each column of times.
 DATES = {"t": "date", "time": "date", "begin": "begin_date", "end": "end_date", "closest": "closest_date",
          "from": "from_date", "until": "until_date"}
 
-# The columns that have points.
+# The columns of points.
 POINTS = ("a", "b", "id", "before", "after")
 
 
 class TrackAnswers:
-    """The methods of `Tracks` that answer a question about the whole time."""
+    """The methods of `Tracks` that answer a question about all of the observed time."""
 
     labels: list[Any]
     origin: np.datetime64 | None
@@ -64,9 +64,9 @@ class TrackAnswers:
 
     def encounters(self, range: float, *, start: float | None = None, until: float | None = None,
                    radius: float | None = None, progress: Progress = False) -> pd.DataFrame:
-        """All encounters, which things were near each other, and when; see `Simulation.encounters`.
+        """All encounters: which things were near each other, and when; see `Simulation.encounters`.
 
-        Of points `range` is a distance, of discs the gap between rims. `start`, `until`, `radius`,
+        `range` is a distance of points, or a gap between discs. `start`, `until`, `radius`,
         `progress`, labels and dates: see `Tracks`.
 
         Examples
@@ -82,7 +82,7 @@ class TrackAnswers:
 
     def components(self, range: float, *, start: float | None = None, until: float | None = None,
                    progress: Progress = False) -> pd.DataFrame:
-        """Each time at which things get connected, or disconnected; see `Simulation.components`.
+        """Each time at which components merge or split; see `Simulation.components`.
 
         `start`, `until`, `progress`, labels and dates: see `Tracks`.
         """
@@ -93,7 +93,7 @@ class TrackAnswers:
                   until: float | None = None, progress: Progress = False) -> pd.DataFrame:
         """The times at which two things are connected; see `Simulation.connected`.
 
-        `a` and `b` are two of `labels`; a thing that leaves and comes back is one thing. `start`, `until`,
+        `a` and `b` are two of `labels`; all stays of a thing count. `start`, `until`,
         `progress` and dates: see `Tracks`.
 
         Examples
@@ -123,7 +123,7 @@ class TrackAnswers:
                        ridge: float | None = None, progress: Progress = False) -> pd.DataFrame:
         """Which things were neighbors, and when; see `Simulation.neighbor_lives`.
 
-        `ridge` is as there. `start`, `until`, `progress`, labels and dates: see `Tracks`.
+        `ridge`: see there. `start`, `until`, `progress`, labels and dates: see `Tracks`.
         """
         simulation = self.simulation(start=start, until=until)
         table = simulation.neighbor_lives(until=simulation.end, ridge=ridge, progress=progress)
@@ -133,7 +133,7 @@ class TrackAnswers:
                   ridge: float | None = None, progress: Progress = False) -> pd.DataFrame:
         """The neighbor exchanges (T1) of each stay of a thing; see `Simulation.exchanges`.
 
-        `ridge` is as there. `start`, `until`, `progress`, labels and dates: see `Tracks`.
+        `ridge`: see there. `start`, `until`, `progress`, labels and dates: see `Tracks`.
         """
         simulation = self.simulation(start=start, until=until)
         table = simulation.exchanges(until=simulation.end, ridge=ridge, progress=progress)
@@ -141,7 +141,7 @@ class TrackAnswers:
 
     def nearest_neighbor_changes(self, *, start: float | None = None, until: float | None = None,
                                  progress: Progress = False) -> pd.DataFrame:
-        """Who is nearest to each thing, from when on; see `Simulation.nearest_neighbor_changes`.
+        """The nearest neighbor of each thing, and each change of it; see `Simulation.nearest_neighbor_changes`.
 
         `start`, `until`, `progress`, labels and dates: see `Tracks`.
         """
@@ -153,12 +153,12 @@ class TrackAnswers:
               walkable: str | ArrayLike | None = None, cutoff: float | None = None,
               start: float | None = None, until: float | None = None,
               progress: Progress = False) -> pd.DataFrame:
-        """The room of all things over time, at frames; see `Simulation.areas`.
+        """The area of each thing at frames; see `Simulation.areas`.
 
-        The frames are at `times`, which ascend; or with `fps` at k / fps, for whole numbers k, from
-        `start` to `until`. `walkable` and `cutoff` are those of `cell_areas`; without `walkable`, cells are
-        those within `walkable_area`, if the tracks have that. A thing is there from its first observation
-        until just before its last one. `progress`, labels and dates: see `Tracks`.
+        The frames are at the ascending `times`; or with `fps` at k / fps, for integers k, from `start` to
+        `until`. For `walkable` and `cutoff` see `cell_areas`; `walkable` is by default `walkable_area`, if the
+        tracks have one. A thing exists from its first observation until just before its last one. `progress`,
+        labels and dates: see `Tracks`.
 
         Examples
         --------
@@ -188,7 +188,7 @@ class TrackAnswers:
     def mean_areas(self, *, walkable: str | ArrayLike | None = None, cutoff: float | None = None,
                    tolerance: float = 1e-6, start: float | None = None, until: float | None = None,
                    progress: Progress = False) -> pd.DataFrame:
-        """The mean room of each stay of a thing, exact in time; see `Simulation.mean_areas`.
+        """The mean area of each stay of a thing, exact in time; see `Simulation.mean_areas`.
 
         `walkable` and `cutoff` are as in `areas` of tracks, and `tolerance` as there. `start`, `until`,
         `progress`, labels and dates: see `Tracks`.
@@ -200,14 +200,14 @@ class TrackAnswers:
         return self._labelled(table, simulation)
 
     def _thing(self, parameter: str, label: Any) -> int:
-        """The place of a thing in `labels`."""
+        """The index of a thing in `labels`."""
         try:
             return self.labels.index(label)
         except ValueError:
             raise PreconditionError(f"{parameter} is {label!r}; expected one of labels") from None
 
     def _pairs(self, simulation: TracksSimulation, a: int, b: int) -> Ids:
-        """The stays of one thing with those of the other that are there at the same time."""
+        """Pairs of stays of the two things that exist at the same time."""
         if a == b:
             raise PreconditionError(f"a and b are both {self.labels[a]!r}; expected two things")
         things = simulation.stays[:, 0].astype(np.intp)
@@ -217,7 +217,7 @@ class TrackAnswers:
         return np.column_stack((p[meet], q[meet])).astype(np.uint32)
 
     def _labelled(self, table: pd.DataFrame, simulation: TracksSimulation) -> pd.DataFrame:
-        """With labels for ids, and with dates."""
+        """The table with labels for ids, and with dates."""
         import pandas as pd
 
         for name in [name for name in POINTS if name in table.columns]:
@@ -225,7 +225,7 @@ class TrackAnswers:
         return self._dated(table)
 
     def _dated(self, table: pd.DataFrame) -> pd.DataFrame:
-        """With a column of dates for each column of times, where times are dates."""
+        """The table with a column of dates for each column of times, if times are dates."""
         if self.origin is not None:
             for time in [time for time in DATES if time in table.columns]:
                 table[DATES[time]] = self.dates(table[time])

@@ -13,7 +13,7 @@ import numpy.typing as npt
 if TYPE_CHECKING:
     from ._kinetri import Time
 
-#: Numbers that are taken exactly: lists of lists, arrays of any kind, tables.
+#: Numbers that are not rounded: lists of lists, arrays of any kind, tables.
 ArrayLike = npt.ArrayLike
 Floats = npt.NDArray[np.float64]
 Ids = npt.NDArray[np.uint32]
@@ -26,7 +26,7 @@ Vector = Union[Sequence[float], Floats]
 Box = tuple[float, float, float, float]
 Path = Union[str, "os.PathLike[str]"]
 TimeLike = Union[float, Fraction, "np.integer[Any]", "np.floating[Any]", "Time"]
-#: Whether a bar is shown, or a function of the present time.
+#: Whether to show a progress bar, or a function of the present time.
 Progress = Union[bool, Callable[[float], object]]
 #: The built-in responses of discs that touch.
 ResponseName = Literal["log", "swap", "elastic", "stop", "remove"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The exceptions that Kinetri raises: all are `kinetri.Error`. They are named as in C++."""
+"""The exceptions of Kinetri, all derived from `kinetri.Error`, with the names of C++."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -10,11 +10,11 @@ if TYPE_CHECKING:
 
 
 class Error(Exception):
-    """Base of every exception that Kinetri raises on purpose."""
+    """Base class of all exceptions of Kinetri."""
 
 
 class PreconditionError(Error, ValueError):
-    """An argument is not what the function expects. The message says what is."""
+    """An argument is not valid. The message says what is expected."""
 
 
 class InternalError(Error):
@@ -30,11 +30,11 @@ class OutputError(Error, OSError):
 
 
 class SnapshotError(Error, ValueError):
-    """A snapshot is damaged, or not the state of such an object."""
+    """A snapshot is damaged, or not the state of an object of this class."""
 
 
 class CoincidentTrajectoriesError(Error, ValueError):
-    """Two points would be at one place at all times.
+    """Two points would coincide at all times.
 
     Attributes
     ----------
@@ -46,7 +46,7 @@ class CoincidentTrajectoriesError(Error, ValueError):
 
 
 class ContactError(Error):
-    """A contact that no response can deal with.
+    """A contact that no response can resolve.
 
     Attributes
     ----------
@@ -58,27 +58,26 @@ class ContactError(Error):
 
 
 class EndlessContactsError(ContactError):
-    """Contacts do not end: too many at one time, or a point that is pressed against another.
+    """Endless contacts: too many at one time, or points accelerated against a wall or each other.
 
-    The simulation is as it was before the contact, which is still to come at that time: other
-    motions of its points may let it go on. Its `time` is that of the contact, and its `positions`
-    are those of that time.
+    The simulation is in the state before the contact, which is still due: changing the motions of its points
+    may let it continue. Its `time` and `positions` are those of the contact.
 
     Attributes
     ----------
     events : structured array of `event_dtype`
-        Of an error that `record` raises: the events before it.
+        The events before the error, if `record` raised it.
     """
 
     events: Events
 
 
 class ContactOverflowError(ContactError):
-    """After a contact a place, velocity or acceleration is beyond the range of float64."""
+    """After a contact a position, velocity or acceleration is beyond the range of float64."""
 
 
 class OverlappingDiscsError(Error, ValueError):
-    """Discs overlap where they must not.
+    """Discs overlap, but must not.
 
     Attributes
     ----------
@@ -97,7 +96,7 @@ class NegativeRadiusError(Error, ValueError):
     id : int
         The disc.
     time : Time
-        At or just after it the radius is negative.
+        The time at or just after which the radius is negative.
     """
 
     id: int
@@ -110,15 +109,15 @@ class OutsideBoxError(Error, ValueError):
     Attributes
     ----------
     id : int
-        The point: the id that it has, or would have got.
+        The id of the point, or the id that it would have got.
     """
 
     id: int
 
 
 class PackingError(Error):
-    """A packing does not reach the share that was asked for."""
+    """A packing does not reach the requested share."""
 
 
 class WorkerError(Error):
-    """Worker processes of a sweep ended again and again without a result."""
+    """Worker processes of a sweep ended repeatedly without a result."""

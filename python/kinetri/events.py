@@ -28,15 +28,15 @@ event_colors = _kinetri.event_colors
 #: time, time_lo, time_hi : float64
 #:     The exact time rounded to nearest, and its tightest bounds.
 #: removed, added : two uint32
-#:     The ids of the ends of the edge that goes, and of the one that comes, the smaller first;
-#:     `NO_POINT` twice where there is none.
+#: The ids of the ends of the removed edge, and of the added one, the smaller first; #: `NO_POINT` twice if
+#: there is none.
 #: points : two uint32
 #:     The points concerned: the second, or both, may be `NO_POINT`.
 event_dtype: np.dtype[np.void] = np.dtype(_kinetri.event_fields)
 
 
 def table_of(kinds: str | Iterable[str] | None) -> _kinetri.EventTable:
-    """A table that keeps the events of these kinds; all without `kinds`."""
+    """A table that stores the events of these kinds; by default all."""
     if kinds is None:
         return _kinetri.EventTable([True] * len(event_kinds))
     expected = "one or more of " + ", ".join(map(repr, event_kinds))
@@ -67,7 +67,8 @@ def to_dataframe(events: Events) -> pd.DataFrame:
     -------
     pandas.DataFrame
         The columns of the program's event log but event and instant: kind, time, time_lo, time_hi,
-        removed_a, removed_b, added_a, added_b, point_a, point_b. Ids are of the type UInt32, with <NA> where there is none.
+        removed_a, removed_b, added_a, added_b, point_a, point_b. Ids are of the type UInt32, with <NA> where
+        there is none.
 
     Examples
     --------

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A long run in pieces of time that are computed alone.
+"""Runs a long simulation of free motion in independent pieces of time.
 
-Where motions are known in advance, the triangulation just after a time is that of the points as they
-stand then, whatever was before. So each piece begins with a triangulation of its own.
+If motions are known in advance, the triangulation just after a time depends only on the motions, so each piece
+can construct its own.
 """
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def _borders(start: float, until: float, pieces: int) -> Floats:
 def run_in_pieces(positions: ArrayLike, velocities: ArrayLike | None = None, until: float | None = None,
                   pieces: int = 2, client: Any = None, *, acceleration: ArrayLike | None = None,
                   jerk: ArrayLike | None = None, start: float = 0.0, workers: int | None = None) -> Events:
-    """The events of one run, computed in pieces of time, each of them alone.
+    """The events of one run, computed in independent pieces of time.
 
     Parameters
     ----------
@@ -58,13 +58,13 @@ def run_in_pieces(positions: ArrayLike, velocities: ArrayLike | None = None, unt
     until : float
         The end of the run.
     pieces : int
-        How many spans of equal length.
+        The number of intervals of equal length.
     client : dask.distributed.Client, optional
         Where to run; by default on processes of this machine.
     start : float
         The time at which the run begins.
     workers : int, optional
-        How many processes, without a client.
+        The number of processes, without a client.
 
     Returns
     -------
@@ -74,8 +74,7 @@ def run_in_pieces(positions: ArrayLike, velocities: ArrayLike | None = None, unt
     Raises
     ------
     PreconditionError
-        If it is given a simulation: contacts change motions, so that no piece is known before those
-        before it.
+        If a simulation is given: contacts change motions, so that a piece depends on the earlier ones.
     """
     if isinstance(positions, MovingPoints):
         if isinstance(positions, Simulation):

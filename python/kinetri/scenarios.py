@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Points to begin with: of files, and made up."""
+"""Initial points: from files, or generated."""
 from __future__ import annotations
 
 from typing import Any
@@ -40,7 +40,7 @@ def scenario(kind: str, points: int = 100, *, seed: int = 1, side: float | None 
     Parameters
     ----------
     kind : {'uniform', 'gaussian', 'constant-speed', 'one-mover', 'lattice', 'lattice-jitter'}
-        What is random, and how.
+        The random distribution.
     points : int
         How many.
     seed : int
@@ -86,7 +86,7 @@ def packing(points: int = 1000, *, share: float = 0.8, sizes: float = 1.0, seed:
     sizes : float
         The radius of every second disc over that of the others.
     seed : int
-        Of the random places and velocities.
+        Seed of the random positions and velocities.
     side : float, optional
         Of the box; by default 10 sqrt(points).
     speed : float
@@ -100,7 +100,7 @@ def packing(points: int = 1000, *, share: float = 0.8, sizes: float = 1.0, seed:
     Raises
     ------
     PackingError
-        If the discs are jammed before they cover that share.
+        If the discs jam before they cover that share.
 
     Examples
     --------

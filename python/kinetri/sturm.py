@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sturm sequences: how many real roots a polynomial has in an interval, exactly."""
+"""Sturm sequences: the exact number of real roots of a polynomial in an interval."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Set
@@ -11,7 +11,7 @@ from ._kinetri import Time
 from ._types import TimeLike
 from .errors import PreconditionError
 
-# Which ends of an interval belong to it, by the names that pandas gives them.
+# Which ends belong to an interval, by the names in pandas.
 _CLOSED = {"right": (False, True), "left": (True, False), "both": (True, True), "neither": (False, False)}
 
 
@@ -52,7 +52,7 @@ class SturmSequence:
         Parameters
         ----------
         t : float, int, fractions.Fraction or Time
-            Taken exactly. It may be infinite: for all numbers that are small, or large, enough.
+            Taken exactly. It may be infinite, for all sufficiently small or large numbers.
 
         Returns
         -------
@@ -71,13 +71,13 @@ class SturmSequence:
     def sign_changes(self, t: TimeLike) -> int:
         """V(t), the number of sign changes of the terms at t; zeros are left out.
 
-        Each term is divided by the last one first, so that V is right at a multiple root of f, too, where all the
-        terms are zero. At a root V is what it is just after the root.
+        Terms are first divided by the last one, so that V is correct also at a multiple root of f, at which all
+        terms are zero. At a root V has the value just after it.
 
         Parameters
         ----------
         t : float, int, fractions.Fraction or Time
-            Taken exactly. It may be infinite: for all numbers that are small, or large, enough.
+            Taken exactly. It may be infinite, for all sufficiently small or large numbers.
 
         Returns
         -------
@@ -96,15 +96,15 @@ class SturmSequence:
               closed: Literal["right", "left", "both", "neither"] = "right") -> int:
         """The number of distinct real roots of the polynomial in an interval.
 
-        Right wherever the ends are, also at simple and at multiple roots.
+        Correct for any ends, also at simple and multiple roots.
 
         Parameters
         ----------
         lower, upper : float, int, fractions.Fraction or Time, optional
             The ends, taken exactly. None, or an infinity, is no end on that side.
         closed : {'right', 'left', 'both', 'neither'}
-            Which ends belong to the interval, as in pandas: (lower, upper] unless said otherwise. An interval whose
-            ends are equal is that number with 'both', and else it is empty.
+            Which ends belong to the interval, as in pandas: (lower, upper] by default. An interval with equal
+            ends contains that number with 'both', and is empty otherwise.
 
         Returns
         -------
@@ -175,11 +175,11 @@ def sturm_sequence(coefficients: Iterable[float | Fraction]) -> SturmSequence:
     Raises
     ------
     PreconditionError
-        If there are no coefficients, all are zero, or one of them is no finite number.
+        If there are no coefficients, all are zero, or one of them is not finite.
 
     Notes
     -----
-    With the degree d it takes O(d^2) operations on integers; up to degree 4 the terms have a closed form.
+    For degree d it takes O(d^2) operations on integers; up to degree 4 the terms have a closed form.
 
     Examples
     --------
@@ -191,7 +191,7 @@ def sturm_sequence(coefficients: Iterable[float | Fraction]) -> SturmSequence:
     1
     """
     expected = "expected numbers by ascending power: ints, floats or fractions.Fraction"
-    # The order of a set is no order of powers.
+    # A set has no order of powers.
     if not isinstance(coefficients, Iterable) or isinstance(coefficients, (str, bytes, Set, Mapping)):
         raise PreconditionError(f"coefficients are {coefficients!r}; {expected}")
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Many runs: a parameter study on the processes of this machine, or on a cluster."""
+"""Many runs: a parameter study on processes of this machine, or on a cluster."""
 from __future__ import annotations
 
 import concurrent.futures
@@ -14,7 +14,7 @@ from .errors import PreconditionError, WorkerError
 if TYPE_CHECKING:
     import pandas as pd
 
-#: A task whose worker has ended without a result is given to another one, this many times.
+#: The number of times that a task is run if its worker ends without a result.
 MOST_ATTEMPTS = 3
 
 
@@ -27,8 +27,7 @@ def parameter_list(
     Parameters
     ----------
     parameters : dict of sequences, or iterable of dict
-        A dictionary of sequences stands for all combinations of their values, the last name changing
-        fastest.
+        A dictionary of sequences means all combinations of their values, the last name varying fastest.
 
     Returns
     -------
@@ -64,7 +63,7 @@ def parameter_list(
 
 
 def _dumps(value: Any) -> bytes:
-    """Also functions of a notebook, where cloudpickle is installed."""
+    """Pickles a task; functions of a notebook too, if cloudpickle is installed."""
     try:
         import cloudpickle
     except ImportError:
@@ -84,8 +83,8 @@ def _map_on_client(function: Callable[..., Any], argument_list: list[dict[str, A
                    client: Any) -> list[Any]:
     from distributed.scheduler import KilledWorker
 
-    # Every task is one of its own, even where two are equal; dask runs it again where a worker is killed.
-    # The arguments are one of `submit`, which has names of its own.
+    # Tasks are distinct even if equal; dask runs a task again if its worker is killed.
+    # Arguments in one tuple, since `submit` has keywords of its own.
     futures = [client.submit(_called, function, arguments, pure=False) for arguments in argument_list]
     try:
         return list(client.gather(futures))
@@ -100,7 +99,7 @@ def map_on_processes(tasks: list[bytes], workers: int | None = None) -> list[Any
     """
     results = {}
     remaining = dict(enumerate(tasks))
-    # A forked process would have the parent's locks, but not its threads.
+    # A forked process would inherit the parent's locks, but not its threads.
     context = multiprocessing.get_context("spawn")
     for _ in range(MOST_ATTEMPTS):
         if not remaining:
@@ -137,37 +136,37 @@ def map_tasks(function: Callable[..., Any], argument_list: list[dict[str, Any]],
 def sweep(function: Callable[..., Any],
           parameters: dict[str, Sequence[Any]] | Iterable[dict[str, Any]], client: Any = None, *,
           workers: int | None = None) -> pd.DataFrame:
-    """Runs a function with many arguments, and puts the results into one table.
+    """Runs a function with many sets of arguments, and returns the results as one table.
 
     Parameters
     ----------
     function : callable
-        Called with the arguments of each run. It gives a dictionary (a row), a pandas.DataFrame or a
-        list of dictionaries (rows), or a value (a row with the column `result`). It must be one that a
-        process can import; functions of a notebook need cloudpickle, or a client.
+        Called with the arguments of each run. It returns a dictionary (a row), a pandas.DataFrame or a list of
+        dictionaries (rows), or a value (a row with the column `result`). Processes must be able to import it;
+        functions of a notebook need cloudpickle, or a client.
     parameters : dict of sequences, or iterable of dict
         As in `parameter_list`.
     client : dask.distributed.Client, optional
         Where to run; by default on processes of this machine.
     workers : int, optional
-        How many processes, without a client; by default one for each processor.
+        The number of processes, without a client; by default one for each processor.
 
     Returns
     -------
     pandas.DataFrame
-        In the order of the parameters, whoever has finished first: a column for each parameter, then
-        those of the results. The same for any number of workers.
+        In the order of the parameters: a column for each parameter, then those of the results. The same for any
+        number of workers.
 
     Raises
     ------
     WorkerError
-        If processes are killed again and again. A task whose worker is killed runs again.
+        If a task's worker is killed repeatedly. After the first times the task runs again.
     Exception
         What the function raises.
 
     Notes
     -----
-    Without a client, a script must have its call under ``if __name__ == "__main__":``, since the
+    Without a client, a script must make the call under ``if __name__ == "__main__":``, since the
     processes import it.
     """
     runs = parameter_list(parameters)
@@ -175,14 +174,14 @@ def sweep(function: Callable[..., Any],
 
 
 def result_table(runs: Sequence[dict[str, Any]], results: Sequence[Any]) -> pd.DataFrame:
-    """The table that `sweep` makes of the results of its runs.
+    """The table of `sweep` from the results of runs.
 
     Parameters
     ----------
     runs : sequence of dict
         The arguments of each run, as `parameter_list` gives them.
     results : sequence
-        What the function gave for each of them: as in `sweep`.
+        The results of the function for each run, as in `sweep`.
 
     Returns
     -------

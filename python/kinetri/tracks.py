@@ -25,31 +25,29 @@ if TYPE_CHECKING:
 
 
 class Tracks(TrackAnswers):
-    """Observations of things at times: where each was, and when.
+    """Observed positions of things at times.
 
-    Between two observations a thing moves along a straight line with constant velocity. After a gap
-    longer than `max_gap` it leaves, and comes again at its next observation. Each such stay is one point
-    of the simulation, and `stays` says whose.
+    Between two observations a thing moves along a straight line with constant velocity. In a gap longer than
+    `max_gap` it is absent. Each stay between such gaps is one point of the simulation; `stays` maps points to
+    things.
 
     Use `from_dataframe`, `from_arrays` or `read` to make one.
 
-    Methods that answer a question about the whole time, such as `encounters`, run a `simulation` from
-    `start` to `until`, with discs of `radius` where they have that, and show `progress` as
-    `Simulation.advance_to` does. They give the table of the method of the same name of `Simulation`, with
-    labels for ids. Where times are dates, there is a column of dates for each column of times: `date`,
-    `begin_date` and so on.
+    Methods such as `encounters` run a `simulation` from `start` to `until`, with discs of `radius` if they have
+    that parameter, and show `progress` as `Simulation.advance_to` does. They return the table of the method of
+    the same name of `Simulation`, with labels for ids. If times are dates, there is a column of dates for each
+    column of times: `date`, `begin_date` and so on.
 
     Attributes
     ----------
     labels : list
         The names of the things, in the order in which they first appear.
     origin : numpy.datetime64 or None
-        The time 0, where times are dates: times are seconds since then.
+        The date of time 0 if times are dates; times are seconds since then.
     frame_rate : float or None
-        Of a file whose times are numbers of frames: by which they were divided.
+        The rate by which frame numbers of a file were divided to get times.
     walkable_area : str or None
-        As Well-Known Text, of a file that has it, as JuPedSim's have: what `areas` and `mean_areas` take
-        if nothing else is given.
+        The walkable area in a file, such as JuPedSim's, as Well-Known Text: the default for `areas` and `mean_areas`.
     remarks : list of str
         How a file or table was read: units, rates, degrees, what was left out.
     """
@@ -83,45 +81,44 @@ class Tracks(TrackAnswers):
             Times: numbers; dates, as `datetime64`, `datetime.datetime` or `pandas.Timestamp`, which become
             seconds since the first one, those with an offset in UTC; or durations, which become seconds.
         id : array_like, shape (n,)
-            What was observed: numbers or texts.
+            The names of things: numbers or texts.
         x, y : array_like of float, shape (n,)
-            Where it was: x to the right, y up; of degrees, the longitude and the latitude.
+            The positions: x to the right, y up; in degrees, longitude and latitude.
         radius : array_like of float, shape (n,), optional
-            Of the thing: the same in all of its rows.
+            The radius of the thing, the same in all of its rows.
         max_gap : float, optional
-            The longest time between two observations in which a thing is there, in the unit of the
-            times, or in seconds if these are dates.
+            The longest gap between two observations during which a thing exists, in the unit of the times, or
+            in seconds if these are dates.
         projection : str, optional
-            What becomes of degrees of longitude and latitude: `none` takes them as they are; `local` makes
-            them metres about the middle of the data, `utm` those of a zone of UTM. Without one, degrees
-            are refused. Places are degrees if the attribute `name` of x or y says so, as that of a
-            `pandas.Series` may: `lon`, `location-lat`, `decimalLongitude`, `x (deg)`. Where names say
-            nothing, those are refused that look like degrees: within 180 and 90, with four decimals, and
-            hardly moving, where times are dates or seconds since 1970.
+            How degrees of longitude and latitude are converted: `none` takes them as they are; `local` converts
+            to meters about the middle of the data, `utm` to meters in a zone of UTM. By default degrees are
+            refused. Positions are degrees if the attribute `name` of x or y says so, as that of a
+            `pandas.Series` may: `lon`, `location-lat`, `decimalLongitude`, `x (deg)`. Without such names,
+            positions that look like degrees are refused: within 180 and 90, with four decimals, and hardly
+            moving, if times are dates or seconds since 1970.
         duplicates : str, optional
-            What is taken of several places of an id at one time: `first`, `last` or `mean`; or `refuse`.
-            By default the first, but rows are refused where half of the times of an id or more have several.
+            Which of several positions of an id at one time is used: `first`, `last` or `mean`; or `refuse`. By
+            default the first, but rows are refused if half of the times of an id or more have several.
         coincident : str, optional
-            What becomes of things that are at one place for some time: `refuse` (the default), by the
-            simulation that comes to that time, or `leave-out`, which leaves out all of such a group but the one
-            that comes first.
+            How things that coincide for some time are treated: `refuse` (the default; the simulation raises an
+            error at that time), or `leave-out`, which leaves out all of such a group but the first.
 
         Returns
         -------
         Tracks
-            Its `remarks` say what was concluded of degrees, and how far distances are off. Of degrees, rows at
-            the longitude 181 or the latitude 91, by which AIS says that it knows no place, are left out, and those
-            at (0, 0) if all others are farther than a degree from there; and so are rows whose x and y are NaN.
+            Its `remarks` tell how degrees were treated, and the error of distances. Rows whose x and y are NaN
+            are left out; in degrees also rows at the longitude 181 or the latitude 91, which mean an unknown
+            position in AIS, and those at (0, 0) if all others are farther than a degree from there.
 
         Raises
         ------
         PreconditionError
             If a column has another length, a number is not finite, or the projection is unknown.
         InputError
-            If a thing is at two places at one time, or has two radii. Rows that repeat another one are
-            left out. If places are degrees, or look like them, and there is no projection; if names say
-            radians, or the latitude is x; if degrees are not on earth; or if distances in the projection
-            can be off by more than 0.1 %.
+            If a thing is at two positions at one time, or has two radii (repeated rows are left out). If
+            positions are degrees, or look like them, and there is no projection; if names say radians, or x is
+            the latitude; if degrees are out of range; or if distances in the projection can be off by more than
+            0.1 %.
 
         Examples
         --------
@@ -211,7 +208,7 @@ class Tracks(TrackAnswers):
 
         Parameters
         ----------
-        df : pandas.DataFrame, or what has a method `to_pandas`, as a pyarrow.Table
+        df : pandas.DataFrame, or an object with a method `to_pandas`, such as a pyarrow.Table
             The table.
         t, id, x, y : str
             The columns, as in `from_arrays`.
@@ -220,22 +217,21 @@ class Tracks(TrackAnswers):
         max_gap : float, optional
             As in `from_arrays`.
         projection : str, optional
-            As in `from_arrays`; the names of the columns x and y say whether places are degrees.
+            As in `from_arrays`; the names of the columns x and y say whether positions are degrees.
         duplicates, coincident : str, optional
             As in `from_arrays`.
 
         Returns
         -------
         Tracks
-            Its `remarks` name the columns that are not used. There is a warning if one of these is of a third
+            Its `remarks` name the columns that are not used. There is a warning if one of these is a third
             coordinate, such as `z`, and varies.
 
         Raises
         ------
         PreconditionError
-            If there is no such column, or no pandas, where that is needed; and as `from_arrays`.
-        InputError
-            As `from_arrays`.
+            If there is no such column, or pandas is needed and not installed; and as in `from_arrays`.
+        InputError    As in `from_arrays`.
         """
         df = _tables.frame_of(df)
         names = {"t": t, "id": id, "x": x, "y": y}
@@ -283,26 +279,24 @@ class Tracks(TrackAnswers):
             radius), `frames` (frame id x y), `ids` (id frame x y), `table` (see `columns`), `jupedsim`
             (SQLite), `sumo` (XML), `lammps`, `xyz`, `geojson`, `gpx` and `trackmate` (XML).
         fps : float, optional
-            Frames per unit of time, where times are numbers of frames; by default the rate that the file
-            gives, or 1.
+            Frames per unit of time, if times are numbers of frames; by default the rate in the file, or 1.
         columns : dict, optional
-            Which columns of a table with a header are `t`, `id`, `x`, `y` and perhaps `radius`, as in
+            Which columns of a table with a header are `t`, `id`, `x`, `y` and optionally `radius`, as in
             ``{"t": "time", "id": "name", "x": "E", "y": "N"}``; in a table without one, their numbers from
-            1 on, as texts; in GeoJSON, which properties are `t` and `id`. Times in several columns have plus
-            signs between their names, as in ``{"t": "date+time", ...}``.
+            1 on, as texts; in GeoJSON, which properties are `t` and `id`. Plus signs join several columns of a
+            time, as in ``{"t": "date+time", ...}``.
         projection : str, optional
-            What becomes of degrees: `none` takes them as they are; `local` makes them metres about the
-            middle of the data, `utm` those of a zone of UTM, and both are refused where distances can be
-            off by more than 0.1 %. Without one, files with degrees are refused.
+            How degrees are converted: `none` takes them as they are; `local` converts to meters about the
+            middle of the data, `utm` to meters in a zone of UTM; both are refused if distances can be off by
+            more than 0.1 %. By default files with degrees are refused.
         date_format : str, optional
             The form of dates that are not ISO 8601, such as ``"%d/%m/%Y %H:%M:%S"``; or of times of day, such as
             ``"%H:%M:%S"``, which become seconds since midnight, if they are of one day.
         duplicates : str, optional
-            What is taken of several places of an id at one time: `first`, `last` or `mean`; or `refuse`.
-            By default the first, but a file is refused where half of the times of an id or more have
-            several.
+            Which of several positions of an id at one time is used: `first`, `last` or `mean`; or `refuse`. By
+            default the first, but a file is refused if half of the times of an id or more have several.
         unwrap : str, optional
-            `nearest` lets atoms that leave a periodic box go on to the nearest image of their next place.
+            `nearest` lets atoms that leave a periodic box move to the nearest image of their next position.
         coincident : str, optional
             As in `from_arrays`.
         max_gap : float, optional
@@ -316,8 +310,8 @@ class Tracks(TrackAnswers):
         Raises
         ------
         InputError
-            The message names file and line; of Parquet, Feather and Arrow, that of the CSV. If what reads
-            these is not installed.
+            If the file cannot be used; the message names file and line (for Parquet, Feather and Arrow, of the
+            CSV). If pandas or pyarrow is needed and not installed.
         PreconditionError
             If a format, column or projection is unknown, or `fps` is given for a file that has times.
         """
@@ -333,7 +327,7 @@ class Tracks(TrackAnswers):
                                     duplicates or "automatic", unwrap or "refused")
         if fps is not None and file["frame_rate"] is None:
             raise PreconditionError(f"fps is {fps}, and {path} has times, not frames; expected no fps")
-        # In nanoseconds, as the dates that come of it.
+        # In nanoseconds, as the dates derived from it.
         date = re.sub(r"(\.\d{9})\d+", r"\1", file["origin"].removesuffix("Z"))
         tracks = cls(file["times"], file["places"], file["offsets"], file["ids"], file["radii"], max_gap,
                      np.datetime64(date) if date else None)
@@ -365,16 +359,16 @@ class Tracks(TrackAnswers):
     def simulation(self, *, start: float | None = None, until: float | None = None,
                    box: ArrayLike | None = None, radius: float | None = None, rim: bool = False,
                    collisions: Collisions = None) -> TracksSimulation:
-        """The things as moving points: a simulation in which each appears, turns and leaves.
+        """A simulation of the things as moving points, which are inserted, change motions and are erased.
 
         Parameters
         ----------
         start, until : float, optional
-            Everything before and after is left out; by default the first and the last observation.
+            The interval of time; by default from the first to the last observation.
         box, rim, collisions
             As in `Simulation`.
         radius : float, optional
-            Of all things, if the tracks have no radii.
+            The radius of all things, if the tracks have no radii.
 
         Returns
         -------
@@ -384,8 +378,8 @@ class Tracks(TrackAnswers):
         Raises
         ------
         CoincidentTrajectoriesError
-            By the call that advances time, if two things have the same trajectory for a while. The message names
-            them, and other pairs that have one; see `coincident` of `from_arrays`.
+            Raised when time advances, if two things have the same trajectory for a while. The message names all
+            such pairs up to a limit; see `coincident` of `from_arrays`.
         """
         start = self.start if start is None else _arrays.one_number("start", start)
         until = self.end if until is None else _arrays.one_number("until", until)
@@ -416,7 +410,7 @@ class Tracks(TrackAnswers):
         Returns
         -------
         structured array of `event_dtype`
-            The points are stays; see `TracksSimulation.label`. An exception on the way has the events before
+            Points are stays; see `TracksSimulation.label`. An exception on the way has the events before
             it as its attribute `events`.
         """
         simulation = self.simulation(start=start, until=until)
@@ -438,7 +432,7 @@ class Tracks(TrackAnswers):
         Raises
         ------
         PreconditionError
-            If the times of the tracks are no dates.
+            If the times of the tracks are not dates.
         """
         if self.origin is None:
             raise PreconditionError("the times of these tracks are numbers; expected tracks with dates")
@@ -453,9 +447,9 @@ class TracksSimulation(Simulation):
     Attributes
     ----------
     tracks : Tracks
-        What it was made of.
+        The tracks of the simulation.
     stays : array of uint64, shape (n, 3)
-        By id: the thing (its place in `tracks.labels`), and its first and last observation in the stay.
+        By id: the index of the thing in `tracks.labels`, and its first and last observation in the stay.
     end : float
         The time of the end.
     """
@@ -478,7 +472,7 @@ class TracksSimulation(Simulation):
             raise self._named(error) from None
 
     def _named(self, error: CoincidentTrajectoriesError) -> CoincidentTrajectoriesError:
-        """The error with labels, unless it is of points that are no stays."""
+        """The error with labels, unless its points are not stays."""
         if max(error.ids) >= len(self.stays):
             return error
         tracks = self.tracks
@@ -487,7 +481,7 @@ class TracksSimulation(Simulation):
         return _coincidence.named(error, [self.label(id) for id in range(len(self.stays))], pairs, are_all)
 
     def label(self, id: int) -> Any:
-        """The name of the thing that a point is.
+        """The name of the thing of a point.
 
         Parameters
         ----------

@@ -94,7 +94,7 @@ def test_a_page_is_saved_whole_or_not_at_all(tmp_path):
     assert stat.S_IMODE(os.stat(tmp_path / "run.html").st_mode) == 0o666 & ~mask
     (tmp_path / "folder").mkdir()
     for path in (tmp_path / "none" / "run.html", tmp_path / "folder"):
-        with pytest.raises(kinetri.OutputError, match="expected a place that can be written"):
+        with pytest.raises(kinetri.OutputError, match="expected a writable path"):
             page.save(path)
     assert sorted(os.listdir(tmp_path)) == ["folder", "other.html", "run.html"]
 
