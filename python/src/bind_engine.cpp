@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The classes Motions and Engine, which kinetri/_moving.py wraps: what they are given has been
-// checked there for shape and type.
+// The classes Motions and Engine, wrapped by kinetri/_moving.py, which checks shapes and types of
+// arguments.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -99,8 +99,8 @@ std::shared_ptr<Moving> make_moving_simulation(const Motions& motions, bool is_p
   return std::make_shared<Moving>(std::move(engine), flag);
 }
 
-// Tracks one after the other: those of track i are the observations from offsets[i] on. Gives the
-// simulation and its stays, as rows of track, first and last observation.
+// Concatenated tracks: the observations of track i begin at offsets[i]. Returns the simulation and
+// its stays, as rows of track, first and last observation.
 py::tuple make_moving_tracks(const Array<double>& times, const Array<double>& places,
                              const Array<std::uint64_t>& offsets, const Numbers& radii, double from,
                              double until, double longest_gap, const std::optional<Box>& box,
@@ -141,7 +141,7 @@ std::shared_ptr<Moving> restored(const Checkpoint& checkpoint, bool is_simulatio
   return std::make_shared<Moving>(std::move(engine), flag);
 }
 
-// The viewer's page of what the recorder has seen.
+// The viewer's page of a recording.
 py::bytes page(Moving& moving, const Event_observer& recorder, const std::string& title,
                const std::vector<std::string>& names, const std::optional<Box>& box,
                double radius) {
@@ -187,7 +187,7 @@ class Moving_watch {
           return e.watch({about, number, distance, pairs_of(pairs), std::move(limits), tolerance});
         })) {}
 
-  /// By name the columns, in their order.
+  /// The columns by name, in order.
   py::dict table() {
     Answer_table table = moving_->with_engine([&](Engine&) { return watch_->table(); });
     py::dict result;
@@ -208,7 +208,7 @@ class Moving_watch {
   }
 
   std::shared_ptr<Moving> moving_;
-  std::unique_ptr<Watch> watch_;  // goes before the engine
+  std::unique_ptr<Watch> watch_;  // must be destroyed before the engine
 };
 
 py::dict statistics(const Statistics& statistics) {
@@ -286,7 +286,7 @@ void check_contains(const Engine& engine, std::span<const Point_id> ids) {
   }
 }
 
-// Adds a member that asks the engine, without the GIL, and converts the answer with it.
+// Makes a method that calls the engine without the GIL, and converts the answer with the GIL.
 template <class Ask, class Convert>
 auto answer(const Ask& ask, const Convert& convert) {
   return [ask, convert](Moving& moving) {

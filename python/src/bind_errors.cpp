@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The library's exceptions become those of kinetri/errors.py, with the ids and times that they
-// hold.
+// Translates the library's exceptions to those of kinetri/errors.py, with their ids and times.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -20,7 +19,7 @@
 namespace kinetri::python {
 namespace {
 
-// The message without what is for readers of the C++ code: the condition, and where it stands.
+// The message without the condition and its place in the C++ code.
 std::string plain_message(std::string message) {
   constexpr std::string_view begin = "precondition violated: ";
   const std::size_t end = message.rfind(" (expected ");

@@ -86,10 +86,10 @@ void bind_events(py::module_& module) {
     return colors;
   }();
 
-  py::class_<Event>(module, "Event", py::is_final(), "What happened at one exact time.")
+  py::class_<Event>(module, "Event", py::is_final(), "An event at an exact time.")
       .def_property_readonly(
           "number", [](const Event& event) { return event.number; },
-          "int: 0 for the first event of a run, then one more each.")
+          "int: the number of the event in the run, from 0 on.")
       .def_property_readonly(
           "kind", [](const Event& event) { return std::string(name(event.kind)); },
           "str: 'flip', 'hull_insert', ...; see `kinetri.event_kinds`.")
@@ -97,10 +97,10 @@ void bind_events(py::module_& module) {
           "time", [](const Event& event) { return event.time; }, "Time: when, exactly.")
       .def_property_readonly(
           "removed", [](const Event& event) { return edge(event.removed); },
-          "tuple of two ids, or None: the edge that goes, the smaller id first.")
+          "tuple of two ids, or None: the removed edge, the smaller id first.")
       .def_property_readonly(
           "added", [](const Event& event) { return edge(event.added); },
-          "tuple of two ids, or None: the edge that comes, the smaller id first.")
+          "tuple of two ids, or None: the added edge, the smaller id first.")
       .def_property_readonly("points", &points, "tuple of ids: the points concerned, if any.")
       .def("__repr__", event_representation);
 

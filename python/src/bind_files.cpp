@@ -143,7 +143,7 @@ py::dict columns_of_tracks(const Tracks_file& file, Tracks_duplicates duplicates
   return result;
 }
 
-// Of the file `path`, or of `text`, if there is one, which is called so.
+// Reads the file `path`, or `text`, if given, with `path` as its name.
 py::dict tracks_file(const std::string& path, const std::optional<std::string>& text,
                      const std::string& format, std::optional<double> fps,
                      const std::map<std::string, std::string>& columns,
@@ -169,8 +169,8 @@ py::dict tracks_file(const std::string& path, const std::optional<std::string>& 
                            options.duplicates);
 }
 
-// Things that share a path: of each thing the first of its group; and of each pair, at most ten,
-// its stays and the time from which they do, and whether these are all.
+// Things that share a path: for each thing the first of its group; for at most ten pairs, their
+// stays and the time from which they share it; and whether these are all pairs.
 py::tuple shared_paths_of(const Array<double>& times, const Array<double>& places,
                           const Array<std::uint64_t>& offsets,
                           const std::optional<Array<double>>& radii, double from, double until,

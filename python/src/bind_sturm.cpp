@@ -43,7 +43,7 @@ Sturm_sequence sequence_of(const py::list& values) {
   });
 }
 
-// A place on the real line or at one of its ends.
+// A real number or an infinity.
 struct Place {
   int infinity = 0;  // -1 or 1: below or above every number
   Algebraic_number value;
@@ -59,8 +59,8 @@ Place place_of(const char* name, py::handle value) {
                            "; expected a float, an int, a fractions.Fraction or a kinetri.Time");
 }
 
-// Rational numbers with t between them and no root in the closed interval but t itself: beside t
-// nothing changes before them. Both are t if that is known to be rational.
+// An interval with rational ends around t that contains no other root, so that signs do not change
+// in it except at t. Both ends are t if it is known to be rational.
 Rational_interval surroundings(const Sturm_sequence& sequence, const Algebraic_number& t) {
   const int roots = t.is_root_of(sequence.terms().front()) ? 1 : 0;
   for (;; t.refine()) {
@@ -78,7 +78,7 @@ int sign_changes(const Sturm_sequence& sequence, py::handle value) {
   return without_gil([&] {
     if (t.infinity < 0) return sequence.sign_changes_at_minus_infinity();
     if (t.infinity > 0) return sequence.sign_changes_at_plus_infinity();
-    // A root takes its sign change away at the root already: V is that just after t.
+    // At a root, V has the value just after it.
     return sequence.sign_changes_at(surroundings(sequence, t.value).upper);
   });
 }
@@ -117,13 +117,13 @@ int count(const Sturm_sequence& sequence, py::handle from, bool includes_from, p
       return is_point && lower.value.is_root_of(sequence.terms().front()) ? 1 : 0;
     }
     if (lower.infinity == 0 && upper.infinity == 0) {
-      // What surrounds one end then has nothing of what surrounds the other one.
+      // Makes the intervals around the two ends disjoint.
       while (lower.value.upper() > upper.value.lower()) {
         lower.value.refine();
         upper.value.refine();
       }
     }
-    // At an end that is a root the interval ends just before it, or just after it.
+    // If an end is a root, the interval ends just before or just after it.
     const auto end = [&](const Place& place, bool includes_root, bool before) {
       if (place.infinity != 0) return std::optional<Interval_end>();
       const Rational_interval around = surroundings(sequence, place.value);

@@ -19,7 +19,7 @@
 namespace kinetri::python {
 namespace {
 
-// The order of a time and another number; unordered with a NaN; none with what is no number.
+// The order of a time and another number; unordered for a NaN; none if `other` is not a number.
 std::optional<std::partial_ordering> order(const Algebraic_number& time, py::handle other) {
   if (const std::optional<double> value = not_finite(other)) {
     if (std::isnan(*value)) return std::partial_ordering::unordered;
@@ -66,7 +66,7 @@ std::optional<Rational> rational_value(const Algebraic_number& time) {
   return std::nullopt;
 }
 
-// What a number that pickle has kept is made of again.
+// The state of a number for pickle.
 py::tuple state(const Algebraic_number& time) {
   const auto [lower, upper] = time.isolating_interval();
   py::list coefficients;
@@ -145,7 +145,7 @@ Examples
       .def("__ge__", comparison([](std::partial_ordering o) { return o >= 0; }))
       .def("__eq__", comparison([](std::partial_ordering o) { return o == 0; }))
       .def("__ne__", comparison([](std::partial_ordering o) { return o != 0; }))
-      // As that of the int, float or Fraction that is equal to it.
+      // Equal to the hash of an equal int, float or Fraction.
       .def("__hash__",
            [](const Algebraic_number& time) {
              const std::optional<Rational> value = rational_value(time);

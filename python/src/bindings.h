@@ -24,8 +24,8 @@ void bind_contacts(py::module_& module);
 void bind_engine(py::module_& module);
 void bind_files(py::module_& module);
 
-/// A text of the library's, with what a file has: bytes that are no UTF-8 are escaped, as Python
-/// does it in names of files.
+/// A text of the library, which may contain bytes of a file: bytes that are not UTF-8 are escaped,
+/// as in Python's names of files.
 inline py::object text_of(std::string_view bytes) {
   PyObject* const text =
       PyUnicode_DecodeUTF8(bytes.data(), static_cast<Py_ssize_t>(bytes.size()), "surrogateescape");
@@ -33,18 +33,18 @@ inline py::object text_of(std::string_view bytes) {
   return py::reinterpret_steal<py::object>(text);
 }
 
-/// What the function gives, called without the GIL.
+/// Calls the function without the GIL.
 template <class Function>
 auto without_gil(const Function& function) {
   const Gil_release no_gil;
   return function();
 }
 
-/// The exact number: of a Time, an int, a float or a fractions.Fraction. None of anything else.
+/// The exact number of a Time, an int, a float or a fractions.Fraction; none for other objects.
 /// Throws Precondition_error for an infinity or a NaN.
 std::optional<Algebraic_number> exact_number(py::handle value);
 
-/// The same. Throws TypeError where there is none.
+/// The same, but throws TypeError if there is none.
 Algebraic_number time_of(py::handle value);
 
 }  // namespace kinetri::python

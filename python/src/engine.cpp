@@ -18,7 +18,7 @@ double number_at(const double* column, std::size_t i) {
   return column == nullptr ? 0 : column[i];
 }
 
-// What `function` gives for the traits of that kind of motion.
+// Calls `function` with the traits of the kind of motion.
 template <class Function>
 auto with_traits(const Motion_kind& kind, const Function& function) {
   if (kind.has_weight) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the classes of the Python package hold: a kinetic triangulation or a simulation, of any kind
-// of motion, behind one interface without templates. Motions go in as columns of numbers, answers
-// come out as vectors that become NumPy arrays without a copy. Nothing here knows Python.
+// The engine of the Python classes: a kinetic triangulation or a simulation of any kind of motion,
+// behind one interface without templates. Motions are passed as columns of numbers; answers are
+// vectors that become NumPy arrays without a copy. Independent of Python.
 #ifndef KINETRI_PYTHON_ENGINE_H
 #define KINETRI_PYTHON_ENGINE_H
 
@@ -50,13 +50,13 @@ struct Motion_columns {
 
 /// A kind of motion.
 struct Motion_kind {
-  bool is_polynomial = false;  ///< it may accelerate
-  bool has_weight = false;     ///< it is that of a disc
+  bool is_polynomial = false;  ///< whether points may accelerate
+  bool has_weight = false;     ///< whether the points are discs
 
   friend bool operator==(const Motion_kind&, const Motion_kind&) = default;
 };
 
-/// What happened so far.
+/// Counters since the start.
 struct Statistics {
   std::array<std::uint64_t, event_kinds> events = {};  ///< by Event_kind
   Certificate_counters certificates;                   ///< of topology and of contacts
@@ -95,7 +95,7 @@ class Engine {
   virtual std::optional<Time> next_event_time() = 0;
   virtual std::size_t step(const Time* until) = 0;
   virtual std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on) = 0;
-  /// Of advance_to: 0 at first.
+  /// The number of threads of advance_to; 0 by default.
   virtual std::size_t threads() const = 0;
   virtual void set_threads(std::size_t most) = 0;
   virtual std::size_t reverse() = 0;
@@ -104,7 +104,8 @@ class Engine {
   virtual Point_id insert(const Motion_columns& motions, std::span<const double> masses) = 0;
   virtual void erase(std::span<const Point_id> ids) = 0;
   virtual void set_motions(std::span<const Point_id> ids, const Motion_columns& motions) = 0;
-  /// Two numbers for each id. Each point goes on from its place now, as `with_velocity_at` has it.
+  /// Two numbers for each id. Each point continues from its present position as by
+  /// `with_velocity_at`.
   virtual void set_velocities(std::span<const Point_id> ids,
                               std::span<const double> velocities) = 0;
   virtual void set_masses(std::span<const Point_id> ids, std::span<const double> masses) = 0;
@@ -119,7 +120,7 @@ class Engine {
   /// Precondition: the observer is a recorder() of this engine.
   virtual Recording recording(const Event_observer& recorder) const = 0;
 
-  /// As watch.h says.
+  /// See watch.h.
   virtual std::unique_ptr<Watch> watch(const Question& question) = 0;
 
   // ---- answers, at the current time ----
@@ -135,7 +136,7 @@ class Engine {
   /// k ids for each point.
   virtual std::vector<Point_id> nearest_neighbors(std::size_t k) const = 0;
   virtual std::optional<Edge_ids> closest_pair() const = 0;
-  /// By id, NaN where there is no point: places (x, y, x, y, ...), velocities, radii.
+  /// By id, NaN if there is no point: positions (x, y, x, y, ...), velocities, radii.
   virtual std::vector<double> positions() const = 0;
   virtual std::vector<double> velocities() const = 0;
   virtual std::vector<double> radii() const = 0;
@@ -143,18 +144,18 @@ class Engine {
   // ---- state ----
   virtual Audit_report audit(Audit_level level) const = 0;
   virtual Statistics statistics() const = 0;
-  /// Of a triangulation: the default ones.
+  /// The default ones for a triangulation.
   virtual Simulation_options options() const = 0;
   virtual Checkpoint snapshot() const = 0;
 };
 
-/// Which class a checkpoint's state becomes.
+/// The class to restore from a checkpoint.
 enum class Engine_kind {
   triangulation,  ///< Kinetic_triangulation_2
   simulation,     ///< Simulation_2
 };
 
-/// A triangulation of motions of that kind. What the kind leaves out must be zero in the columns.
+/// A triangulation of motions of that kind. Columns that the kind does not have must be zero.
 std::unique_ptr<Engine> make_triangulation(const Motion_columns& motions, const Motion_kind& kind,
                                            const Algebraic_number& start);
 
@@ -163,8 +164,8 @@ std::unique_ptr<Engine> make_simulation(const Motion_columns& motions, const Mot
                                         const Algebraic_number& start,
                                         const Simulation_options& options);
 
-/// The triangulation or simulation of a checkpoint. Throws Snapshot_error if a triangulation is to
-/// be made of a simulation with a box, a response or scheduled changes.
+/// The triangulation or simulation of a checkpoint. Throws Snapshot_error if `kind` is a
+/// triangulation, but the state has a box, a response or scheduled changes.
 std::unique_ptr<Engine> restore(const Checkpoint& checkpoint, Engine_kind kind,
                                 Collision_response response);
 

@@ -21,12 +21,13 @@
 
 namespace kinetri::python {
 
-/// Whether the kind of motion `Motion` is that.
+/// The kind of motion of `Motion`.
 template <class Motion>
 inline constexpr Motion_kind kind_of = {
     std::is_same_v<Centre_motion_of<Motion>, Polynomial_motion_2>, HasWeight<Motion>};
 
-/// The motion as one of the type `Motion`. Precondition: what that type leaves out is zero.
+/// The motion as one of the type `Motion`. Precondition: members that the type does not have are
+/// zero.
 template <class Motion>
 Motion motion_as(const Polynomial_disc_motion_2& motion) {
   Motion result = {};
@@ -274,7 +275,7 @@ std::vector<Point_id> Engine_of<Core, Traits>::hull() const {
       result.push_back(v->point().id());
     } while (--v != first);
   } else if (triangulation.dimension() == 1) {
-    // Along the line, from one of the two ends, whose edges beyond them are infinite.
+    // Along the line, from one of its two ends, which have infinite edges.
     auto face = triangulation.infinite_vertex()->face();
     const auto infinite = triangulation.infinite_vertex();
     auto v = face->vertex(1 - face->index(infinite));
@@ -319,7 +320,7 @@ Point_id Engine_of<Core, Traits>::insert(const Motion_columns& motions,
                                          std::span<const double> masses) {
   const std::vector<Motion> inserted = motions_of<Motion>(motions);
   if constexpr (is_simulation) {
-    // One after the other: if one is refused, those before it leave again.
+    // If an insertion fails, the earlier ones are undone.
     const Point_id first = next_id();
     try {
       for (std::size_t i = 0; i < inserted.size(); ++i) {
@@ -401,7 +402,7 @@ std::vector<double> Engine_of<Core, Traits>::radii() const {
     if (!contains(id)) continue;
     if constexpr (HasWeight<Motion>) {
       result[id] = rounded_radius(kinetic().motion(id), now);
-      if constexpr (is_simulation) result[id] = std::max(result[id], 0.0);  // it is not less
+      if constexpr (is_simulation) result[id] = std::max(result[id], 0.0);  // it is not negative
     } else if constexpr (is_simulation) {
       result[id] = core_->options().radius;
     } else {
@@ -434,7 +435,7 @@ Checkpoint Engine_of<Core, Traits>::snapshot() const {
 }
 
 /// @{
-/// The engine of that object.
+/// An engine of the object.
 template <class Traits>
 std::unique_ptr<Engine> engine_of(std::unique_ptr<Kinetic_triangulation_2<Traits>> triangulation) {
   return std::make_unique<Engine_of<Kinetic_triangulation_2, Traits>>(std::move(triangulation));

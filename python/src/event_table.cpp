@@ -27,7 +27,7 @@ void Event_table::after_event(const Event& event) {
     row.time_hi = rows_.back().time_hi;
   } else {
     time_ = event.time;
-    row.time = event.time.to_double();  // mostly the bounds are known then
+    row.time = event.time.to_double();  // usually makes the bounds known
     const auto [lower, upper] = event.time.tight_interval();
     row.time_lo = lower;
     row.time_hi = upper;

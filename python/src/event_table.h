@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Observers that keep the events of a run: as rows of a NumPy array, or as they are.
+// Observers that store the events of a run, as rows of a NumPy array or as objects.
 #ifndef KINETRI_PYTHON_EVENT_TABLE_H
 #define KINETRI_PYTHON_EVENT_TABLE_H
 
@@ -15,12 +15,11 @@
 
 namespace kinetri::python {
 
-/// The kind of an event as NumPy keeps text: filled up with zeros.
+/// The kind of an event as text of NumPy, padded with zeros.
 using Kind_text = std::array<char32_t, 12>;
 
 /// A row of the array of events, which NumPy sees as the fields of `kinetri.event_dtype`. There is
-/// no gap between its fields: NumPy leaves gaps out where it puts arrays together, and has another
-/// type then.
+/// no padding: NumPy drops padding when it concatenates arrays, which changes the type.
 struct Event_row {
   Kind_text kind = {};
   double time = 0;     ///< rounded to nearest
@@ -33,11 +32,10 @@ struct Event_row {
 static_assert(sizeof(Event_row) ==
               sizeof(Kind_text) + 3 * sizeof(double) + 2 * sizeof(Edge_ids) + 2 * sizeof(Point_id));
 
-/// The kind's name as a row has it.
+/// The kind's name in a row.
 Kind_text row_text(Event_kind kind);
 
-/// Keeps the events of some kinds as rows. Simultaneous events have the same time, which is rounded
-/// once. It needs nothing but the events.
+/// Stores the events of some kinds as rows. The time of simultaneous events is rounded once.
 class Event_table : public Event_observer {
  public:
   using Kinds = std::array<bool, event_kinds>;  ///< by Event_kind, whether its events are kept
@@ -56,7 +54,7 @@ class Event_table : public Event_observer {
   std::optional<Algebraic_number> time_;  // of the last row
 };
 
-/// Keeps the events themselves, and needs nothing else.
+/// Stores the events themselves.
 class Event_list : public Event_observer {
  public:
   bool looks_at_triangulation() const override { return false; }

@@ -7,7 +7,7 @@
 
 namespace kinetri::python {
 
-// The two conversions of integers go by hexadecimal digits, of which Python takes any number.
+// Integers are converted by hexadecimal digits, whose number Python does not limit.
 py::object python_integer(const Integer& value) {
   const std::string digits =
       (value < 0 ? "-" : "") + abs(value).str(0, std::ios_base::hex | std::ios_base::showbase);
@@ -52,7 +52,7 @@ std::optional<double> not_finite(py::handle value) {
 std::optional<Rational> exact_rational(py::handle value) {
   if (PyFloat_Check(value.ptr()) != 0) return to_rational(PyFloat_AS_DOUBLE(value.ptr()));
   if (is_fraction(value)) return rational_of(value);
-  // NumPy's other scalars know the integer ratio that they are.
+  // NumPy's other scalars have as_integer_ratio().
   if (!py::hasattr(value, "as_integer_ratio")) return std::nullopt;
   const auto ratio = py::cast<py::tuple>(value.attr("as_integer_ratio")());
   return Rational(integer_of(ratio[0]), integer_of(ratio[1]));

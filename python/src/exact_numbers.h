@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Exact numbers of the library as Python's, and the other way round.
+// Converts exact numbers between the library and Python.
 #ifndef KINETRI_PYTHON_EXACT_NUMBERS_H
 #define KINETRI_PYTHON_EXACT_NUMBERS_H
 
@@ -15,29 +15,29 @@ namespace kinetri::python {
 
 namespace py = pybind11;
 
-/// The int that the integer is.
+/// The integer as an int.
 py::object python_integer(const Integer& value);
 
-/// The integer that an int, or another integer of Python, is.
+/// The integer of an int, or another integer of Python.
 Integer integer_of(py::handle value);
 
-/// The number that an object with a numerator and a denominator is.
+/// The number of an object with a numerator and a denominator.
 Rational rational_of(py::handle value);
 
-/// The fractions.Fraction that the number is.
+/// The number as a fractions.Fraction.
 py::object fraction(const Rational& value);
 
 /// Whether the object has a numerator and a denominator, as ints and fractions have.
 bool is_fraction(py::handle value);
 
-/// The infinity or NaN that the value is, if it is one: a float, or a scalar of NumPy.
+/// The value of a float or a scalar of NumPy, if it is an infinity or a NaN.
 std::optional<double> not_finite(py::handle value);
 
-/// The exact number: of an int, a float, a fractions.Fraction, or another scalar that knows the
-/// integer ratio that it is. None of anything else. Precondition: it is finite.
+/// The exact number of an int, a float, a fractions.Fraction, or another scalar with
+/// as_integer_ratio(); none for other objects. Precondition: it is finite.
 std::optional<Rational> exact_rational(py::handle value);
 
-/// What Python says of the object, for messages.
+/// repr() of the object, for messages.
 std::string representation_of(py::handle value);
 
 }  // namespace kinetri::python

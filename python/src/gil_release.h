@@ -9,11 +9,11 @@
 
 namespace kinetri::python {
 
-/// Gives up the GIL as long as it exists.
+/// Releases the GIL while it exists.
 ///
-/// When the interpreter has ended, it exits the daemon threads that ask for the GIL, and C++ ends
-/// the process with an error where such an exit meets a destructor. Such a thread waits here
-/// instead, until the process ends.
+/// After the interpreter has ended, it exits daemon threads that request the GIL, which aborts the
+/// process if the exit unwinds through a destructor. Such a thread waits here instead, until the
+/// process ends.
 class Gil_release {
  public:
   Gil_release() : is_last_thread_(_Py_IsFinalizing() != 0), state_(PyEval_SaveThread()) {}
@@ -21,7 +21,7 @@ class Gil_release {
   Gil_release& operator=(const Gil_release&) = delete;
   ~Gil_release() { take_gil(); }
 
-  /// Calls `function`, with the GIL meanwhile.
+  /// Calls `function` with the GIL.
   template <class Function>
   void with_gil(const Function& function) {
     struct Release {
@@ -41,7 +41,7 @@ class Gil_release {
     PyEval_RestoreThread(state_);
   }
 
-  const bool is_last_thread_;  // who has the GIL at the end ends the interpreter
+  const bool is_last_thread_;  // the thread that has the GIL at the end finalizes the interpreter
   PyThreadState* state_;
 };
 

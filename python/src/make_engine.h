@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How the engines of each kind of motion are made: defined in engines_of_points.cpp and
-// engines_of_discs.cpp, which are compiled side by side.
+// Makes the engines of each kind of motion. Defined in engines_of_points.cpp and
+// engines_of_discs.cpp, which compile in parallel.
 #ifndef KINETRI_PYTHON_MAKE_ENGINE_H
 #define KINETRI_PYTHON_MAKE_ENGINE_H
 
@@ -13,7 +13,7 @@
 namespace kinetri::python {
 
 /// @{
-/// As make_triangulation, make_simulation and restore, of the motions of the traits.
+/// As make_triangulation, make_simulation and restore, for the motions of the traits.
 template <class Traits>
 std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start);
 template <class Traits>
@@ -24,7 +24,7 @@ std::unique_ptr<Engine> make_engine(const Simulation_snapshot<Traits>& snapshot,
                                     Collision_response response);
 /// @}
 
-/// The engine of that simulation.
+/// An engine of the simulation.
 template <class Traits>
 std::unique_ptr<Engine> make_engine(std::unique_ptr<Simulation_2<Traits>> simulation);
 

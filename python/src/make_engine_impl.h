@@ -26,7 +26,7 @@ std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebra
 template <class Traits>
 std::unique_ptr<Engine> make_engine(const Simulation_snapshot<Traits>& snapshot, Engine_kind kind,
                                     Collision_response response) {
-  // Neither can be moved: they are made where they stay.
+  // Neither can be moved.
   if (kind == Engine_kind::simulation) {
     return engine_of(std::unique_ptr<Simulation_2<Traits>>(
         new Simulation_2<Traits>(Simulation_2<Traits>::restore(snapshot, std::move(response)))));

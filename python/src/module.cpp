@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The extension module kinetri._kinetri: what kinetri's Python code is made of. Not for users.
+// The extension module kinetri._kinetri, used by kinetri's Python code. Not for users.
 #include <pybind11/pybind11.h>
 
 #include "bindings.h"

@@ -25,7 +25,7 @@ Moving::Use::Use(Moving& moving, Event_observer* observer) : moving_(moving), ob
   if (observer_ == nullptr) return;
   try {
     moving_.engine_->add_observer(*observer_);
-  } catch (...) {  // an observer has left the engine within an event
+  } catch (...) {  // an observer has thrown within an event
     moving_.is_in_use_ = false;
     throw;
   }
@@ -36,19 +36,19 @@ Moving::Use::~Use() {
   moving_.is_in_use_ = false;
 }
 
-// Errors of contacts, but for contacts without end, and those of a response leave the simulation
-// within the instant.
+// Errors of contacts (except contacts without end) and of responses leave the simulation within an
+// instant.
 template <class Run>
 std::size_t Moving::guarded(const Run& run) {
   try {
     return run();
   } catch (const Negative_radius_error&) {
     throw;
-  } catch (const Coincident_trajectories_error&) {  // by a scheduled change, which is dropped
+  } catch (const Coincident_trajectories_error&) {  // from a scheduled change, which is dropped
     throw;
   } catch (const Outside_box_error&) {
     throw;
-  } catch (const Endless_contacts_error&) {  // all is as before the contact
+  } catch (const Endless_contacts_error&) {  // the state is that before the contact
     throw;
   } catch (...) {
     is_within_instant_ = true;
@@ -69,13 +69,13 @@ std::size_t Moving::advance(const Algebraic_number& until, Event_observer* obser
   using Clock = std::chrono::steady_clock;
   constexpr auto most_time = std::chrono::milliseconds(50);
   const Use use(*this, observer);
-  if (until < engine_->current_time()) engine_->advance_to(until, nullptr);  // is refused
+  if (until < engine_->current_time()) engine_->advance_to(until, nullptr);  // throws
   const auto look = [&] {
     raise_if_interrupted();
     if (!progress.is_none()) progress(engine_->current_time().to_double());
   };
   std::size_t events = 0;
-  std::exception_ptr error;  // of a look, after which the engine comes to an end by itself
+  std::exception_ptr error;  // from the callback, after which the engine stops by itself
   {
     Gil_release no_gil;
     auto next_look = Clock::now() + most_time;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a Python object holds: an engine, and what keeps two threads from using it at once.
+// The content of a Python object: an engine, guarded against concurrent use.
 #ifndef KINETRI_PYTHON_MOVING_H
 #define KINETRI_PYTHON_MOVING_H
 
@@ -22,9 +22,9 @@ class Moving {
   explicit Moving(std::unique_ptr<Engine> engine, Interrupt_flag interrupted = nullptr)
       : engine_(std::move(engine)), interrupted_(std::move(interrupted)) {}
 
-  /// What `function` gives for the engine, without the GIL. Throws Precondition_error if another
-  /// call has not ended: of another thread, or one whose response or progress calls this; or if an
-  /// error has left a simulation within an instant.
+  /// Calls `function` with the engine, without the GIL. Throws Precondition_error during another
+  /// call, by another thread or from a response or progress function; or if an error has left the
+  /// simulation within an instant.
   template <class Function>
   decltype(auto) with_engine(const Function& function) {
     const Use use(*this);
@@ -32,15 +32,15 @@ class Moving {
     return function(*engine_);
   }
 
-  /// Executes all events up to `until`, and goes to that time. Returns their number. The observer,
-  /// if there is one, sees them. Between events, or windows of time of a run by regions, it lets
-  /// Python deal with signals, and calls progress(time) at most 20 times a second, unless that is
-  /// None.
+  /// Executes all events up to `until`, and advances to that time. Returns their number. The
+  /// observer, if not null, observes them. Between events, or time windows of parallel execution,
+  /// it lets Python handle signals, and calls progress(time) at most 20 times a second, unless that
+  /// is None.
   std::size_t advance(const Algebraic_number& until, Event_observer* observer,
                       const pybind11::object& progress);
 
-  /// Executes the events of the next time, if that is not after `until`. Returns their number. The
-  /// observer, if there is one, sees them.
+  /// Executes the events of the next time, if it is not after `until`. Returns their number. The
+  /// observer, if not null, observes them.
   std::size_t step(const Algebraic_number* until, Event_observer* observer);
 
  private:
@@ -63,7 +63,7 @@ class Moving {
   std::unique_ptr<Engine> engine_;
   Interrupt_flag interrupted_;
   std::atomic<bool> is_in_use_ = false;
-  bool is_within_instant_ = false;  // an error has left it so
+  bool is_within_instant_ = false;  // because of an error
 };
 
 }  // namespace kinetri::python

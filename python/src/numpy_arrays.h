@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Vectors of numbers as NumPy arrays, which own them: nothing is copied.
+// Vectors of numbers as NumPy arrays that own them, without a copy.
 #ifndef KINETRI_PYTHON_NUMPY_ARRAYS_H
 #define KINETRI_PYTHON_NUMPY_ARRAYS_H
 
@@ -18,8 +18,7 @@ namespace kinetri::python {
 
 namespace py = pybind11;
 
-/// What Python hands over: an array without gaps, of the shape that the package's own Python code
-/// has checked.
+/// A contiguous array, whose shape the package's Python code has checked.
 template <class T>
 using Array = py::array_t<T, py::array::c_style>;
 

@@ -84,7 +84,7 @@ class Rewriter {
     return found == reading_options().end() ? nullptr : &*found;
   }
 
-  // Up to a mark behind which a word ends; all if there is none.
+  // The length up to a quotation mark at the end of a word; all if there is none.
   std::size_t size_of_quotation() const {
     std::size_t end = 0;
     do {

@@ -25,7 +25,7 @@ std::optional<Vector_2> velocity(const py::object& value) {
 }
 
 Contact_response_2 called(const py::object& function, const Contact_2& contact) {
-  // What it asks the simulation is about the present: it must not outlive the call.
+  // The contact refers to the present state: it must not be used after the call.
   const py::object argument = py::cast(contact);
   struct Closing {
     Contact_2& contact;
@@ -36,7 +36,7 @@ Contact_response_2 called(const py::object& function, const Contact_2& contact) 
           py::cast<bool>(result[3]), py::cast<bool>(result[4]), py::cast<bool>(result[5])};
 }
 
-// A reference that may be dropped by any thread.
+// A reference that any thread may drop.
 std::shared_ptr<py::object> shared(const py::object& object) {
   return {new py::object(object), [](py::object* held) {
             const py::gil_scoped_acquire gil;
@@ -87,7 +87,7 @@ exactly. A contact is valid only while its response runs.
           "tuple of two ids: point a and point b, the smaller id first.")
       .def_property_readonly(
           "separation", [](const Contact_2& c) { return pair(c.separation); },
-          "[float, float]: centre of b minus centre of a; may be rounded to zero.")
+          "[float, float]: center of b minus center of a; may be rounded to zero.")
       .def_property_readonly(
           "velocity_a", [](const Contact_2& c) { return pair(c.velocity_a); },
           "[float, float]: of a, just before the contact.")
@@ -102,7 +102,7 @@ exactly. A contact is valid only while its response runs.
                     "float: growth of the radius of b per unit of time.")
       .def_readonly("is_pressed", &Contact_2::is_pressed,
                     "bool: whether they accelerate, but have no speed, toward each other, "
-                    "so that no exchange of velocities parts them.")
+                    "so that no exchange of velocities separates them.")
       .def(
           "would_approach",
           [](const Contact_2& c, const Pair& a, const Pair& b) {

@@ -13,13 +13,13 @@
 
 namespace kinetri::python {
 
-/// Set while a response has been interrupted (Ctrl-C) and its contact is still to be dealt with.
+/// Set while a response has been interrupted (Ctrl-C) and its contact is still due.
 using Interrupt_flag = std::shared_ptr<std::atomic<bool>>;
 
-/// The response: none of None; the built-in one of a name; else the function, which takes a Contact
-/// and gives (velocity_a, velocity_b, erases_a, erases_b, stops_a, stops_b). It is called with the
-/// GIL. If it is interrupted it is called again, so that the simulation stays between two events,
-/// and the flag is set. Throws Precondition_error if the name is unknown.
+/// The response: none for None, a built-in one for a name, else the function, which takes a Contact
+/// and returns (velocity_a, velocity_b, erases_a, erases_b, stops_a, stops_b). It is called with
+/// the GIL. If it is interrupted, the flag is set and it is called again, so that the simulation is
+/// never left within an event. Throws Precondition_error if the name is unknown.
 Collision_response response_of(const pybind11::object& response, const Interrupt_flag& flag);
 
 }  // namespace kinetri::python

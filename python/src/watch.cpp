@@ -51,7 +51,7 @@ std::unique_ptr<Watch> watch_of(Columns columns, Arguments&&... arguments) {
                                                        std::forward<Arguments>(arguments)...);
 }
 
-// Whether distances of centres and gaps between rims differ.
+// Whether points are discs with a radius, so that gaps differ from distances.
 template <class Traits>
 bool has_discs(const Simulation_2<Traits>& simulation) {
   return HasWeight<typename Traits::Motion> || simulation.options().radius > 0;
@@ -92,8 +92,7 @@ std::unique_ptr<Watch> components(Core& core, const Question& question) {
   }
 }
 
-// Both things are called by the points of the first pair: of several pairs, the package knows the
-// names.
+// Rows have the points of the first pair; with several pairs, the package replaces them by names.
 template <class Core, class Traits>
 std::unique_ptr<Watch> connected(Core& core, const Question& question) {
   if constexpr (HasWeight<typename Traits::Motion>) {
@@ -212,7 +211,7 @@ std::unique_ptr<Watch> certificates(Core& core, const Question& /*question*/) {
   return std::make_unique<Certificate_watch<Core, Traits>>(core);
 }
 
-// The questions, by what they are about.
+// The questions by name.
 template <class Core>
 struct Named_question {
   std::string_view about;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Questions about a run that an observer answers: what is asked, and the answer as a table.
+// Questions about a run, which an observer answers with a table.
 #ifndef KINETRI_PYTHON_WATCH_H
 #define KINETRI_PYTHON_WATCH_H
 
@@ -22,15 +22,14 @@
 
 namespace kinetri::python {
 
-/// What is asked.
+/// A question.
 struct Question {
   std::string about;                              ///< the name of the observer, as in `watch`
-  std::size_t number = 0;                         ///< how many answers, where that is to be said
-  std::optional<double> distance = std::nullopt;  ///< what is near, or short, where that is said
-  std::vector<Edge_ids> pairs = {};               ///< of points, of which one is to be connected
-  std::shared_ptr<const Cell_limits> limits =
-      nullptr;           ///< of cells, where these are to be measured
-  double tolerance = 0;  ///< of integrals, where there are any
+  std::size_t number = 0;                         ///< number of answers, if the question has one
+  std::optional<double> distance = std::nullopt;  ///< the range, or the length of short ridges
+  std::vector<Edge_ids> pairs = {};               ///< pairs of points, for 'connected'
+  std::shared_ptr<const Cell_limits> limits = nullptr;  ///< of cells, for questions about areas
+  double tolerance = 0;                                 ///< of integrals
 };
 
 /// Columns of one length, each with a name.
@@ -40,9 +39,9 @@ class Answer_table {
                               std::vector<std::uint8_t>, std::vector<double>,
                               std::vector<std::string>>;  ///< what one holds
 
-  /// Adds a column of what `value` gives for each of the rows, as a member of one or a function. An
-  /// exact time becomes three: rounded, and the tightest bounds, in columns that end in _lo and
-  /// _hi. One about which nothing `is_known` is left out.
+  /// Adds a column of `value`, a member or a function, for each of the rows. An exact time gives
+  /// three columns: rounded, and the tightest bounds, with names that end in _lo and _hi. Adds
+  /// nothing unless `is_known`.
   template <class Row, class Value>
   void add(const std::string& name, const std::vector<Row>& rows, const Value& value,
            bool is_known = true) {
@@ -67,7 +66,7 @@ class Answer_table {
   std::vector<std::pair<std::string, Column>>& columns() { return columns_; }
 
  private:
-  // What a column has for values of a type.
+  // The type of elements of a column for values of a type.
   template <class Value>
   using Element =
       std::conditional_t<std::same_as<Value, Point_id> || std::same_as<Value, double>, Value,
@@ -78,7 +77,7 @@ class Answer_table {
   std::vector<std::pair<std::string, Column>> columns_;
 };
 
-/// Follows a run as long as it exists. It must end before the engine does.
+/// Observes a run while it exists. The engine must outlive it.
 class Watch {
  public:
   Watch() = default;
@@ -89,8 +88,8 @@ class Watch {
   virtual Answer_table table() = 0;
 };
 
-/// Follows a triangulation or a simulation, from its current time on. Throws Precondition_error if
-/// the question has no answer for it, or nobody knows what it is about.
+/// Observes a triangulation or a simulation from its current time on. Throws Precondition_error if
+/// the question is unknown or has no answer for it.
 template <class Core>
 std::unique_ptr<Watch> watch(Core& core, const Question& question);
 
