@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part of the page's address after '#': a time, and what is shown. It makes links to a moment
-// possible, and screenshots by a headless browser.
+// The part of the page's address after '#': the time and the view, for links and for screenshots by a
+// headless browser.
 //
 //   #t=2.5&show=voronoi,ids&hide=hull&edge=4-17&theme=dark&list=off
 //
@@ -14,8 +14,8 @@
 // follow   on or off: whether the camera follows it
 // color    what points are colored by: none, area, density, speed, degree, changes, size,
 //          component, members, kind
-// at       the place in the middle of the flat view, and how much of the plane is as wide as the
-//          picture: x,y,width
+// at       the position in the middle of the flat view, and the width of the plane that it shows:
+//          x,y,width
 // kinds    the kinds of event that are shown
 // unit     of lengths, such as m
 // legend   on or off
@@ -26,7 +26,7 @@
 // draw     webgl or canvas: how the picture is drawn; without it, by the faster one
 'use strict';
 
-/** Follows the fragment of an address. Returns messages about the parts that cannot be followed. */
+/** Applies the fragment of an address. Returns messages about parts that cannot be applied. */
 function followAddress(viewer, fragment) {
   const problems = [];
   for (const [name, value] of new URLSearchParams(fragment.replace(/^#/, ''))) {
@@ -144,7 +144,7 @@ const EXPECTED_VALUES = {
   draw: () => 'webgl, where the browser has it, or canvas',
 };
 
-/** Follows "on" or "off" for something that `toggle` changes. */
+/** Applies "on" or "off" to something that `toggle` changes. */
 function followSwitch(value, isOn, toggle) {
   if (value !== 'on' && value !== 'off') return false;
   if (isOn !== (value === 'on')) toggle();

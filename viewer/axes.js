@@ -20,8 +20,8 @@ function tickText(mantissa, exponent) {
 }
 
 /** The ticks of an axis from one number to another one, `scale` pixels a unit: {value, text, width}. They are
- * as many multiples of 1, 2 or 5 times a power of ten as there is room for, where `room(width)` is that of a
- * step whose widest label has this width. None where binary64 numbers do not tell them apart. */
+ * as many multiples of 1, 2 or 5 times a power of ten as fit, if a step whose widest label has the width w needs
+ * `room(w)` pixels. None if binary64 numbers cannot distinguish them. */
 function ticksOf(from, to, scale, measure, room) {
   for (let n = Math.ceil(3 * Math.log10(LEAST_TICKS_APART / scale)); ; ++n) {
     const kind = ((n % 3) + 3) % 3, exponent = (n - kind) / 3, factor = [1, 2, 5][kind];

@@ -29,7 +29,7 @@ class Camera {
     if (this.isFitted) this.fit();
   }
 
-  /** Leaves so many pixels to axes. Returns whether that changes what is seen. */
+  /** Reserves this many pixels for axes. Returns whether that changes the view. */
   leave(left, bottom) {
     if (left === this.left && bottom === this.bottom) return false;
     this.left = left;
@@ -71,7 +71,7 @@ class Camera {
     return this.y - (screenY - this.height / 2) / this.scale;
   }
 
-  /** Zooms by a factor; what is at the place on the screen stays there. */
+  /** Zooms by a factor about a position on the screen. */
   zoom(factor, screenX = this.width / 2, screenY = this.height / 2) {
     const x = this.planeX(screenX), y = this.planeY(screenY);
     this.scale = Math.min(Math.max(this.scale * factor, this.fitScale / MOST_ZOOM),
@@ -81,16 +81,16 @@ class Camera {
     this.isFitted = false;
   }
 
-  /** Shows the place in the middle. */
-  centre(x, y) {
+  /** Centers the view at the position. */
+  center(x, y) {
     this.x = x;
     this.y = y;
     this.isFitted = false;
   }
 
-  /** Shows so much of the plane, with the place in the middle. */
+  /** Shows the given width of the plane, centered at the position. */
   look(x, y, planeWidth) {
-    this.centre(x, y);
+    this.center(x, y);
     this.scale = this.width / planeWidth;
   }
 
@@ -109,7 +109,7 @@ function clipSegment(ends, width, height, margin) {
   let enter = 0, leave = 1;
   const dx = ends[2] - ends[0], dy = ends[3] - ends[1];
   for (let side = 0; side < 4; ++side) {
-    // Inside where run * t <= room.
+    // Inside if run * t <= room.
     const run = side === 0 ? -dx : side === 1 ? dx : side === 2 ? -dy : dy;
     const room = side === 0 ? ends[0] + margin : side === 1 ? width + margin - ends[0] :
                  side === 2 ? ends[1] + margin : height + margin - ends[1];

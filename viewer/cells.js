@@ -20,7 +20,7 @@ class Cells {
     this.polygons = new Map();               // the special cells within the box
   }
 
-  /** Computes all of it for the places that the viewer has. */
+  /** Computes all cells for the viewer's positions. */
   update() {
     const {viewer, area, degree, isSpecial, anchorX, anchorY} = this;
     const {x, y, w, playback, recording} = viewer;
@@ -102,7 +102,7 @@ class Cells {
   }
 }
 
-/** The part of a convex polygon, [x, y, x, y, ...], in which the power to a is not greater than that to
+/** The part of a convex polygon, [x, y, x, y, ...], in which the power of a is at most that of
  * b (Sutherland and Hodgman, Reentrant polygon clipping, Communications of the ACM 17, 1974). */
 function nearerPart(polygon, x, y, w, a, b) {
   // Positive where a is nearer.

@@ -68,7 +68,7 @@ function quantitiesOf(recording) {
   return QUANTITIES.filter(({isOffered}) => isOffered === undefined || isOffered(recording));
 }
 
-/** How often the neighbors of each point have changed up to the time shown: an edge at it came or went. */
+/** The number of edges added or removed at each point up to the time shown. */
 class Changes {
   constructor(recording) {
     this.recording = recording;
@@ -110,7 +110,7 @@ class Coloring {
     }
   }
 
-  /** Looks at the numbers at some times of the run. */
+  /** Samples the numbers at some times of the run. */
   findRange() {
     const {viewer, quantity} = this;
     const {from, until, points} = viewer.recording;
@@ -161,7 +161,7 @@ class Coloring {
   }
 }
 
-/** Fills the discs, the cells, or, where there are too many, large dots. */
+/** Fills the discs, the cells, or, if there are too many, large dots. */
 function drawColors(painter, view) {
   const {viewer} = view;
   const {coloring, switches, recording, hidden} = viewer;

@@ -190,7 +190,7 @@ class Controls {
     run();
   }
 
-  /** Moves what is seen, by a tenth of the picture. */
+  /** Pans by a tenth of the picture. */
   pan(event) {
     const {viewer} = this;
     const [dx, dy] = {ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
@@ -230,7 +230,7 @@ class Controls {
   }
 }
 
-/** Puts the cursor into the search. */
+/** Focuses the search field. */
 function openSearch() {
   element('find').classList.add('open');
   element('find-text').focus();

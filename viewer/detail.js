@@ -39,7 +39,7 @@ class Detail {
     return Math.min(1, Math.max(FAINTEST_DOT, this.spacing / 4));
   }
 
-  /** From 0, where edges would only cover each other, to 1. Behind other lines they need more room. */
+  /** From 0 (edges would cover each other) to 1. Edges behind other lines fade earlier. */
   edgeStrength(isBehind = false) {
     const spacing = isBehind ? this.spacing / ROOM_BEHIND : this.spacing;
     const share = (spacing - EDGES_VANISH) / (EDGES_FADE - EDGES_VANISH);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Who is within range of whom at the time shown, and the components that these pairs make up. The recording
-// has the encounters; nothing is found from distances here.
+// The pairs within range at the time shown, and the components that they form, from the encounters of the
+// recording.
 'use strict';
 
 /** The encounters of the recording: {range, inAll, count, a, b, begin, end}; null if it has none. */
@@ -26,7 +26,7 @@ function readEncounters(json, points, ids) {
   return {range: json.range, inAll: json.in_all, count, a, b, begin, end};
 }
 
-/** Whether the page can show who is within range. */
+/** Whether the page can show pairs within range. */
 function hasEncounters({encounters}) {
   return encounters !== null && encounters.count === encounters.inAll;
 }

@@ -47,7 +47,7 @@ class EventFilter {
   }
 }
 
-/** Whether the point is an end of an edge that comes or goes, or is named by the event. */
+/** Whether the point is an end of a removed or added edge, or is named by the event. */
 function concerns({rowRemoved, rowAdded, rowA, rowB, edgeA, edgeB}, row, point) {
   if (rowA[row] === point || rowB[row] === point) return true;
   const removed = rowRemoved[row], added = rowAdded[row];

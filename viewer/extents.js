@@ -51,14 +51,14 @@ class Extents {
       samples.push(extent);
       least = Math.min(least, Math.max(extent[2] - extent[0], extent[3] - extent[1]));
     }
-    // If points come and go, the camera would move to and fro: then it stays.
+    // If points appear and disappear, the camera stays: it would move back and forth.
     const areSame = recording.motions === recording.starting;
     const growth = Math.max(whole[2] - whole[0], whole[3] - whole[1]) / least;
     if (areSame && growth > MOST_GROWTH) this.samples = samples;
   }
 }
 
-/** Of the box, or of where the points go in the whole run. */
+/** The box, or the extent of all positions in the run. */
 function wholeExtent(recording) {
   if (recording.box !== null) {
     const [left, bottom, right, top] = recording.box;
@@ -72,7 +72,7 @@ function wholeExtent(recording) {
   return extentOf(xs.finish(), ys.finish(), radius);
 }
 
-/** Of most of the places, with discs of the radius. */
+/** The extent of most positions, with discs of the radius. */
 function extentOf(xs, ys, radius) {
   const [left, right] = mostOf(xs), [bottom, top] = mostOf(ys);
   const extent = [left - radius, bottom - radius, right + radius, top + radius];
@@ -107,7 +107,7 @@ function sampleMotion(recording, motion, xs, ys) {
   return Math.max(motionRadius(recording, motion, begin), motionRadius(recording, motion, end));
 }
 
-/** [least, greatest] of most of the numbers, with some room. */
+/** [least, greatest] of most of the numbers, with a margin. */
 function mostOf(numbers) {
   if (numbers.length === 0) return [-1, 1];
   const step = Math.ceil(numbers.length / MOST_SORTED);

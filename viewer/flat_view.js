@@ -74,7 +74,7 @@ class FlatView extends View {
     if (viewer.selectedPoint.id >= 0) drawPointRings(painter, this);
     if (switches.ids) this.drawIds(painter);
     this.axisBottom = switches.axes ? AXIS_BOTTOM : 0;
-    // As wide as its labels have been at any time, so that the picture does not move to and fro.
+    // As wide as its labels have been at any time, so that the picture does not move back and forth.
     this.axisLeft = switches.axes ? Math.max(this.axisLeft, drawAxes(painter, this)) : 0;
     if (this.camera.leave(this.axisLeft, this.axisBottom)) viewer.requestFrame();
     if (switches.scale) drawScaleBar(painter, this);
@@ -169,9 +169,9 @@ class FlatView extends View {
   }
 
   /** Moves the camera so that the point is in the middle. */
-  centre(point) {
+  center(point) {
     const {x, y} = this.viewer;
-    if (!Number.isNaN(x[point])) this.camera.centre(x[point], y[point]);
+    if (!Number.isNaN(x[point])) this.camera.center(x[point], y[point]);
   }
 
   zoom(factor, x, y) {

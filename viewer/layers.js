@@ -11,8 +11,8 @@ const HEAT_LEVELS = 12;
 const BAR_ROOM = 130;                        // pixels; the longest scale bar
 const NEIGHBOR_RING = 3;
 
-/** Velocities: an arrow is as long as the point moves in the time in which a fast one moves to its
- * neighbor. Where there are many, only some have one. */
+/** Velocities: the length of an arrow is the way of its point in the time in which a fast point reaches its
+ * neighbor. If there are many points, only some have arrows. */
 function drawArrows(painter, view) {
   const {viewer, sx, sy, sides, camera, detail} = view;
   const {recording, playback, colors} = viewer;
@@ -37,8 +37,7 @@ function drawArrows(painter, view) {
   painter.lines(batch, {color: colors.arrow, width: 1.5, cap: 'round'});
 }
 
-/** How many events happen where: the run's events that the filter shows, on a grid over what the camera
- * shows at first. */
+/** The heat map: counts of the filtered events on a grid over the initial view of the camera. */
 class Heat {
   constructor(viewer) {
     this.viewer = viewer;
@@ -83,7 +82,7 @@ class Heat {
     }
   }
 
-  /** Gives a quarter of each number to each of the two beside it, which are `step` apart. */
+  /** Smooths the counts: each gives a quarter to either neighbor, `step` apart. */
   spread(counts, step) {
     const result = new Float64Array(counts.length);
     const line = step === 1 ? this.columns : counts.length;
@@ -117,7 +116,7 @@ class Heat {
 const HEAT_COLORS = Array.from({length: HEAT_LEVELS}, (_, i) =>
   `rgb(213 94 0 / ${Math.round(75 * (i + 1) / HEAT_LEVELS)}%)`);
 
-/** The longest of the lengths 1, 2 and 5 times a power of ten for which there is room. */
+/** The longest length of the form 1, 2 or 5 times a power of ten that fits. */
 function drawScaleBar(painter, view) {
   const {viewer, camera, width, height} = view;
   const {colors, unit} = viewer;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The legend: what colors, dashes and rings mean, of what is shown now; and the scale of the points'
+// The legend of the shown colors, dashes and rings; and the scale of the points'
 // colors.
 'use strict';
 

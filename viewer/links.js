@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The layer of the flat view that shows who is within range: a link between each two of them.
+// The layer of the flat view that shows pairs within range as links.
 'use strict';
 
 const LINK_FIELD = 24;       // pixels; the side of a field in which the links are measured

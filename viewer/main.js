@@ -10,7 +10,7 @@ const HINT_TIME = 8000;  // milliseconds for which the hint stays
  *
  *   time, event        the time shown, and the number of rows executed
  *   span               [from, until], the times that the recording covers
- *   counts             {points, rows, instants, edges}; edges: how many are there now
+ *   counts             {points, rows, instants, edges}; edges: the present number
  *   edges()            the edges, [a, b] with a < b, sorted
  *   triangles()        the triangles, [a, b, c] counterclockwise, a the least id, sorted
  *   positions()        [x, y] of each point by id at the time shown; null if it is not there
@@ -122,7 +122,7 @@ function consoleObject(viewer) {
   });
 }
 
-/** Says for some seconds, or until something is pressed, what can be selected. */
+/** Shows for some seconds, or until something is pressed, a hint on what can be selected. */
 function showHint() {
   const hint = element('hint');
   const hide = () => { hint.hidden = true; };
@@ -132,8 +132,8 @@ function showHint() {
   setTimeout(hide, HINT_TIME);
 }
 
-/** Plays at first, unless the reader prefers less motion or the address has asked for something; and
- * says what can be selected. */
+/** Starts playing, unless the reader prefers less motion or the address says otherwise; and shows a hint on
+ * what can be selected. */
 function beginSoftly(viewer, asked) {
   if (viewer.recording.points === 0) return;
   if (asked === '') showHint();

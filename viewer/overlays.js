@@ -56,8 +56,8 @@ function addPath(batch, view, motion, begin, end) {
   }
 }
 
-/** The edge of the diagram for each edge: between the centres of its two triangles, or a ray from
- * the centre of its only triangle. */
+/** The edge of the diagram for each edge: between the centers of its two triangles, or a ray from
+ * the center of its only triangle. */
 function drawVoronoi(painter, view) {
   const alpha = view.detail.edgeStrength();
   if (alpha === 0) return;
@@ -85,7 +85,7 @@ function setVoronoiEnds(view, edge) {
   const part = 0.5 + (sw[a] - sw[b]) / (2 * length * length);
   const mx = sx[a] + part * dx, my = sy[a] + part * dy;
   const ux = dy / length, uy = -dx / length;
-  // A ray begins far from the picture where the centre is, but has to reach across it.
+  // A ray begins far from the picture where the center is, but has to reach across it.
   const far = 4 * (width + height);
   if (!hasLeft) {
     const x = hasRight ? ENDS[2] : mx, y = hasRight ? ENDS[3] : my;
@@ -109,7 +109,7 @@ function setCenter(view, a, b, c, at) {
   return Number.isFinite(CENTER.x) && Number.isFinite(CENTER.y);
 }
 
-/** The triangle under the pointer, and its circumcircle: with weights the circle whose centre has
+/** The triangle under the pointer, and its circumcircle: with weights the circle whose center has
  * the squared radius as its power to the three, if that is positive. */
 function drawCircumcircle(painter, view) {
   const {triangleList, pointer, colors} = view.viewer;

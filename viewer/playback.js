@@ -7,9 +7,9 @@
 /**
  * A recording at a time. The first `event` rows are executed: those whose exact time is at or
  * before `time`; after a step, those up to the end of its instant. `live` holds the `liveCount`
- * edges that are there, in no order; `where[edge]` is the index of an edge in `live`, or -1;
+ * present edges, in no order; `where[edge]` is the index of an edge in `live`, or -1;
  * `triangles` has the triangles at these edges;
- * `current[point]` is the motion in force, or -1 before the point comes.
+ * `current[point]` is the motion in force, or -1 before the point is inserted.
  */
 class Playback {
   constructor(recording) {

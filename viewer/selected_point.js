@@ -81,7 +81,7 @@ class SelectedPoint {
       this.edges = Array.from(playback.live.subarray(0, playback.liveCount)).filter((edge) =>
         recording.edgeA[edge] === id || recording.edgeB[edge] === id);
     }
-    if (this.follows) viewer.flatView.centre(id);
+    if (this.follows) viewer.flatView.center(id);
   }
 
   /** The other end of an edge of the point. */

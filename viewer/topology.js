@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The triangles, as the recording has them, and their centres.
+// The triangles, as the recording has them, and their centers.
 'use strict';
 
 /**
@@ -79,7 +79,7 @@ class TriangleList {
 }
 
 /** The place of equal power to three weighted points a, b and c, in `center.x` and `center.y`; not
- * finite where the points are collinear. Of points without weights it is the centre of the circle
+ * finite where the points are collinear. Of points without weights it is the center of the circle
  * through them. */
 function powerCenter(center, ax, ay, aw, bx, by, bw, cx, cy, cw) {
   const ux = bx - ax, uy = by - ay, vx = cx - ax, vy = cy - ay;
