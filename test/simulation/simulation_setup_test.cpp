@@ -37,7 +37,7 @@ Disc_setup disc_setup(const Simulation_options& options) {
 /// Whether the place of a point is refused.
 template <class Any_setup, class Motion>
 bool is_outside(const Any_setup& known, const Motion& motion, double now) {
-  const typename Any_setup::Point_2 point(motion, 7);
+  const Basic_moving_point_2<Motion> point(motion, 7);
   const std::string message =
       test::message_of<Outside_box_error>([&] { known.check_place(point, Algebraic_number(now)); });
   EXPECT_TRUE(message.empty() || message.starts_with("point 7 is outside of the box")) << message;
