@@ -462,7 +462,7 @@ class MovingPoints(RunAnswers):
     def set_velocities(self, *arguments: Any, **named: Any) -> None:
         """Sets the velocities of points from now on, all at once.
 
-        Called with ``(velocities)`` for all points, or ``(ids, velocities)`` for some; keywords are allowed.
+        The arguments are ``(velocities)`` for all points, or ``(ids, velocities)`` for some; they may be named.
         Each point continues from its position at `float(self.time)`, rounded to float64, and keeps its
         acceleration and radius there.
 

@@ -187,7 +187,9 @@ TEST_F(Components, need_a_range_and_points) {
   const Outcome discs = run({"simulate", "points.csv", "--until", "1", "--radius", "0.5",
                              "--collisions", "log", "--components", "c.csv", "--range", "1"});
   EXPECT_EQ(discs.exit_code, 2);
-  EXPECT_NE(discs.err.find("--components: distances between discs are not supported"), std::string::npos) << discs.err;
+  EXPECT_NE(discs.err.find("--components: distances between discs are not supported"),
+            std::string::npos)
+      << discs.err;
   EXPECT_FALSE(exists("c.csv"));
 }
 
