@@ -7,6 +7,7 @@
 const PNG_RATIO = 2;         // pixels per CSS pixel, at least
 const FILM_RATE = 30;        // frames per second
 const FILM_BITS = 8e6;       // per second
+const FILM_SLICE = 100;      // milliseconds, after which the encoder hands over what it has
 const FILM_TYPES = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
 
 class Exporter {
@@ -125,7 +126,11 @@ class Exporter {
     const chunks = [];
     const recorder = new MediaRecorder(canvas.captureStream(FILM_RATE),
                                        {mimeType: this.filmType(), videoBitsPerSecond: FILM_BITS});
-    recorder.addEventListener('dataavailable', ({data}) => chunks.push(data));
+    let isEncoding = false;
+    recorder.addEventListener('dataavailable', ({data}) => {
+      chunks.push(data);
+      isEncoding ||= data.size > 0;
+    });
     recorder.addEventListener('stop', () => {
       this.film = null;
       element('save-film').textContent = 'Record WebM';
@@ -133,13 +138,15 @@ class Exporter {
     });
     this.film = recorder;
     element('save-film').textContent = 'Stop';
-    recorder.start();
+    recorder.start(FILM_SLICE);
     viewer.direction = 0;
     let last = performance.now(), done = 0;
     const frame = (now) => {
       if (recorder.state === 'inactive') return;
       // After a pause of the browser the film goes on where it was.
-      done += Math.min(Math.max((now - last) / 1000, 0), LONGEST_FRAME);
+      // Time passes only once a frame is encoded: a busy browser may take longer for the first one than a
+      // short film lasts.
+      if (isEncoding) done += Math.min(Math.max((now - last) / 1000, 0), LONGEST_FRAME);
       last = now;
       const share = Math.min(done / seconds, 1);
       viewer.goTo(from + (until - from) * share);

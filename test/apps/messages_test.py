@@ -88,11 +88,16 @@ def rows():
 
 # ---- running ----
 
-def contents(directory):
-    """What is in the directory: the text of each file, the kind of everything else."""
+def contents(directory, *, is_running=False):
+    """What is in the directory: the text of each file, the kind of everything else.
+
+    While a program runs, without its temporary files, which may vanish at any moment.
+    """
     found = {}
     for path in sorted(directory.rglob("*")):
         name = str(path.relative_to(directory))
+        if is_running and ".kinetri-" in name:
+            continue
         try:
             found[name] = path.read_bytes() if path.is_file() else path.is_dir()
         except PermissionError:
@@ -161,8 +166,7 @@ class Messages(unittest.TestCase):
             if case.meanwhile:
                 pipe = opened_pipe(directory / "p.csv", process)
                 case.meanwhile(directory, process)
-                before = {name: text for name, text in contents(directory).items()
-                          if ".kinetri-" not in name}
+                before = contents(directory, is_running=True)
                 try:
                     pipe.write(ONE_FLIP)
                     pipe.close()
