@@ -33,7 +33,9 @@ json measure_round(const Setup& setup, const std::vector<Linear_motion_2>& motio
   for (const Point_id id : ids) turned[id] = motions[id];
   kinetic.set_motions(ids, turned);
 
-  python::Event_table table;
+  python::Event_table::Kinds all;
+  all.fill(true);
+  python::Event_table table(all);
   kinetic.add_observer(table);
   const Stopwatch run;
   kinetic.advance_to(setup.until);
