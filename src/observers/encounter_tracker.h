@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/events/observer_list.h"
 #include "kinetri/observers/encounters.h"
 #include "observers/departures.h"
 #include "observers/encounter_records.h"
@@ -99,12 +98,6 @@ class Encounter_tracker {
   // ---- answers ----
 
   std::vector<Encounter> encounters(const Time& now) { return records_.encounters(graph_, now); }
-  std::vector<Point_id> in_range(Point_id id) const {
-    std::vector<Point_id> result;
-    for (const Near& near : partners_[id].near) result.push_back(near.id);
-    return result;
-  }
-  Observer_list<Encounter_observer>& observers() { return observers_; }
   const Certificate_counters& certificate_counters() const { return certificate_counters_; }
   const Queue_counters& queue_counters() const { return queue_.counters(); }
 
@@ -351,7 +344,6 @@ class Encounter_tracker {
                                                                     entry.bounds.upper);
                                        }))
                      : time);
-    observers_.call([&](Encounter_observer& observer) { observer.begins(pair, time); });
     if constexpr (!has_radii) examine_new_near(pair, time);
   }
 
@@ -362,7 +354,6 @@ class Encounter_tracker {
     remove_from(partners_[a].near, b);
     remove_from(partners_[b].near, a);
     records_.end(record, time, p, q);
-    observers_.call([&](Encounter_observer& observer) { observer.ends(record.points, time); });
   }
 
   // The point has got another motion or has been erased, as the others in `changed`.
@@ -406,8 +397,6 @@ class Encounter_tracker {
     if (!is_in_range) return;
     Record& record = records_[records_.begin({p.id(), q.id()}, time)];
     records_.end(record, time, p.motion(), q.motion());
-    observers_.call([&](Encounter_observer& observer) { observer.begins(record.points, time); });
-    observers_.call([&](Encounter_observer& observer) { observer.ends(record.points, time); });
   }
 
   const Graph& graph_;
@@ -420,7 +409,6 @@ class Encounter_tracker {
   Records records_;
   Departures<Point_2> departures_;
   std::unique_ptr<Enlarged_discs<Traits>> enlarged_discs_;  // if has_radii
-  Observer_list<Encounter_observer> observers_;
   Certificate_counters certificate_counters_;
 };
 

@@ -50,23 +50,6 @@ std::vector<Encounter> Encounters<Traits>::encounters() {
 }
 
 template <ContactKineticTraits_2 Traits>
-std::vector<Point_id> Encounters<Traits>::in_range(Point_id id) {
-  this->update();
-  KINETRI_PRECONDITION(this->graph().contains(id), "there is no point with this id");
-  return tracker_->in_range(id);
-}
-
-template <ContactKineticTraits_2 Traits>
-void Encounters<Traits>::add_encounter_observer(Encounter_observer& observer) {
-  tracker_->observers().add(observer);
-}
-
-template <ContactKineticTraits_2 Traits>
-void Encounters<Traits>::remove_encounter_observer(Encounter_observer& observer) {
-  tracker_->observers().remove(observer);
-}
-
-template <ContactKineticTraits_2 Traits>
 const Certificate_counters& Encounters<Traits>::certificate_counters() const {
   return tracker_->certificate_counters();
 }

@@ -46,7 +46,6 @@ TEST(Encounters_of_discs, are_about_gaps) {
   EXPECT_EQ(found[2].closest, Algebraic_number(6.0));
   EXPECT_EQ(found[2].distance, 8);
   EXPECT_EQ(found[2].gap, 2);
-  EXPECT_EQ(encounters.in_range(0), (std::vector<Point_id>{1, 2}));
 }
 
 // Enlarged by half of the range, radii that differ in the last place become the same number.

@@ -25,44 +25,15 @@ namespace {
 using test::seeds;
 using Recorder = test::Leg_recorder<Linear_kinetic_traits_2>;
 
-// Keeps who is in range of whom, by what it is told.
-struct Listener : Encounter_observer {
-  void begins(const Edge_ids& points, const Algebraic_number& time) override {
-    EXPECT_TRUE(present.insert(points).second);
-    tell(time, false);
-    ++begun;
-  }
-  void ends(const Edge_ids& points, const Algebraic_number& time) override {
-    EXPECT_EQ(present.erase(points), 1U);
-    tell(time, true);
-    ++ended;
-  }
-  void tell(const Algebraic_number& time, bool /*is_end*/) {
-    EXPECT_GE(time, last);
-    last = time;
-  }
-
-  std::set<Edge_ids> present;
-  Algebraic_number last = -1e300;
-  std::size_t begun = 0;
-  std::size_t ended = 0;
-};
-
 // ---- by hand ----
 
 TEST(Encounters, of_two_points_begin_and_end_at_the_range) {
   Simulation_2<> simulation({{{0, 0}, {1, 0}, 0}, {{10, 3}, {-1, 0}, 0}}, {});
   Encounters encounters(simulation, 5);
-  Listener listener;
-  encounters.add_encounter_observer(listener);
   simulation.advance_to(2.0);
   EXPECT_TRUE(encounters.encounters().empty());
-  EXPECT_TRUE(encounters.in_range(0).empty());
   simulation.advance_to(3.0);  // at the distance 5 exactly
-  EXPECT_EQ(encounters.in_range(0), std::vector<Point_id>{1});
-  EXPECT_EQ(listener.begun, 1U);
-  simulation.advance_to(7.0);
-  EXPECT_EQ(encounters.in_range(1), std::vector<Point_id>{0});
+  EXPECT_EQ(encounters.encounters().size(), 1U);
   simulation.advance_to(100.0);
   const auto found = encounters.encounters();
   ASSERT_EQ(found.size(), 1U);
@@ -72,8 +43,6 @@ TEST(Encounters, of_two_points_begin_and_end_at_the_range) {
   EXPECT_EQ(found[0].closest, Algebraic_number(5.0));
   EXPECT_EQ(found[0].distance, 3);
   EXPECT_EQ(found[0].gap, 3);
-  EXPECT_EQ(listener.ended, 1U);
-  EXPECT_TRUE(encounters.in_range(0).empty());
 }
 
 TEST(Encounters, may_be_one_moment) {
@@ -105,11 +74,10 @@ TEST(Encounters, go_on_through_a_turn_at_the_very_end) {
     Encounters encounters(simulation, 5);
     simulation.advance_to(5.0);
     if (asks) {
-      EXPECT_EQ(encounters.in_range(0), std::vector<Point_id>{1});
+      EXPECT_EQ(encounters.encounters().size(), 1U);
     }
     simulation.set_motion(1, {{5, 0}, {-1, 0}, 5});
     simulation.advance_to(6.0);
-    EXPECT_EQ(encounters.in_range(0), std::vector<Point_id>{1});
     const auto found = encounters.encounters();
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].begin, Algebraic_number(0.0));
@@ -118,15 +86,13 @@ TEST(Encounters, go_on_through_a_turn_at_the_very_end) {
   }
 }
 
-TEST(Encounters, refuse_what_is_no_range_or_no_point) {
+TEST(Encounters, refuse_what_is_no_range) {
   Simulation_2<> simulation({{{0, 0}, {1, 0}, 0}}, {});
   for (const double range :
        {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_PRECONDITION_ERROR(Encounters(simulation, range),
                               "the range must be a number of at least 0");
   }
-  Encounters encounters(simulation, 1);
-  EXPECT_PRECONDITION_ERROR(encounters.in_range(1), "there is no point with this id");
 }
 
 // The sum of 0.3 twice and 0.1 is no binary64 number: the rims decide.
@@ -167,31 +133,11 @@ void expect_all_encounters(const std::vector<Linear_motion_2>& motions,
   Simulation_2<> simulation(motions, options);
   Recorder recorder(simulation);
   Encounters encounters(simulation, range);
-  Listener listener;
-  for (Point_id id = 0; id < motions.size(); ++id) {
-    for (const Point_id other : encounters.in_range(id))
-      listener.present.insert(edge_ids(id, other));
-  }
-  encounters.add_encounter_observer(listener);
   simulation.advance_to(until / 2);
   static_cast<void>(encounters.encounters());
   simulation.advance_to(until);
-  const auto expected = test::expected_encounters(recorder.legs(), options.radius, range);
-  test::expect_equal(encounters.encounters(), expected);
-  std::set<Edge_ids> present;
-  for (const Encounter& encounter : expected) {
-    if (encounter.end == Algebraic_number(until)) present.insert(encounter.points);
-  }
-  EXPECT_EQ(listener.present, present);
-  for (Point_id id = 0; id < motions.size(); ++id) {
-    if (!simulation.triangulation().contains(id)) continue;
-    std::vector<Point_id> near;
-    for (const auto& [a, b] : present) {
-      if (a == id || b == id) near.push_back(a == id ? b : a);
-    }
-    std::ranges::sort(near);
-    EXPECT_EQ(encounters.in_range(id), near);
-  }
+  test::expect_equal(encounters.encounters(),
+                     test::expected_encounters(recorder.legs(), options.radius, range));
 }
 
 TEST(Encounters, are_those_of_all_pairs_at_any_range) {
@@ -240,13 +186,6 @@ TEST(Encounters, of_points_that_come_turn_jump_and_leave_are_those_of_all_pairs)
       Simulation_2<> simulation({motions.begin(), motions.begin() + 10}, {});
       Recorder recorder(simulation);
       Encounters encounters(simulation, range);
-      Listener listener;
-      for (Point_id id = 0; id < 10; ++id) {
-        for (const Point_id other : encounters.in_range(id)) {
-          listener.present.insert(edge_ids(id, other));
-        }
-      }
-      encounters.add_encounter_observer(listener);
       std::size_t next = 10;
       for (int step = 0; step < 24; ++step) {
         simulation.advance_to(simulation.current_time().to_double() + 0.5 * double(random() % 2));

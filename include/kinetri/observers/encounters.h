@@ -29,25 +29,6 @@ struct Encounter {
   double gap = 0;  ///< the gap at that time, rounded in the same way; of points, the distance
 };
 
-/// Is called at encounters, in the order of time.
-class Encounter_observer {
- public:
-  virtual ~Encounter_observer() = default;
-  /// The two are in range from `time` on. Must neither change what is observed nor call the object
-  /// that reports it. May be called later than at `time`: must not read the triangulation.
-  virtual void begins(const Edge_ids& points, const Algebraic_number& time) = 0;
-  /// The two were in range up to `time`. As above.
-  virtual void ends(const Edge_ids& points, const Algebraic_number& time) = 0;
-
- protected:
-  Encounter_observer() = default;
-  /// @{
-  /// For the copies of derived classes.
-  Encounter_observer(const Encounter_observer&) = default;
-  Encounter_observer& operator=(const Encounter_observer&) = default;
-  /// @}
-};
-
 namespace detail {
 template <ContactKineticTraits_2 Traits>
 class Encounter_tracker;
@@ -96,17 +77,6 @@ class Encounters final : public Edge_follower<Traits> {
   /// of the least distance of those that have not ended or have ended since the last call: some
   /// hundred floating-point operations for most points in linear motion, else exact arithmetic.
   std::vector<Encounter> encounters();
-
-  /// The points in range of a point at the current time, sorted. Precondition: the triangulation
-  /// contains it.
-  std::vector<Point_id> in_range(Point_id id);
-
-  /// @{
-  /// The observer is called from now on; it must outlive this object or be removed, which it may do
-  /// when it is called.
-  void add_encounter_observer(Encounter_observer& observer);
-  void remove_encounter_observer(Encounter_observer& observer);
-  /// @}
 
   /// Counts of certificates.
   const Certificate_counters& certificate_counters() const;
