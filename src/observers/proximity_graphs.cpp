@@ -54,16 +54,6 @@ class Edge_tests {
     return is_empty;
   }
 
-  // Tests the edge between two points.
-  template <class Test>
-  bool test(const Edge_ids& ids, const Test& is_edge_of_graph) const {
-    typename Kinetic::Face_handle face;
-    int i = 0;
-    return ids[0] != ids[1] &&
-           topology_.is_edge(kinetic_.vertex(ids[0]), kinetic_.vertex(ids[1]), face, i) &&
-           is_edge_of_graph(Edge(face, i));
-  }
-
   // The edges that pass a test, sorted.
   template <class Test>
   std::vector<Edge_ids> all(const Test& is_edge_of_graph) const {
@@ -96,21 +86,6 @@ class Edge_tests {
 };
 
 }  // namespace
-
-template <class Traits>
-requires HasNearestNeighbors<Traits>
-bool is_gabriel_edge(const Kinetic_triangulation_2<Traits>& triangulation, const Edge_ids& edge) {
-  const Edge_tests<Traits> tests(triangulation);
-  return tests.test(edge, [&](const auto& e) { return tests.is_gabriel(e); });
-}
-
-template <class Traits>
-requires HasNearestNeighbors<Traits>
-bool is_relative_neighbor_edge(const Kinetic_triangulation_2<Traits>& triangulation,
-                               const Edge_ids& edge) {
-  const Edge_tests<Traits> tests(triangulation);
-  return tests.test(edge, [&](const auto& e) { return tests.is_relative_neighbor(e); });
-}
 
 template <class Traits>
 requires HasNearestNeighbors<Traits> std::vector<Edge_ids> gabriel_edges(

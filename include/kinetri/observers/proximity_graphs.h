@@ -16,53 +16,37 @@
 
 namespace kinetri {
 
-/// Whether the points a and b of `edge` are neighbors in the Gabriel graph just after the current
-/// time, exactly: no other point is inside the circle whose diameter is ab, or on it. So |ac|^2
-/// + |bc|^2 > |ab|^2 for each other point c. False for points without an edge.
+/// The edges of the Gabriel graph just after the current time, exactly, sorted: the pairs of points
+/// a and b with no other point inside the circle whose diameter is ab, or on it. So |ac|^2 + |bc|^2
+/// > |ab|^2 for each other point c.
 ///
-/// Cost: that of finding the edge, O(degree), and the signs of two polynomials. Precondition: the
-/// triangulation contains both.
+/// Cost: for each edge of the triangulation the signs of two polynomials.
 ///
 /// Source: K. R. Gabriel, R. R. Sokal, A new statistical approach to geographic variation analysis,
 /// Systematic Zoology 18, 1969. That the points opposite of the edge suffice: D. W. Matula, R. R.
 /// Sokal, Properties of Gabriel graphs relevant to geographic variation research and the clustering
 /// of points in the plane, Geographical Analysis 12, 1980.
 template <class Traits>
-requires HasNearestNeighbors<Traits>
-bool is_gabriel_edge(const Kinetic_triangulation_2<Traits>& triangulation, const Edge_ids& edge);
+requires HasNearestNeighbors<Traits> std::vector<Edge_ids> gabriel_edges(
+    const Kinetic_triangulation_2<Traits>& triangulation);
 
-/// Whether the points a and b of `edge` are relative neighbors just after the current time,
-/// exactly: no other point c is nearer to both than they are to each other, max(|ac|, |bc|) <
-/// |ab|. False for points without an edge.
+/// The edges of the relative neighborhood graph just after the current time, exactly, sorted: the
+/// pairs of points a and b with no other point c that is nearer to both than they are to each
+/// other, max(|ac|, |bc|) < |ab|.
 ///
-/// Cost: that of is_gabriel_edge and, if it is true, a comparison of distances for each point that
-/// is nearer to one end than the other end is, and for the neighbors of these: O(1) for most edges
-/// of evenly spread points, and O(n) at worst. Precondition: the triangulation contains both.
+/// Cost: that of gabriel_edges and, for each of its edges, a comparison of distances for each point
+/// that is nearer to one end than the other end is, and for the neighbors of these: O(1) for most
+/// edges of evenly spread points, and O(n) at worst.
 ///
 /// Source: G. T. Toussaint, The relative neighbourhood graph of a finite planar set, Pattern
 /// Recognition 12, 1980.
 template <class Traits>
-requires HasNearestNeighbors<Traits>
-bool is_relative_neighbor_edge(const Kinetic_triangulation_2<Traits>& triangulation,
-                               const Edge_ids& edge);
-
-/// @{
-/// All edges for which the function above is true, sorted. Cost: that of the function for each
-/// edge of the triangulation.
-template <class Traits>
-requires HasNearestNeighbors<Traits> std::vector<Edge_ids> gabriel_edges(
-    const Kinetic_triangulation_2<Traits>& triangulation);
-template <class Traits>
 requires HasNearestNeighbors<Traits> std::vector<Edge_ids> relative_neighbor_edges(
     const Kinetic_triangulation_2<Traits>& triangulation);
-/// @}
 
 /// @cond
-#define KINETRI_PROXIMITY_GRAPHS(declaration, Traits)                                        \
-  declaration bool is_gabriel_edge(const Kinetic_triangulation_2<Traits>&, const Edge_ids&); \
-  declaration bool is_relative_neighbor_edge(const Kinetic_triangulation_2<Traits>&,         \
-                                             const Edge_ids&);                               \
-  declaration std::vector<Edge_ids> gabriel_edges(const Kinetic_triangulation_2<Traits>&);   \
+#define KINETRI_PROXIMITY_GRAPHS(declaration, Traits)                                      \
+  declaration std::vector<Edge_ids> gabriel_edges(const Kinetic_triangulation_2<Traits>&); \
   declaration std::vector<Edge_ids> relative_neighbor_edges(const Kinetic_triangulation_2<Traits>&)
 KINETRI_PROXIMITY_GRAPHS(extern template, Linear_kinetic_traits_2);
 KINETRI_PROXIMITY_GRAPHS(extern template, Polynomial_kinetic_traits_2);
