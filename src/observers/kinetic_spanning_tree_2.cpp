@@ -70,11 +70,6 @@ const std::vector<Spanning_tree_change>& Kinetic_spanning_tree_2<Traits>::change
 }
 
 template <ContactKineticTraits_2 Traits>
-std::optional<Edge_ids> Kinetic_spanning_tree_2<Traits>::longest_edge() {
-  return present().history().longest_edge();
-}
-
-template <ContactKineticTraits_2 Traits>
 std::vector<Longest_edge> Kinetic_spanning_tree_2<Traits>::longest_edges() {
   return present().history().longest_edges();
 }

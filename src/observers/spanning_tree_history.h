@@ -49,9 +49,6 @@ class Spanning_tree_history {
   }
 
   const std::vector<Spanning_tree_change>& changes() const { return changes_; }
-  /// Precondition: something has been recorded.
-  std::optional<Edge_ids> longest_edge() const { return longest_.back().edge; }
-
   std::vector<Longest_edge> longest_edges() const {
     std::vector<Longest_edge> result;
     for (const Longest_piece& piece : longest_) {

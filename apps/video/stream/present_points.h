@@ -42,7 +42,6 @@ class Present_points {
   const std::vector<Point>& points() const { return points_; }
   /// The time at which the last block ends.
   std::uint32_t time() const { return time_; }
-  bool has_begun() const { return has_begun_; }
   bool has_ended() const { return has_ended_; }
   /// The number that the next point gets.
   Point_id next_id() const { return next_id_; }

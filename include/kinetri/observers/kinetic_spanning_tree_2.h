@@ -81,8 +81,6 @@ class Kinetic_spanning_tree_2 : public Edge_follower<Traits> {
   /// after the triangulation has advanced.
   const std::vector<Spanning_tree_change>& changes();
 
-  /// The longest edge of the tree just after the current time; none of fewer than two points.
-  std::optional<Edge_ids> longest_edge();
   /// The longest edge at the start, and whenever it changes. Cost: the rounding of each length.
   std::vector<Longest_edge> longest_edges();
 

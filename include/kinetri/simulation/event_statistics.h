@@ -67,10 +67,6 @@ class Event_statistics : public Event_observer {
   std::uint64_t instants() const { return instants_; }
   /// The largest number of events at one time; 0 without events.
   std::uint64_t largest_instant() const { return largest_instant_; }
-  /// The exact first time with that many events; none without events.
-  const std::optional<Algebraic_number>& largest_instant_time() const {
-    return largest_instant_time_;
-  }
 
   /// The time from the first to the last event, divided by the number of events minus one; rounded.
   /// Simultaneous events count with a difference of zero. None for fewer than two events.
@@ -94,7 +90,7 @@ class Event_statistics : public Event_observer {
   std::uint64_t instants_ = 0;
   std::uint64_t present_instant_ = 0;  // events at the time of the last one
   std::uint64_t largest_instant_ = 0;
-  std::optional<Algebraic_number> largest_instant_time_;
+  std::optional<Algebraic_number> largest_instant_time_;  // the first one
   std::optional<Algebraic_number> first_time_;
   std::optional<Algebraic_number> last_time_;
 };

@@ -62,10 +62,6 @@ class Dynamic_connectivity {
   std::size_t largest() const {
     return components_of_size_.empty() ? 0 : components_of_size_.rbegin()->first;
   }
-  /// How many components there are of each size that occurs.
-  const std::map<std::size_t, std::size_t>& components_of_size() const {
-    return components_of_size_;
-  }
 
  private:
   static constexpr Component no_component = std::numeric_limits<Component>::max();
@@ -97,7 +93,7 @@ class Dynamic_connectivity {
   std::vector<Node> nodes_;         // by id
   std::vector<std::size_t> sizes_;  // by component; 0 if it is free
   std::vector<Component> free_components_;
-  std::map<std::size_t, std::size_t> components_of_size_;
+  std::map<std::size_t, std::size_t> components_of_size_;  // sizes that occur only
   std::uint64_t searches_ = no_search;
   std::array<Search, 2> searches_of_ends_;  // members for their memory
 };
