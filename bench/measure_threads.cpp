@@ -83,13 +83,13 @@ Motions rows(std::size_t points) {
 Motions clusters(std::size_t points, std::mt19937_64& random) {
   std::normal_distribution<double> normal(0, 1);
   constexpr std::size_t groups = 7;
-  std::array<Vector_2, groups> centres;
-  for (Vector_2& centre : centres) centre = {2000 * normal(random), 2000 * normal(random)};
+  std::array<Vector_2, groups> centers;
+  for (Vector_2& center : centers) center = {2000 * normal(random), 2000 * normal(random)};
   Motions result;
   for (std::size_t k = 0; k < points; ++k) {
-    const Vector_2& centre = centres[k * k % groups];
-    const double x = centre.x + 50 * normal(random);
-    const double y = centre.y + 50 * normal(random);
+    const Vector_2& center = centers[k * k % groups];
+    const double x = center.x + 50 * normal(random);
+    const double y = center.y + 50 * normal(random);
     const double vx = normal(random);
     result.push_back({{x, y}, {vx, normal(random)}});
   }

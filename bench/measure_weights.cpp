@@ -67,7 +67,7 @@ json measure_weights(const Setup& setup) {
     const Run delaunay = run<Delaunay>(motions, setup.until);
     const Run same = run<Regular>(equal, setup.until);
     if (same.events != delaunay.events) {
-      throw std::runtime_error("discs of one size have other events than their centres");
+      throw std::runtime_error("discs of one size have other events than their centers");
     }
     const Run differing = run<Regular>(unequal, setup.until);
     const Run half = run<Regular>(hiding, setup.until);

@@ -16,8 +16,8 @@ import sys
 sys.dont_write_bytecode = True
 import check_tree  # noqa: E402
 
-LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
-LICENCE_LINES = 3
+LICENSE = "SPDX-License-Identifier: GPL-3.0-or-later"
+LICENSE_LINES = 3
 
 # Files that are checked, by suffix or by name.
 SUFFIXES = {".h", ".cpp", ".cmake", ".in", ".py", ".sh", ".md", ".json", ".yml", ".yaml",
@@ -27,7 +27,7 @@ NAMES = {"CMakeLists.txt", ".clang-format", ".gitignore", "run"}
 SKIPPED_FOLDERS = re.compile(r"^(build.*|out|data|corpus|__pycache__|\..*)$")
 CHECKED_HIDDEN_FOLDERS = {".ci"}
 # Formats without comments.
-WITHOUT_LICENCE = {".json", ".gitignore", ".clang-format"}
+WITHOUT_LICENSE = {".json", ".gitignore", ".clang-format"}
 
 # Every installed header includes it, directly or through its first public header: it stops a compiler that
 # is not set to C++20 before other errors.
@@ -70,8 +70,8 @@ def problems(path, text, root):
     """(line, problem) for each violation in the file `path`, relative to the root."""
     lines = text.splitlines()
     kind = path.name if path.name.startswith(".") else path.suffix
-    if kind not in WITHOUT_LICENCE and not any(LICENCE in line for line in lines[:LICENCE_LINES]):
-        yield 1, f"no licence; expected `{LICENCE}` in the first {LICENCE_LINES} lines"
+    if kind not in WITHOUT_LICENSE and not any(LICENSE in line for line in lines[:LICENSE_LINES]):
+        yield 1, f"no license; expected `{LICENSE}` in the first {LICENSE_LINES} lines"
     if path.suffix == ".h" and path.parts[0] == "include":
         guard = expected_guard(path)
         if f"#ifndef {guard}" not in lines or f"#define {guard}" not in lines:

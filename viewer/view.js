@@ -18,7 +18,7 @@ class View {
     this.width = this.height = 1;
     this.sx = new Float64Array(viewer.recording.points);  // on the screen; NaN: not there
     this.sy = new Float64Array(viewer.recording.points);
-    this.labelled = new Uint8Array(0);
+    this.labeled = new Uint8Array(0);
     this.labelWidth = new Float32Array(viewer.recording.points);  // 0: not measured yet
     // For drawing; each is filled and drawn before the next use.
     this.lineBatch = new Batch(LINE);
@@ -32,8 +32,8 @@ class View {
     const {colors} = this.viewer;
     const columns = Math.ceil(width / LABEL_CELL) + 1;
     const cells = columns * (Math.ceil(height / LABEL_CELL) + 1);
-    if (this.labelled.length < cells) this.labelled = new Uint8Array(cells);
-    this.labelled.fill(0);
+    if (this.labeled.length < cells) this.labeled = new Uint8Array(cells);
+    this.labeled.fill(0);
     const {context} = this.viewer.stage.canvasPainter;
     context.font = LABEL_FONT;
     const style = {color: colors.text, halo: colors.background, font: LABEL_FONT};
@@ -50,7 +50,7 @@ class View {
 
   /** Whether there is room for a label, which is then taken. */
   takeRoom(x, y, width, columns) {
-    const {labelled} = this;
+    const {labeled} = this;
     const left = Math.max(Math.floor(x / LABEL_CELL), 0);
     const right = Math.floor((x + width) / LABEL_CELL);
     const top = Math.max(Math.floor(y / LABEL_CELL), 0);
@@ -58,11 +58,11 @@ class View {
     const last = Math.min(right, columns - 1);
     for (let row = top; row <= bottom; ++row) {
       for (let column = left; column <= last; ++column) {
-        if (labelled[columns * row + column] === 1) return false;
+        if (labeled[columns * row + column] === 1) return false;
       }
     }
     for (let row = top; row <= bottom; ++row) {
-      labelled.fill(1, columns * row + left, columns * row + last + 1);
+      labeled.fill(1, columns * row + left, columns * row + last + 1);
     }
     return true;
   }

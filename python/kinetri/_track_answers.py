@@ -60,7 +60,7 @@ class TrackAnswers:
         """
         collisions = "log" if radius is not None or self._radii is not None else None
         simulation = self.simulation(start=start, until=until, radius=radius, collisions=collisions)
-        return self._labelled(simulation.closest(number, until=simulation.end, progress=progress), simulation)
+        return self._labeled(simulation.closest(number, until=simulation.end, progress=progress), simulation)
 
     def encounters(self, range: float, *, start: float | None = None, until: float | None = None,
                    radius: float | None = None, progress: Progress = False) -> pd.DataFrame:
@@ -78,7 +78,7 @@ class TrackAnswers:
         0  a  b    0.0  4.0       3.0
         """
         simulation = self.simulation(start=start, until=until, radius=radius)
-        return self._labelled(simulation.encounters(range, until=simulation.end, progress=progress), simulation)
+        return self._labeled(simulation.encounters(range, until=simulation.end, progress=progress), simulation)
 
     def components(self, range: float, *, start: float | None = None, until: float | None = None,
                    progress: Progress = False) -> pd.DataFrame:
@@ -87,7 +87,7 @@ class TrackAnswers:
         `start`, `until`, `progress`, labels and dates: see `Tracks`.
         """
         simulation = self.simulation(start=start, until=until)
-        return self._labelled(simulation.components(range, until=simulation.end, progress=progress), simulation)
+        return self._labeled(simulation.components(range, until=simulation.end, progress=progress), simulation)
 
     def connected(self, a: Any, b: Any, range: float, *, start: float | None = None,
                   until: float | None = None, progress: Progress = False) -> pd.DataFrame:
@@ -117,7 +117,7 @@ class TrackAnswers:
         `start`, `until`, `progress`, labels and dates: see `Tracks`.
         """
         simulation = self.simulation(start=start, until=until)
-        return self._labelled(simulation.spanning_tree(until=simulation.end, progress=progress), simulation)
+        return self._labeled(simulation.spanning_tree(until=simulation.end, progress=progress), simulation)
 
     def neighbor_lives(self, *, start: float | None = None, until: float | None = None,
                        ridge: float | None = None, progress: Progress = False) -> pd.DataFrame:
@@ -127,7 +127,7 @@ class TrackAnswers:
         """
         simulation = self.simulation(start=start, until=until)
         table = simulation.neighbor_lives(until=simulation.end, ridge=ridge, progress=progress)
-        return self._labelled(table, simulation)
+        return self._labeled(table, simulation)
 
     def exchanges(self, *, start: float | None = None, until: float | None = None,
                   ridge: float | None = None, progress: Progress = False) -> pd.DataFrame:
@@ -137,7 +137,7 @@ class TrackAnswers:
         """
         simulation = self.simulation(start=start, until=until)
         table = simulation.exchanges(until=simulation.end, ridge=ridge, progress=progress)
-        return self._labelled(table, simulation)
+        return self._labeled(table, simulation)
 
     def nearest_neighbor_changes(self, *, start: float | None = None, until: float | None = None,
                                  progress: Progress = False) -> pd.DataFrame:
@@ -147,7 +147,7 @@ class TrackAnswers:
         """
         simulation = self.simulation(start=start, until=until)
         table = simulation.nearest_neighbor_changes(until=simulation.end, progress=progress)
-        return self._labelled(table, simulation)
+        return self._labeled(table, simulation)
 
     def areas(self, times: ArrayLike | None = None, *, fps: float | None = None,
               walkable: str | ArrayLike | None = None, cutoff: float | None = None,
@@ -183,7 +183,7 @@ class TrackAnswers:
             times = frames[(frames >= begin) & (frames <= end)]
         table = simulation.areas(times, walkable=self.walkable_area if walkable is None else walkable,
                                  cutoff=cutoff, progress=progress)
-        return self._labelled(table, simulation)
+        return self._labeled(table, simulation)
 
     def mean_areas(self, *, walkable: str | ArrayLike | None = None, cutoff: float | None = None,
                    tolerance: float = 1e-6, start: float | None = None, until: float | None = None,
@@ -197,7 +197,7 @@ class TrackAnswers:
         table = simulation.mean_areas(until=simulation.end,
                                       walkable=self.walkable_area if walkable is None else walkable,
                                       cutoff=cutoff, tolerance=tolerance, progress=progress)
-        return self._labelled(table, simulation)
+        return self._labeled(table, simulation)
 
     def _thing(self, parameter: str, label: Any) -> int:
         """The index of a thing in `labels`."""
@@ -216,7 +216,7 @@ class TrackAnswers:
         meet = (first[p] <= last[q]) & (first[q] <= last[p])
         return np.column_stack((p[meet], q[meet])).astype(np.uint32)
 
-    def _labelled(self, table: pd.DataFrame, simulation: TracksSimulation) -> pd.DataFrame:
+    def _labeled(self, table: pd.DataFrame, simulation: TracksSimulation) -> pd.DataFrame:
         """The table with labels for ids, and with dates."""
         import pandas as pd
 

@@ -266,15 +266,15 @@ py::dict packing(std::size_t points, double share, double sizes, std::uint64_t s
   options.side = side;
   options.speed = speed;
   const Packing made = without_gil([&] { return make_packing(options); });
-  std::vector<Linear_motion_2> centres;
+  std::vector<Linear_motion_2> centers;
   std::vector<double> radii;
   for (const Disc_motion_2& disc : made.discs) {
-    centres.push_back(disc);
+    centers.push_back(disc);
     radii.push_back(disc.radius);
   }
   py::dict result;
-  result["positions"] = column(centres, &Linear_motion_2::position);
-  result["velocities"] = column(centres, &Linear_motion_2::velocity);
+  result["positions"] = column(centers, &Linear_motion_2::position);
+  result["velocities"] = column(centers, &Linear_motion_2::velocity);
   result["radius"] = array_of<double>(std::move(radii));
   result["box"] = py::make_tuple(made.box.xmin, made.box.ymin, made.box.xmax, made.box.ymax);
   return result;

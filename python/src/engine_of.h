@@ -24,7 +24,7 @@ namespace kinetri::python {
 /// The kind of motion of `Motion`.
 template <class Motion>
 inline constexpr Motion_kind kind_of = {
-    std::is_same_v<Centre_motion_of<Motion>, Polynomial_motion_2>, HasWeight<Motion>};
+    std::is_same_v<Center_motion_of<Motion>, Polynomial_motion_2>, HasWeight<Motion>};
 
 /// The motion as one of the type `Motion`. Precondition: members that the type does not have are
 /// zero.
@@ -387,7 +387,7 @@ std::vector<double> Engine_of<Core, Traits>::velocities() const {
                              std::numeric_limits<double>::quiet_NaN());
   for (Point_id id = 0; id < next_id(); ++id) {
     if (!contains(id)) continue;
-    const Vector_2 velocity = rounded_velocity(centre(kinetic().motion(id)), now);
+    const Vector_2 velocity = rounded_velocity(center(kinetic().motion(id)), now);
     result[2 * std::size_t{id}] = velocity.x;
     result[2 * std::size_t{id} + 1] = velocity.y;
   }

@@ -53,29 +53,29 @@ struct Checkpoint_motion<Polynomial_motion_2> {
   }
 };
 
-template <class CentreMotion>
-struct Checkpoint_motion<Basic_disc_motion_2<CentreMotion>> {
-  using Centre = Checkpoint_motion<CentreMotion>;
-  using Disc = Basic_disc_motion_2<CentreMotion>;
+template <class CenterMotion>
+struct Checkpoint_motion<Basic_disc_motion_2<CenterMotion>> {
+  using Center = Checkpoint_motion<CenterMotion>;
+  using Disc = Basic_disc_motion_2<CenterMotion>;
 
-  static constexpr bool is_linear = std::is_same_v<CentreMotion, Linear_motion_2>;
+  static constexpr bool is_linear = std::is_same_v<CenterMotion, Linear_motion_2>;
   static constexpr std::string_view name = is_linear ? "disc" : "polynomial disc";
   static constexpr std::string_view expected =
       is_linear ? "x, y, vx, vy, epoch, radius, growth and weight"
                 : "x, y, vx, vy, ax, ay, jx, jy, epoch, radius, growth and weight";
 
   static std::vector<double> numbers(const Disc& disc) {
-    std::vector<double> result = Centre::numbers(disc);
+    std::vector<double> result = Center::numbers(disc);
     result.insert(result.end(), {disc.radius, disc.growth, disc.weight});
     return result;
   }
 
   static std::optional<Disc> from_numbers(std::span<const double> n) {
     if (n.size() < 3) return std::nullopt;
-    const std::size_t of_centre = n.size() - 3;
-    const auto centre = Centre::from_numbers(n.first(of_centre));
-    if (!centre) return std::nullopt;
-    return Disc{*centre, n[of_centre], n[of_centre + 1], n[of_centre + 2]};
+    const std::size_t of_center = n.size() - 3;
+    const auto center = Center::from_numbers(n.first(of_center));
+    if (!center) return std::nullopt;
+    return Disc{*center, n[of_center], n[of_center + 1], n[of_center + 2]};
   }
 };
 

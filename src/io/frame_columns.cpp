@@ -104,21 +104,21 @@ std::optional<Length_unit> unit_of(std::string_view word) {
     std::string_view name;
     Length_unit unit;
   };
-  constexpr std::array<Unit_name, 15> names = {{{"m", Length_unit::metre},
-                                                {"meter", Length_unit::metre},
-                                                {"meters", Length_unit::metre},
-                                                {"metre", Length_unit::metre},
-                                                {"metres", Length_unit::metre},
-                                                {"cm", Length_unit::centimetre},
-                                                {"centimeter", Length_unit::centimetre},
-                                                {"centimeters", Length_unit::centimetre},
-                                                {"centimetre", Length_unit::centimetre},
-                                                {"centimetres", Length_unit::centimetre},
-                                                {"mm", Length_unit::millimetre},
-                                                {"millimeter", Length_unit::millimetre},
-                                                {"millimeters", Length_unit::millimetre},
-                                                {"millimetre", Length_unit::millimetre},
-                                                {"millimetres", Length_unit::millimetre}}};
+  constexpr std::array<Unit_name, 15> names = {{{"m", Length_unit::meter},
+                                                {"meter", Length_unit::meter},
+                                                {"meters", Length_unit::meter},
+                                                {"metre", Length_unit::meter},
+                                                {"metres", Length_unit::meter},
+                                                {"cm", Length_unit::centimeter},
+                                                {"centimeter", Length_unit::centimeter},
+                                                {"centimeters", Length_unit::centimeter},
+                                                {"centimetre", Length_unit::centimeter},
+                                                {"centimetres", Length_unit::centimeter},
+                                                {"mm", Length_unit::millimeter},
+                                                {"millimeter", Length_unit::millimeter},
+                                                {"millimeters", Length_unit::millimeter},
+                                                {"millimetre", Length_unit::millimeter},
+                                                {"millimetres", Length_unit::millimeter}}};
   const auto found = std::find_if(names.begin(), names.end(),
                                   [word](const Unit_name& unit) { return unit.name == word; });
   return found == names.end() ? std::nullopt : std::optional(found->unit);

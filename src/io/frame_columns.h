@@ -17,7 +17,7 @@
 namespace kinetri {
 
 /// Units of length in comments.
-enum class Length_unit { metre, centimetre, millimetre };
+enum class Length_unit { meter, centimeter, millimeter };
 
 /// The indices of the fields of a row, from 0.
 struct Frame_columns {

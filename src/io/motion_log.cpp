@@ -14,13 +14,13 @@ void append_vector(std::string& line, const Vector_2& v) {
   append(line, ',', v.x, ',', v.y);
 }
 
-void append_centre(std::string& line, const Linear_motion_2& motion) {
+void append_center(std::string& line, const Linear_motion_2& motion) {
   append_vector(line, motion.position);
   append_vector(line, motion.velocity);
   line += ",0,0,0,0";
 }
 
-void append_centre(std::string& line, const Polynomial_motion_2& motion) {
+void append_center(std::string& line, const Polynomial_motion_2& motion) {
   append_vector(line, motion.position);
   append_vector(line, motion.velocity);
   append_vector(line, motion.acceleration);
@@ -29,7 +29,7 @@ void append_centre(std::string& line, const Polynomial_motion_2& motion) {
 
 template <class Motion>
 void append_motion(std::string& line, const Motion& motion, double radius) {
-  append_centre(line, centre(motion));
+  append_center(line, center(motion));
   if constexpr (HasWeight<Motion>) {
     KINETRI_PRECONDITION(motion.weight == 0,
                          "a motion has a weight besides its radius, for which a motion log has no "

@@ -113,7 +113,7 @@ Sign exact_sign(const Instant& instant, const General& general, const Formula& f
 template <class Formula, class Motion>
 std::optional<Narrow_polynomial> polynomial_of_contact(const Formula& formula, const Motion& p,
                                                        const Motion& q, double diameter) {
-  return polynomial_on_stack(formula, centre(p), centre(q), touching_distance(p, q, diameter));
+  return polynomial_on_stack(formula, center(p), center(q), touching_distance(p, q, diameter));
 }
 
 template <class Point>
@@ -126,8 +126,8 @@ Polynomial weight_difference_or_zero(const Point& p, const Point& q) {
 template <class Point>
 Sign sign_of_gap(const Point& p, const Point& q, double diameter, const Instant& instant) {
   return exact_sign(
-      instant, [&] { return contact_polynomial(p, q, diameter); }, gap, centre(p.motion()),
-      centre(q.motion()), touching_distance(p.motion(), q.motion(), diameter));
+      instant, [&] { return contact_polynomial(p, q, diameter); }, gap, center(p.motion()),
+      center(q.motion()), touching_distance(p.motion(), q.motion(), diameter));
 }
 
 // The sign of the derivative of contact_polynomial(p, q, 0).
@@ -135,13 +135,13 @@ template <class Point>
 Sign sign_of_gap_growth(const Point& p, const Point& q, const Instant& instant) {
   return exact_sign(
       instant, [&] { return derivative(contact_polynomial(p, q, 0)); }, gap_growth,
-      centre(p.motion()), centre(q.motion()), touching_distance(p.motion(), q.motion(), 0));
+      center(p.motion()), center(q.motion()), touching_distance(p.motion(), q.motion(), 0));
 }
 
 // Whether Sturm counts prove that the positions differ at all times after t.
 template <class Motion>
 bool never_meet(const Motion& p, const Motion& q, const Time& t) {
-  const auto distance = polynomial_of_contact(gap, centre(p), centre(q), 0);
+  const auto distance = polynomial_of_contact(gap, center(p), center(q), 0);
   return distance && !distance->is_zero() &&
          count_failure(*distance, t.interval(), false).kind == Counted_failure::Kind::never_fails;
 }
@@ -258,7 +258,7 @@ bool Basic_kinetic_traits_2<Motion>::is_surrounded(const Point_2& p,
     std::array<const Linear_motion_2*, most_around> others;
     if (arithmetic_ != Arithmetic::filtered || around.size() > others.size()) return false;
     std::ranges::transform(around, others.begin(), [](const Point_2* q) { return &q->motion(); });
-    return certainly_surrounded(centre(p.motion()), std::span(others).first(around.size()), now);
+    return certainly_surrounded(center(p.motion()), std::span(others).first(around.size()), now);
   }
   return false;
 }
@@ -321,7 +321,7 @@ Certificate Basic_kinetic_traits_2<Motion>::meeting_certificate(
     const Point_2& p, const Point_2& q, const Time& t,
     const Double_interval& among) const requires HasWeight<Motion> {
   if (arithmetic_ == Arithmetic::filtered &&
-      certainly_apart(centre(p.motion()), centre(q.motion()), among)) {
+      certainly_apart(center(p.motion()), center(q.motion()), among)) {
     return {Certificate::Kind::never_fails, {}, nullptr, false, Certificate::Means::filter};
   }
   if (never_meet(p.motion(), q.motion(), t)) return exact_certificate(std::nullopt, true);
@@ -343,7 +343,7 @@ Sign Basic_kinetic_traits_2<Motion>::certain_turn(
     const Point_2& p, const Point_2& q, const Point_2& r,
     const Double_interval& now) const requires HasWeight<Motion> {
   if (arithmetic_ != Arithmetic::filtered) return CGAL::ZERO;
-  return certain_orientation(centre(p.motion()), centre(q.motion()), centre(r.motion()), now);
+  return certain_orientation(center(p.motion()), center(q.motion()), center(r.motion()), now);
 }
 
 // ---- contacts ----
@@ -386,7 +386,7 @@ Certificate Basic_kinetic_traits_2<Motion>::wall_certificate(const Point_2& p, c
     if (result.kind != Filter_result::Kind::unknown) return certificate(result);
   }
   return exactly(
-      polynomial_on_stack(inside_of(wall), centre(p.motion()), bound_of(wall, p.motion())),
+      polynomial_on_stack(inside_of(wall), center(p.motion()), bound_of(wall, p.motion())),
       [&](const auto& polynomial) { return counted_contact_certificate(polynomial, t); },
       [&] { return exact_contact_certificate(wall_polynomial(p, wall), t); });
 }
@@ -468,8 +468,8 @@ Certificate Basic_kinetic_traits_2<Motion>::closer_certificate(const Point_2& p,
     }
   }
   return exactly(
-      polynomial_on_stack(comparison, centre(p.motion()), centre(q.motion()), centre(r.motion()),
-                          centre(s.motion())),
+      polynomial_on_stack(comparison, center(p.motion()), center(q.motion()), center(r.motion()),
+                          center(s.motion())),
       [&](const auto& polynomial) {
         return counted_certificate(polynomial, t, Certificate_state::any);
       },
@@ -490,7 +490,7 @@ template <class Motion>
 Time Basic_kinetic_traits_2<Motion>::wall_failure(const Point_2& p, const Wall_2& wall,
                                                   const Double_interval& bounds) const {
   if constexpr (is_linear<Motion>) {
-    const auto& [position, velocity, epoch] = centre(p.motion());
+    const auto& [position, velocity, epoch] = center(p.motion());
     Rational clearance = to_rational(wall.clearance);
     Rational growth = 0;
     if constexpr (HasWeight<Motion>) {
@@ -570,7 +570,7 @@ bool Basic_kinetic_traits_2<Motion>::is_inside(const Point_2& p, const Wall_2& w
   }
   return exact_sign(
              {t, Time_side::at}, [&] { return wall_polynomial(p, wall); }, inside_of(wall),
-             centre(p.motion()), bound_of(wall, p.motion())) != CGAL::NEGATIVE;
+             center(p.motion()), bound_of(wall, p.motion())) != CGAL::NEGATIVE;
 }
 
 template class Basic_kinetic_traits_2<Linear_motion_2>;

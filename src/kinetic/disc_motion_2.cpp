@@ -16,7 +16,7 @@ namespace {
 
 template <class Disc>
 bool has_finite_numbers(const Disc& disc) {
-  return is_finite(centre(disc)) && std::isfinite(disc.radius) && std::isfinite(disc.growth) &&
+  return is_finite(center(disc)) && std::isfinite(disc.radius) && std::isfinite(disc.growth) &&
          std::isfinite(disc.weight);
 }
 
@@ -32,7 +32,7 @@ bool have_same_weight(const Disc& a, const Disc& b) {
 
 template <class Disc>
 bool have_same_trajectory(const Disc& a, const Disc& b) {
-  return same_trajectory(centre(a), centre(b)) && have_same_weight(a, b);
+  return same_trajectory(center(a), center(b)) && have_same_weight(a, b);
 }
 
 double sum_of(const Vector_2& v) {
@@ -67,8 +67,8 @@ double radius_after_change(const Disc& old, const Disc& result, double t) {
   const double size = std::abs(t);
   const double h = 0.5 * (std::nextafter(size, std::numeric_limits<double>::infinity()) - size);
   const double rounded = 0x1p-53 * sum_of(result.position) + std::numeric_limits<double>::min();
-  const double shift = rounded + path_length(centre(old), t, h) +
-                       path_length(centre(result), t, h) + std::abs(old.growth) * h;
+  const double shift = rounded + path_length(center(old), t, h) +
+                       path_length(center(result), t, h) + std::abs(old.growth) * h;
   const double elapsed = t - old.epoch;
   const double grown = old.growth * elapsed;
   const double margin = 2 * shift + 0x1p-49 * (std::abs(old.radius) + std::abs(grown)) +
@@ -78,7 +78,7 @@ double radius_after_change(const Disc& old, const Disc& result, double t) {
 
 template <class Disc>
 Disc continued(const Disc& disc, const Vector_2& velocity, double t) {
-  Disc result = {with_velocity_at(centre(disc), velocity, t), disc.radius, disc.growth,
+  Disc result = {with_velocity_at(center(disc), velocity, t), disc.radius, disc.growth,
                  disc.weight};
   if (disc.growth != 0) result.radius = radius_after_change(disc, result, t);
   return result;
@@ -131,13 +131,13 @@ Disc clamped_with_rim(const Disc& disc, const Wall_2& wall, const Double_interva
 template <class Disc>
 Disc clamped(const Disc& disc, const Wall_2& wall, const Double_interval& times) {
   if (wall.rim) return clamped_with_rim(disc, wall, times);
-  return {clamped_inside(centre(disc), wall, times), disc.radius, disc.growth, disc.weight};
+  return {clamped_inside(center(disc), wall, times), disc.radius, disc.growth, disc.weight};
 }
 
 }  // namespace
 
 Polynomial_disc_motion_2 polynomial_motion(const Disc_motion_2& disc) {
-  return {polynomial_motion(centre(disc)), disc.radius, disc.growth, disc.weight};
+  return {polynomial_motion(center(disc)), disc.radius, disc.growth, disc.weight};
 }
 
 bool is_finite(const Disc_motion_2& disc) {

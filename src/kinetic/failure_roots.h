@@ -86,11 +86,11 @@ struct Distance_root : Root_source {
     return distance_comparison_polynomial(Point(p), Point(q), Point(r), Point(s));
   }
   double certain_value_at(double high, double low) const override {
-    return precise_distance_comparison(centre(p), centre(q), centre(r), centre(s), high, low);
+    return precise_distance_comparison(center(p), center(q), center(r), center(s), high, low);
   }
   std::optional<Rounding> rounded(const Double_interval& bracket) const override {
     if constexpr (is_linear<Motion>) {
-      return rounded_distance_comparison(centre(p), centre(q), centre(r), centre(s), bracket);
+      return rounded_distance_comparison(center(p), center(q), center(r), center(s), bracket);
     } else {
       return std::nullopt;
     }

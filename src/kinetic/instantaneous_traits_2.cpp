@@ -47,14 +47,14 @@ template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::x_order(const Point_2& p,
                                                               const Point_2& q) const {
   const auto formula = [](const auto&... paths) { return x_difference_of(paths...); };
-  return sign(certain_x_order<Centre_motion_of<Motion>>, formula, p, q);
+  return sign(certain_x_order<Center_motion_of<Motion>>, formula, p, q);
 }
 
 template <class Motion>
 Sign Basic_instantaneous_traits_2<Motion>::Predicate::y_order(const Point_2& p,
                                                               const Point_2& q) const {
   const auto formula = [](const auto&... paths) { return y_difference_of(paths...); };
-  return sign(certain_y_order<Centre_motion_of<Motion>>, formula, p, q);
+  return sign(certain_y_order<Center_motion_of<Motion>>, formula, p, q);
 }
 
 template <class Motion>
@@ -62,7 +62,7 @@ Sign Basic_instantaneous_traits_2<Motion>::Predicate::orientation(const Point_2&
                                                                   const Point_2& q,
                                                                   const Point_2& r) const {
   const auto formula = [](const auto&... paths) { return orientation_of(paths...); };
-  return sign(certain_orientation<Centre_motion_of<Motion>>, formula, p, q, r);
+  return sign(certain_orientation<Center_motion_of<Motion>>, formula, p, q, r);
 }
 
 template <class Motion>
@@ -79,7 +79,7 @@ Sign Basic_instantaneous_traits_2<Motion>::Predicate::distance_order(const Point
                                                                      const Point_2& q,
                                                                      const Point_2& r) const {
   const auto formula = [](const auto&... paths) { return distance_difference_of(paths...); };
-  return sign(certain_distance_order<Centre_motion_of<Motion>>, formula, p, q, r);
+  return sign(certain_distance_order<Center_motion_of<Motion>>, formula, p, q, r);
 }
 
 template <class Motion>
@@ -87,7 +87,7 @@ Sign Basic_instantaneous_traits_2<Motion>::Predicate::scalar_product(const Point
                                                                      const Point_2& q,
                                                                      const Point_2& r) const {
   const auto formula = [](const auto&... paths) { return scalar_product_of(paths...); };
-  return sign(certain_scalar_product<Centre_motion_of<Motion>>, formula, p, q, r);
+  return sign(certain_scalar_product<Center_motion_of<Motion>>, formula, p, q, r);
 }
 
 template <class Motion>

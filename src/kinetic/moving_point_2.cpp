@@ -29,9 +29,9 @@ void print(std::ostream& out, const Polynomial_motion_2& motion) {
       << ", acceleration " << motion.acceleration << ", jerk " << motion.jerk;
 }
 
-template <class Centre>
-void print(std::ostream& out, const Basic_disc_motion_2<Centre>& disc) {
-  print(out, centre(disc));
+template <class Center>
+void print(std::ostream& out, const Basic_disc_motion_2<Center>& disc) {
+  print(out, center(disc));
   out << ", radius " << disc.radius << ", growth " << disc.growth << ", weight " << disc.weight;
 }
 

@@ -204,23 +204,23 @@ struct Coordinates {
 };
 
 /// The same with the weight of a disc, scaled by the square of the factor of the coordinates.
-/// `Centre` has the coordinates of the center.
-template <class Poly, class Centre>
+/// `Center` has the coordinates of the center.
+template <class Poly, class Center>
 struct Weighted_coordinates {
   using Number = Coefficient_of<Poly>;
-  static constexpr int denominator = Centre::denominator;
-  Centre centre;
+  static constexpr int denominator = Center::denominator;
+  Center center;
   Linear_coordinate<Poly> radius;
   Dyadic<Number> weight;
 
   template <class Disc>
   explicit Weighted_coordinates(const Disc& disc)
-      : centre(kinetri::centre(disc)),
+      : center(kinetri::center(disc)),
         radius(disc.radius, disc.growth, disc.epoch),
         weight(dyadic<Number>(disc.weight)) {}
 
   void add_to(Exponents& exponents) const {
-    centre.add_to(exponents);
+    center.add_to(exponents);
     radius.add_to(exponents);
     if (weight.mantissa.is_zero()) return;
     // Twice the least exponent must not exceed that of the weight.
@@ -232,7 +232,7 @@ struct Weighted_coordinates {
   Basic_trajectory_2<Poly> scaled(int exponent, Number w) const {
     const Poly scaled_radius = radius.scaled(exponent) * Number(denominator);
     const Number scaled_weight = shifted(weight, 2 * exponent) * Number(denominator * denominator);
-    Basic_trajectory_2<Poly> result = centre.scaled(exponent, std::move(w));
+    Basic_trajectory_2<Poly> result = center.scaled(exponent, std::move(w));
     result.weight = scaled_radius * scaled_radius + Poly{scaled_weight};
     return result;
   }
@@ -249,9 +249,9 @@ template <std::same_as<Polynomial> Poly>
 auto coordinates(const Polynomial_motion_2& motion) {
   return Coordinates<Poly, Polynomial_coordinate>(motion);
 }
-template <class Poly, class Centre>
-auto coordinates(const Basic_disc_motion_2<Centre>& disc) {
-  return Weighted_coordinates<Poly, decltype(coordinates<Poly>(kinetri::centre(disc)))>(disc);
+template <class Poly, class Center>
+auto coordinates(const Basic_disc_motion_2<Center>& disc) {
+  return Weighted_coordinates<Poly, decltype(coordinates<Poly>(kinetri::center(disc)))>(disc);
 }
 
 template <class Poly>

@@ -225,8 +225,8 @@ void Closest_approaches<Traits>::examine_nearest_by_order(const std::vector<Disc
                                                           const std::vector<Disc_motion_2>& come) {
   const double time = moment_.to_double();
   const auto place = [&](const Disc_motion_2& disc) {
-    const Vector_2 centre = rounded_place(disc, time);
-    return std::pair(centre.x, centre.y);
+    const Vector_2 center = rounded_place(disc, time);
+    return std::pair(center.x, center.y);
   };
   std::vector<std::pair<std::pair<double, double>, std::size_t>> order;
   for (std::size_t k = 0; k < come.size(); ++k) order.emplace_back(place(come[k]), k);

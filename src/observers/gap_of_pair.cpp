@@ -31,7 +31,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr Double_interval everything = {-infinite, infinite};
 
 template <class Disc>
-constexpr bool is_linear = std::same_as<typename Disc::Centre_motion, Linear_motion_2>;
+constexpr bool is_linear = std::same_as<typename Disc::Center_motion, Linear_motion_2>;
 
 // The vector from the center of q to that of p, and the sum of the radii.
 struct Relative_place {
@@ -158,7 +158,7 @@ template <class Disc>
 Coefficients squared_distance(const Disc& p, const Disc& q) {
   Coefficients result;
   for (double Vector_2::*const axis : {&Vector_2::x, &Vector_2::y}) {
-    const Coefficients d = difference(coordinate(centre(p), axis), coordinate(centre(q), axis));
+    const Coefficients d = difference(coordinate(center(p), axis), coordinate(center(q), axis));
     add_product(result, d, d);
   }
   return result;
@@ -288,9 +288,9 @@ template <class Disc>
 std::optional<double> Gap_of_pair<Disc>::certainly_rounded() const {
   if constexpr (is_linear<Disc>) {
     if (!are_points(p_, q_)) return std::nullopt;
-    if (is_minimal_) return rounded_least_distance(centre(p_), centre(q_));
+    if (is_minimal_) return rounded_least_distance(center(p_), center(q_));
     const Double_interval time = time_.interval();
-    if (time.lower == time.upper) return rounded_distance_at(centre(p_), centre(q_), time.lower);
+    if (time.lower == time.upper) return rounded_distance_at(center(p_), center(q_), time.lower);
   }
   return std::nullopt;
 }
@@ -326,8 +326,8 @@ template <>
 Gap_of_pair<Disc_motion_2> least_gap(const Disc_motion_2& p, const Disc_motion_2& q,
                                      const Algebraic_number& since, const Algebraic_number& until) {
   if (are_points(p, q)) {
-    if (const auto rounding = rounded_time_of_least_distance(centre(p), centre(q))) {
-      Algebraic_number least(std::make_shared<Least_distance_root>(centre(p), centre(q), *rounding),
+    if (const auto rounding = rounded_time_of_least_distance(center(p), center(q))) {
+      Algebraic_number least(std::make_shared<Least_distance_root>(center(p), center(q), *rounding),
                              rounding->bounds);
       if (least < since) return {p, q, since};
       if (least > until) return {p, q, until};

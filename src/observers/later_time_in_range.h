@@ -19,7 +19,7 @@ namespace kinetri::detail {
 template <class Traits>
 double later_time_in_range(const Traits& traits, const typename Traits::Point_2& p,
                            const typename Traits::Point_2& q, double range, double from) {
-  if constexpr (std::same_as<Centre_motion_of<typename Traits::Motion>, Linear_motion_2>) {
+  if constexpr (std::same_as<Center_motion_of<typename Traits::Motion>, Linear_motion_2>) {
     const Vector_2 place_p = rounded_place(p.motion(), from);
     const Vector_2 place_q = rounded_place(q.motion(), from);
     const Vector_2 velocity_p = rounded_velocity(p.motion(), from);

@@ -56,7 +56,7 @@ struct Interval_point {
 
 template <class Motion>
 Interval_point interval_point(const Motion& motion, double t) {
-  const Linear_motion_2& path = centre(motion);
+  const Linear_motion_2& path = center(motion);
   const Interval elapsed = Interval(t) - Interval(path.epoch);
   Interval_point result = {path.position.x + path.velocity.x * elapsed,
                            path.position.y + path.velocity.y * elapsed, 0};
@@ -393,7 +393,7 @@ bool Neighbor_lives<Traits>::reaches_threshold(const Edge_ids& edge, const Prese
   const auto center_at = [&](Point_id id) {
     return center(graph.point(edge[0]), graph.point(edge[1]), graph.point(id));
   };
-  if constexpr (std::same_as<Centre_motion_of<Motion>, Linear_motion_2>) {
+  if constexpr (std::same_as<Center_motion_of<Motion>, Linear_motion_2>) {
     const double from = present.since.interval().upper;
     const double to = until.interval().lower;
     const auto motion = [&](Point_id id) -> const Motion& { return graph.point(id).motion(); };

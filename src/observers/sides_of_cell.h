@@ -33,7 +33,7 @@ class Sides_at_time {
 
   /// The accurate position of the point.
   Ball_2 place(const Point_2& p) const {
-    const Ball_2 result = ball_place(centre(p.motion()), t_);
+    const Ball_2 result = ball_place(center(p.motion()), t_);
     if (is_known_well(result.x) && is_known_well(result.y)) return result;
     const Trajectory_2 path = p.trajectory();
     const auto ball = [](double x) { return Ball(x, 0, 0x1p-53 * std::abs(x)); };

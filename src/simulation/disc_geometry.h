@@ -98,7 +98,7 @@ class Simulation_types<Traits>::Disc_geometry {
   template <class Function>
   void for_each_hidden_link(Point_id id, Function function) const;
   std::vector<Point_id> owners_in(Point_id id) const;
-  Point_id owner_of_centre(Point_id id) const;
+  Point_id owner_of_center(Point_id id) const;
 
   const Simulation_setup& setup_;
   const Triangulation& triangulation_;

@@ -209,7 +209,7 @@ std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::discs_about(
 // position is not positive. Precondition: the dimension is 2.
 template <class Traits>
 std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::owners_in(Point_id id) const {
-  std::vector<Point_id> result = {owner_of_centre(id)};
+  std::vector<Point_id> result = {owner_of_center(id)};
   for (std::size_t i = 0; i < result.size(); ++i) {
     for_each_neighbor(result[i], [&](Point_id other) {
       if (std::ranges::find(result, other) == result.end() && may_touch(id, other)) {
@@ -223,14 +223,14 @@ std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::owners_in(Point_i
 // The disc whose power cell contains the center of a disc just after the present time: mostly the
 // disc itself. From a disc without the least power there an edge leads to one with less.
 template <class Traits>
-Point_id Simulation_types<Traits>::Disc_geometry::owner_of_centre(Point_id id) const {
+Point_id Simulation_types<Traits>::Disc_geometry::owner_of_center(Point_id id) const {
   const auto& triangulation = triangulation_.triangulation();
   if (!is_hidden(id)) {
-    Motion centre = motion(id);
-    centre.radius = centre.growth = 0;
+    Motion center = motion(id);
+    center.radius = center.growth = 0;
     bool is_in_none = true;
     for_each_neighbor(id, [&](Point_id other) {
-      is_in_none = is_in_none && !traits().do_touch(Point_2(centre, id), point(other),
+      is_in_none = is_in_none && !traits().do_touch(Point_2(center, id), point(other),
                                                     setup_.diameter(), current_time());
     });
     if (is_in_none) return id;

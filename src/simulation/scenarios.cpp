@@ -220,11 +220,11 @@ std::vector<Linear_motion_2> in_square(const Scenario_options& options, Generato
 }
 
 std::vector<Linear_motion_2> gaussian(const Scenario_options& options, Generator& random) {
-  const double centre = side(options) / 2;
+  const double center = side(options) / 2;
   const double deviation = side(options) / 4;
   return each_point(options, [&](std::size_t) {
-    const double x = centre + deviation * random.normal();
-    const double y = centre + deviation * random.normal();
+    const double x = center + deviation * random.normal();
+    const double y = center + deviation * random.normal();
     return Linear_motion_2{{x, y}, random_velocity(options.speed, random), 0};
   });
 }

@@ -119,7 +119,7 @@ class Watched_contacts {
  private:
   static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
 
-  bool is_centre_in(Point_id id, Point_id other, const Time& now) const;
+  bool is_center_in(Point_id id, Point_id other, const Time& now) const;
   bool have_areas();
   bool drop_overlaps(const Time& time);
   void put_passes_back();

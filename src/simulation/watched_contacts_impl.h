@@ -162,7 +162,7 @@ bool Watched_contacts<Traits>::certify(const Pair& points, Points changed, const
     for (const Point_id id : changed) {
       for (const Point_id partner : points) {
         if (partner == id || partner == no_point) continue;
-        if (is_centre_in(id, partner, now)) may_go_on = false;
+        if (is_center_in(id, partner, now)) may_go_on = false;
         geometry_.for_each_neighbor(partner, [&](Point_id other) {
           if (!is_one(points, other) && do_meet(id, other, now)) may_go_on = false;
         });
@@ -185,10 +185,10 @@ bool Watched_contacts<Traits>::do_meet(Point_id a, Point_id b, const Time& now) 
 
 // Whether the center of a disc is in another one.
 template <class Traits>
-bool Watched_contacts<Traits>::is_centre_in(Point_id id, Point_id other, const Time& now) const {
-  auto centre = geometry_.point(id).motion();
-  if constexpr (has_radii) centre.radius = centre.growth = 0;
-  return geometry_.traits().do_touch(typename Traits::Point_2(centre, id), geometry_.point(other),
+bool Watched_contacts<Traits>::is_center_in(Point_id id, Point_id other, const Time& now) const {
+  auto center = geometry_.point(id).motion();
+  if constexpr (has_radii) center.radius = center.growth = 0;
+  return geometry_.traits().do_touch(typename Traits::Point_2(center, id), geometry_.point(other),
                                      core_.setup.diameter(), now);
 }
 

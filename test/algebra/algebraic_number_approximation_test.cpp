@@ -69,19 +69,19 @@ Specimen make_scaled_specimen(const Value& v, Random& random) {
   p.add_irrational_pair(scale * random.integer(-5, 5), scale * scale * 7, 1);
   if (random.coin()) p.add_rational(-size * Rational(7, 3) + scale, 1);
   // The exponent in isolated_root is for distances below 1: scale the polynomial's roots apart.
-  const Rational centre = truth.rational ? *truth.rational : test::rounded(truth.value, 4000);
+  const Rational center = truth.rational ? *truth.rational : test::rounded(truth.value, 4000);
   Rational distance = scale;
   for (const Known_root& other : p.roots()) {
     if (other.value == truth.value) continue;
-    const Rational d = abs(test::rounded(other.value, 4000) - centre);
+    const Rational d = abs(test::rounded(other.value, 4000) - center);
     if (d < distance) distance = d;
   }
-  const Rational lower = centre - distance * Rational(random.integer(1, 8), 9);
-  const Rational upper = centre + distance * Rational(random.integer(1, 8), 9);
+  const Rational lower = center - distance * Rational(random.integer(1, 8), 9);
+  const Rational upper = center + distance * Rational(random.integer(1, 8), 9);
   return {Algebraic_number(square_free_part(p.polynomial()), lower, upper), truth};
 }
 
-TEST(Algebraic_number, tight_interval_has_the_two_neighbours_or_the_number_itself) {
+TEST(Algebraic_number, tight_interval_has_the_two_neighbors_or_the_number_itself) {
   for (unsigned long seed = 0; seed < test::scaled_count(25); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -99,7 +99,7 @@ TEST(Algebraic_number, tight_interval_has_the_two_neighbours_or_the_number_itsel
       s.number.refine_to_bits(80);
       ASSERT_EQ(s.number.tight_interval(), tight);
 
-      // Without the oracle: a root at the only bound, or a change of sign between neighbours.
+      // Without the oracle: a root at the only bound, or a change of sign between neighbors.
       if (tight.lower == tight.upper) {
         ASSERT_EQ(p.sign_at(to_rational(tight.lower)), CGAL::ZERO);
         continue;

@@ -199,7 +199,7 @@ TEST(Algebraic_number, equal_roots_among_other_common_roots_are_told_from_them) 
 Rational simplest_by_trial(const Rational& a, const Rational& b) {
   if (a < 0 && b > 0) return 0;
   for (long e = -80;; ++e) {
-    // The multiples of 2^-e next to the end nearer to zero, and their neighbours.
+    // The multiples of 2^-e next to the end nearer to zero, and their neighbors.
     const Rational near = scaled_by_power_of_two(a >= 0 ? a : Rational(-b), e);
     const Rational far = scaled_by_power_of_two(a >= 0 ? b : Rational(-a), e);
     const Integer whole = numerator(near) / denominator(near);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Conversions between rationals and binary64, checked by exact comparison with the neighbours.
+// Conversions between rationals and binary64, checked by exact comparison with the neighbors.
 #include "kinetri/algebra/number_types.h"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ TEST(Number_types, every_binary64_number_survives_the_round_trip) {
   }
 }
 
-TEST(Number_types, to_interval_gives_the_neighbours_of_a_random_rational) {
+TEST(Number_types, to_interval_gives_the_neighbors_of_a_random_rational) {
   for (unsigned long seed = 0; seed < test::scaled_count(20000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -126,7 +126,7 @@ TEST(Number_types, to_interval_has_no_negative_zero) {
   EXPECT_FALSE(std::signbit(interval.upper));
 }
 
-TEST(Number_types, to_double_of_a_random_rational_is_the_nearer_neighbour) {
+TEST(Number_types, to_double_of_a_random_rational_is_the_nearer_neighbor) {
   for (unsigned long seed = 0; seed < test::scaled_count(20000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -150,7 +150,7 @@ TEST(Number_types, to_double_of_a_random_rational_is_the_nearer_neighbour) {
   }
 }
 
-TEST(Number_types, to_double_of_a_tie_is_the_even_neighbour) {
+TEST(Number_types, to_double_of_a_tie_is_the_even_neighbor) {
   Random random(3);
   for (unsigned long i = 0; i < test::scaled_count(20000); ++i) {
     // All of the range, with as many subnormals as others.

@@ -289,7 +289,7 @@ TEST(Count_failure, goes_on_from_roots) {
   EXPECT_GT(decided, asked * 9 / 10);
 }
 
-// Roots close to one another: some between neighbouring numbers of binary64, which it leaves to
+// Roots close to one another: some between neighboring numbers of binary64, which it leaves to
 // others, and multiple ones.
 TEST(Count_failure, does_not_guess_among_roots_that_are_close) {
   Random random(6);

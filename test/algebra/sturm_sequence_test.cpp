@@ -45,7 +45,7 @@ int count_by_construction(const Known_polynomial& p, const End& lower, const End
   return count;
 }
 
-// Ends worth trying: the rational roots, close neighbours of all, and anything.
+// Ends worth trying: the rational roots, close neighbors of all, and anything.
 std::vector<Rational> interesting_points(const Known_polynomial& p, Random& random) {
   std::vector<Rational> result = {random.any_rational(), random.any_rational(), Rational(0)};
   for (const Known_root& root : p.roots()) {

@@ -80,7 +80,7 @@ TEST_F(Discs, of_two_sizes_touch_where_their_rims_meet) {
             "collision 5 0 1\n");
 }
 
-// The centre of the small disc between the two large ones keeps these from being neighbors in the
+// The center of the small disc between the two large ones keeps these from being neighbors in the
 // Delaunay triangulation when they touch.
 TEST_F(Discs, that_are_no_delaunay_neighbors_touch) {
   EXPECT_EQ(rows(log("x,y,vx,vy,radius\n-3,0,1,0,1\n3,0,-1,0,1\n0,0.5,0,0,0.05\n0,-0.5,0,0,0.05\n",
@@ -99,7 +99,7 @@ TEST_F(Discs, that_grow_touch_while_they_rest) {
 }
 
 TEST_F(Discs, with_acceleration_touch) {
-  // Their centres are 16 - t^2 apart, the radii 3 in all.
+  // Their centers are 16 - t^2 apart, the radii 3 in all.
   EXPECT_EQ(rows(log("x,y,vx,vy,ax,ay,radius\n0,0,0,0,1,0,1\n12,0,0,0,-1,0,2\n",
                      {"--until", "4", "--collisions", "stop"})),
             "collision 3 0 1\n");
@@ -200,7 +200,7 @@ TEST_F(Discs, of_many_sizes_stay_apart) {
   }
 }
 
-TEST_F(Discs, may_differ_about_one_centre) {
+TEST_F(Discs, may_differ_about_one_center) {
   EXPECT_EQ(log("x,y,vx,vy,radius\n0,0,1,0,1\n0,0,1,0,2\n9,0,1,0,1\n0,9,1,0,1\n",
                 {"--until", "3", "--regular"}),
             header);

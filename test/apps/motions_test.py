@@ -357,7 +357,7 @@ class Motions(In_folder):
 
 
 def gap(a, b, time):
-    """The squared distance of the centres less the square of the sum of the radii."""
+    """The squared distance of the centers less the square of the sum of the radii."""
     (ax, ay), (bx, by) = a.place(time), b.place(time)
     return (ax - bx) ** 2 + (ay - by) ** 2 - (a.radius(time) + b.radius(time)) ** 2
 

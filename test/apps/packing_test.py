@@ -167,7 +167,7 @@ class Jam(unittest.TestCase):
             self.write("4,3,1,0.5,1,0.125\n")
             self.expect_end(20, response)
 
-    def test_a_disc_whose_centre_meets_the_walls_is_not_jammed(self):
+    def test_a_disc_whose_center_meets_the_walls_is_not_jammed(self):
         # It meets them 37 600 times, and grows far beyond the box.
         self.write("4,3,1000,505,1,1\n")
         result = subprocess.run([PROGRAM, *"simulate p.csv --until 200 --box 0,0,8,8 --collisions log --quiet".split()],

@@ -121,7 +121,7 @@ TEST_F(Tracks, tell_the_same_of_things_that_are_together_for_one_moment) {
   EXPECT_EQ(answer({"--nearest", "-", "--quiet"}).find("2,2,0,1,2\n"), std::string::npos);
 }
 
-// The centres of a and b are nearer to each other, the rims of c and d are.
+// The centers of a and b are nearer to each other, the rims of c and d are.
 TEST_F(Tracks, print_the_closest_approaches_of_discs_with_their_gaps) {
   const std::string discs =
       "t,id,x,y,radius\n0,a,0,0,1\n8,a,4,0,1\n0,b,10,0,2\n8,b,10,0,2\n"

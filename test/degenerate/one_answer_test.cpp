@@ -141,7 +141,7 @@ TEST(One_answer, whatever_the_way) {
 
 using Kinetic_regular = Kinetic_regular_triangulation_2<>;
 
-// The same points as centres of discs, whose weights mostly stay on one lifted paraboloid, or
+// The same points as centers of discs, whose weights mostly stay on one lifted paraboloid, or
 // nearly so.
 std::vector<Disc_motion_2> with_weights(const std::vector<Linear_motion_2>& motions,
                                         unsigned seed) {

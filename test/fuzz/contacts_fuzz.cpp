@@ -52,9 +52,9 @@ void read(Numbers& numbers, Polynomial_motion_2& motion) {
   motion.jerk = numbers.vector(1);
 }
 
-template <class Centre>
-void read(Numbers& numbers, Basic_disc_motion_2<Centre>& disc) {
-  read(numbers, static_cast<Centre&>(disc));
+template <class Center>
+void read(Numbers& numbers, Basic_disc_motion_2<Center>& disc) {
+  read(numbers, static_cast<Center&>(disc));
   disc.radius = std::abs(numbers.next(9)) / 4;
   disc.growth = numbers.next(2) / 8;
   // A radius that changes is rounded down at every contact, and may not become negative.

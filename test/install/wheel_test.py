@@ -92,15 +92,15 @@ class Wheel(unittest.TestCase):
                              set(re.findall(r"NEEDED.*\[(\S+)\]", text)))
         self.assertEqual(re.findall(r"R(?:UN)?PATH\).*\[(.*)\]", text), ["$ORIGIN"])
 
-    def test_it_names_the_licences_of_these(self):
+    def test_it_names_the_licenses_of_these(self):
         table = (self.package / "licenses/bundled_libraries.md").read_text()
         for file in self.package.glob("lib*.so*"):
             name = file.name.split(".so")[0]
             self.assertRegex(table, rf"\| `{name}` \|.*\| ([\w.-]+(-or-later|-2\.0)|MIT|blessing)\b")
             if pathlib.Path("/etc/debian_version").exists():
                 text = (self.package / f"licenses/{name}.txt").read_text()
-                for licence in re.findall(r"/common-licenses/([\w.-]*\w)", text):
-                    self.assertTrue((self.package / f"licenses/{licence}.txt").is_file(), licence)
+                for license in re.findall(r"/common-licenses/([\w.-]*\w)", text):
+                    self.assertTrue((self.package / f"licenses/{license}.txt").is_file(), license)
 
     def test_no_file_names_a_path_of_this_machine(self):
         for file in self.package.rglob("*"):

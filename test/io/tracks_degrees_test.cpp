@@ -359,7 +359,7 @@ TEST(Read_tracks_projection, local_says_how_far_distances_are_off) {
 }
 
 TEST(Read_tracks_projection, local_is_right_on_the_ellipsoid) {
-  // Lengths in metres of a degree of longitude, and of one of latitude, on WGS 84.
+  // Lengths in meters of a degree of longitude, and of one of latitude, on WGS 84.
   const std::array<std::array<double, 3>, 4> degrees = {{{0, 111319.49, 110574.28},
                                                          {30, 96486.28, 110852.44},
                                                          {60, 55800.00, 111412.29},

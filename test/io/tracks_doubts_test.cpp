@@ -155,7 +155,7 @@ TEST(Read_tracks_doubts, sumo_without_its_comment_is_asked_about) {
       EXPECT_EQ(read_options_error(sumo(first, second), {.projection = projection}), "");
     }
   }
-  // Metres by speeds, by motion, by the size of the net, by the comment.
+  // Meters by speeds, by motion, by the size of the net, by the comment.
   for (const auto& [first, second] :
        {std::pair{"x='13' y='52' speed='1'", "x='23' y='52' speed='1'"},
         {"x='13.4' y='52.5'", "x='23.4' y='52.5'"},

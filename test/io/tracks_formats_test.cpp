@@ -222,7 +222,7 @@ TEST(Read_tracks_ids, the_rate_of_the_option_must_be_that_of_the_file) {
             "t.csv:1: the comment gives 0 frames a second; expected a number greater than 0");
 }
 
-TEST(Read_tracks_ids, centimetres_and_millimetres_become_metres) {
+TEST(Read_tracks_ids, centimeters_and_millimetres_become_metres) {
   for (const auto& [comment, units] : {std::pair{"# id frame x/cm y/cm z/cm", 100.0},
                                        {"# id frame x [in cm] y [in cm]", 100.0},
                                        {"# x/mm y/mm", 1000.0},

@@ -182,7 +182,7 @@ TEST(Read_tracks, degrees_are_refused_unless_a_projection_is_chosen) {
   const Tracks_file file = read_options(text, options);
   const auto& seen = file.tracks[0].observations;
   EXPECT_EQ(seen[0].place, (Vector_2{-seen[1].place.x, -seen[1].place.y}));
-  // Degrees of longitude and latitude at 50.03125 degrees north, in metres.
+  // Degrees of longitude and latitude at 50.03125 degrees north, in meters.
   EXPECT_NEAR(seen[1].place.x, 71649.27 * 0.25, 0.01);
   EXPECT_NEAR(seen[1].place.y, 111229.67 * 0.03125, 0.01);
   EXPECT_EQ(file.remarks,

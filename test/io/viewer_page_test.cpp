@@ -29,9 +29,9 @@ json data(const std::string& page) {
       test::between(page, "<script type=\"application/json\" id=\"recording\">", "</script"));
 }
 
-Polynomial_disc_motion_2 disc(const Polynomial_motion_2& centre, double radius = 0,
+Polynomial_disc_motion_2 disc(const Polynomial_motion_2& center, double radius = 0,
                               double growth = 0, double weight = 0) {
-  return {centre, radius, growth, weight};
+  return {center, radius, growth, weight};
 }
 
 // Three points: one accelerates, one leaves.

@@ -91,9 +91,9 @@ TEST_P(Disc_kinetic_traits, of_contacts_fail_when_the_rims_touch) {
   EXPECT_EQ(contact(small, disc(10, 0, 0, 0, 3)), std::nullopt);
   // Both at rest, and one grows.
   EXPECT_EQ(contact(small, disc(10, 0, 0, 0, 3, 0.5)), Algebraic_number(12.0));
-  // The centres part more slowly than the radius grows.
+  // The centers part more slowly than the radius grows.
   EXPECT_EQ(contact(small, disc(10, 0, 1, 0, 3, 2)), Algebraic_number(6.0));
-  // The centres approach as fast as the radius shrinks.
+  // The centers approach as fast as the radius shrinks.
   EXPECT_EQ(contact(small, disc(10, 0, -1, 0, 9, -1)), std::nullopt);
   // A disc that passes through another one: the first contact is when it comes.
   EXPECT_EQ(contact(disc(-10, 0, 1, 0, 0), disc(0, 0, 0, 0, 5)), Algebraic_number(5.0));
@@ -125,10 +125,10 @@ TEST_P(Disc_kinetic_traits, of_walls_for_rims_keep_the_radius) {
   EXPECT_FALSE(traits.has_approach_speed(disc(0, 0, -2, 0, 1, 2), right, 1.0));
   EXPECT_TRUE(traits.is_inside(growing, left, 9.0));
   EXPECT_FALSE(traits.is_inside(growing, left, 9.0625));
-  // About centres it is as for points.
-  const Wall_2 about_centres = {Wall_2::Side::right, 10, 0.5};
-  EXPECT_EQ(wall_contact(disc(0, 0, 1, 0, 1, 1), about_centres), Algebraic_number(9.5));
-  EXPECT_FALSE(traits.has_approach_speed(disc(0, 0, 0, 0, 1, 1), about_centres, 1.0));
+  // About centers it is as for points.
+  const Wall_2 about_centers = {Wall_2::Side::right, 10, 0.5};
+  EXPECT_EQ(wall_contact(disc(0, 0, 1, 0, 1, 1), about_centers), Algebraic_number(9.5));
+  EXPECT_FALSE(traits.has_approach_speed(disc(0, 0, 0, 0, 1, 1), about_centers, 1.0));
 }
 
 TEST_P(Disc_kinetic_traits, of_discs_approach_if_their_rims_do) {
@@ -255,7 +255,7 @@ TYPED_TEST(Certificates_of_discs, agree_with_static_predicates_at_many_times) {
     const auto gap = [&](const Rational& s) {
       const Rational reach = radius_at(m[0], s) + radius_at(m[1], s);
       return CGAL::compare(
-          CGAL::squared_distance(test::place_at(centre(m[0]), s), test::place_at(centre(m[1]), s)),
+          CGAL::squared_distance(test::place_at(center(m[0]), s), test::place_at(center(m[1]), s)),
           reach * reach);
     };
     if (gap(t) == CGAL::POSITIVE && radius_at(m[0], t) >= 0 && radius_at(m[1], t) >= 0) {

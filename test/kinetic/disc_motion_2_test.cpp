@@ -104,11 +104,11 @@ TYPED_TEST(Disc_motions, that_grow_and_touch_do_not_overlap_after_they_have_been
               to_rational(0x1p-44 * size));
     for (const int side : {-1, 0, 1}) {
       const Rational s = to_rational(t) + side * to_rational(h);
-      // The new disc is in the old one: |centre - new centre| <= radius - new radius.
+      // The new disc is in the old one: |center - new center| <= radius - new radius.
       const auto expect_inside = [&](const auto& inner, const auto& outer) {
         const Rational room = radius_at(outer, s) - radius_at(inner, s);
         ASSERT_GE(room, 0);
-        ASSERT_LE(CGAL::squared_distance(place_at(centre(inner), s), place_at(centre(outer), s)),
+        ASSERT_LE(CGAL::squared_distance(place_at(center(inner), s), place_at(center(outer), s)),
                   room * room);
       };
       expect_inside(new_p, p);
@@ -124,7 +124,7 @@ TEST(Disc_motion, of_a_constant_radius_is_continued_with_that_radius) {
   const Disc_motion_2 later = with_velocity_at(m, {1, 2}, 7.3);
   EXPECT_EQ(later.radius, m.radius);
   EXPECT_EQ(later.weight, m.weight);
-  EXPECT_EQ(centre(later), with_velocity_at(centre(m), {1, 2}, 7.3));
+  EXPECT_EQ(center(later), with_velocity_at(center(m), {1, 2}, 7.3));
   EXPECT_EQ(at_rest_at(m, 7.3).radius, m.radius);
 }
 
@@ -162,7 +162,7 @@ TYPED_TEST(Disc_motions, are_clamped_to_the_inner_side_of_a_wall_for_rims) {
       // No more than needed, but for the rounding.
       const Basic_moving_point_2<TypeParam> before(m);
       const Polynomial was_inside = wall_polynomial(before, wall);
-      constexpr bool is_linear = std::is_same_v<typename TypeParam::Centre_motion, Linear_motion_2>;
+      constexpr bool is_linear = std::is_same_v<typename TypeParam::Center_motion, Linear_motion_2>;
       const bool was_outside = was_inside.sign_at(to_rational(times.lower)) == CGAL::NEGATIVE ||
                                was_inside.sign_at(to_rational(times.upper)) == CGAL::NEGATIVE;
       EXPECT_TRUE(was_outside || !is_linear);
@@ -171,11 +171,11 @@ TYPED_TEST(Disc_motions, are_clamped_to_the_inner_side_of_a_wall_for_rims) {
                   1e-6);
       }
     }
-    // Without rims it is about the centre.
+    // Without rims it is about the center.
     Wall_2 bare = wall;
     bare.rim = false;
-    const TypeParam about_centre = clamped_inside(m, bare, times);
-    ASSERT_EQ(centre(about_centre), clamped_inside(centre(m), bare, times));
+    const TypeParam about_center = clamped_inside(m, bare, times);
+    ASSERT_EQ(center(about_center), clamped_inside(center(m), bare, times));
   }
   EXPECT_GT(moved, 100);
 }
@@ -186,7 +186,7 @@ TYPED_TEST(Disc_motions, are_mirrored_in_time) {
     const int flavor = i % Disc_source::flavors;
     const auto m = source.next<TypeParam>(flavor);
     const Rational t = source.time(flavor);
-    EXPECT_EQ(place_at(centre(mirrored(m)), t), place_at(centre(m), -t));
+    EXPECT_EQ(place_at(center(mirrored(m)), t), place_at(center(m), -t));
     EXPECT_EQ(weight_at(mirrored(m), t), weight_at(m, -t));
     EXPECT_EQ(mirrored(mirrored(m)), m);
   }

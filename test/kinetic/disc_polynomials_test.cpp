@@ -163,7 +163,7 @@ TEST(Disc_polynomials, of_equal_radii_are_those_of_points) {
   for (std::size_t k = 0; k < 4; ++k) {
     m[k] = source.next<Disc_motion_2>(5);
     p[k] = Moving_disc_2(m[k]);
-    q[k] = Moving_point_2(centre(m[k]));
+    q[k] = Moving_point_2(center(m[k]));
   }
   EXPECT_EQ(primitive_part(in_circle_polynomial(p[0], p[1], p[2], p[3])),
             primitive_part(in_circle_polynomial(q[0], q[1], q[2], q[3])));

@@ -214,7 +214,7 @@ TEST_P(Distance_certificates, of_discs_are_about_their_rims) {
   EXPECT_EQ(of_discs.near(disc(0, 0, 1, 2), disc(10, 1, 2, 0), 3, 4.0), std::nullopt);
   EXPECT_EQ(of_discs.apart(disc(0, 0, 1, 1), disc(10, 1, 2, 0), 3, 0.0), std::nullopt);
   EXPECT_EQ(of_discs.near(disc(0, 0, 1, 0), disc(5, 3, 2, 1), 4, 0.0), Time(1.0));
-  // The centres decide.
+  // The centers decide.
   EXPECT_EQ(
       of_discs.closer(disc(0, 0, 9, 5), disc(1, 1, 9, 5), disc(0, 0, 0, 0), disc(3, 0, 0, 0), 0.0),
       Time(2.0));
@@ -238,7 +238,7 @@ Rational reach_at(const Motion& p, const Motion& q, double range, const Rational
 template <class Motion>
 Rational excess_at(const Motion& p, const Motion& q, double range, const Rational& t) {
   const Rational reach = reach_at(p, q, range, t);
-  return CGAL::squared_distance(test::place_at(centre(p), t), test::place_at(centre(q), t)) -
+  return CGAL::squared_distance(test::place_at(center(p), t), test::place_at(center(q), t)) -
          reach * reach;
 }
 
@@ -292,8 +292,8 @@ void expect_definition(const std::vector<Motion>& m, unsigned seed, int& failure
         false);
     if (testing::Test::HasFatalFailure()) return;
     const auto comparison = [&](const Rational& time) {
-      return Rational(excess_at(centre(m[i + 2]), centre(m[i + 3]), 0, time) -
-                      excess_at(centre(m[i]), centre(m[i + 1]), 0, time));
+      return Rational(excess_at(center(m[i + 2]), center(m[i + 3]), 0, time) -
+                      excess_at(center(m[i]), center(m[i + 1]), 0, time));
     };
     const auto closer = of.closer(p, q, r, s, t);
     expect_first_failure(closer, comparison, t, false);
@@ -414,8 +414,8 @@ void expect_same_as_exact(int flavor, int cases, int greatest_exact_share) {
     if (i % 3 == 1) m[2] = m[0];
     if (i % 8 == 3) m[3].velocity = m[1].velocity;
     SCOPED_TRACE(testing::Message() << test::describe_discs(m) << "case " << i << ", time " << t);
-    const Vector_2 a = rounded_place(centre(m[0]), i % 4 == 0 ? t : t + 1);
-    const Vector_2 b = rounded_place(centre(m[1]), i % 4 == 0 ? t : t + 1);
+    const Vector_2 a = rounded_place(center(m[0]), i % 4 == 0 ? t : t + 1);
+    const Vector_2 b = rounded_place(center(m[1]), i % 4 == 0 ? t : t + 1);
     double range = std::abs(a.x - b.x);
     if (i % 2 == 1) range *= std::ldexp(1.0, static_cast<int>(random() % 5) - 2);
     if (!std::isfinite(range)) continue;

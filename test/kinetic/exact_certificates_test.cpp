@@ -58,7 +58,7 @@ TEST_P(Polynomials_on_stack, are_those_on_the_heap) {
     const std::array<Moving_disc_2, 4> d = {Moving_disc_2(m[0]), Moving_disc_2(m[1]),
                                             Moving_disc_2(m[2]), Moving_disc_2(m[3])};
     const double diameter = std::ldexp(i % 5, i % 7 - 5);
-    const auto contact = polynomial_on_stack(gap_formula, centre(m[0]), centre(m[1]),
+    const auto contact = polynomial_on_stack(gap_formula, center(m[0]), center(m[1]),
                                              touching_distance(m[0], m[1], diameter));
     expect_same(contact, contact_polynomial(d[0], d[1], diameter));
     made += contact.has_value();
@@ -66,13 +66,13 @@ TEST_P(Polynomials_on_stack, are_those_on_the_heap) {
     for (const bool rim : {false, true}) {
       for (const Wall_2& wall : walls(rim)) {
         const auto inside = [&](const auto&... all) { return wall_of(wall, all...); };
-        expect_same(polynomial_on_stack(inside, centre(m[0]), bound_of(wall, m[0])),
+        expect_same(polynomial_on_stack(inside, center(m[0]), bound_of(wall, m[0])),
                     wall_polynomial(d[0], wall));
       }
     }
     const auto comparison = [](const auto&... all) { return distance_comparison_of(all...); };
     expect_same(
-        polynomial_on_stack(comparison, centre(m[0]), centre(m[1]), centre(m[2]), centre(m[3])),
+        polynomial_on_stack(comparison, center(m[0]), center(m[1]), center(m[2]), center(m[3])),
         distance_comparison_polynomial(d[0], d[1], d[2], d[3]));
     if (HasFailure()) return;
   }
@@ -98,7 +98,7 @@ TEST(Polynomials_on_stack, are_not_made_of_numbers_that_are_too_wide) {
   const Disc_motion_2 p = {{{-0x1.fffffffffffffp124, 0x1p-72}, {0x1p-72, 0}, 0}, 0x1p124, 0x1p124};
   const Disc_motion_2 q = {{{0x1.fffffffffffffp123, 0}, {0, -0x1p123}, 0}, 0x1p124, -0x1p-72};
   const auto widest =
-      polynomial_on_stack(gap_formula, centre(p), centre(q), touching_distance(p, q, 0x1p124));
+      polynomial_on_stack(gap_formula, center(p), center(q), touching_distance(p, q, 0x1p124));
   ASSERT_TRUE(widest);
   expect_same(widest, contact_polynomial(Moving_disc_2(p), Moving_disc_2(q), 0x1p124));
   EXPECT_FALSE(
@@ -191,12 +191,12 @@ TEST_P(Counted_certificates, are_those_of_general_algebraic_numbers) {
     const auto m = source.next(i % test::Kind_of_radii::kinds, t);
     const std::array<Moving_disc_2, 4> d = {Moving_disc_2(m[0]), Moving_disc_2(m[1]),
                                             Moving_disc_2(m[2]), Moving_disc_2(m[3])};
-    expect_contacts(polynomial_on_stack(gap_formula, centre(m[0]), centre(m[1]),
+    expect_contacts(polynomial_on_stack(gap_formula, center(m[0]), center(m[1]),
                                         touching_distance(m[0], m[1], 0)),
                     contact_polynomial(d[0], d[1], 0), t);
     for (const Wall_2& wall : walls(i % 2 == 0)) {
       const auto inside = [&](const auto&... all) { return wall_of(wall, all...); };
-      expect_contacts(polynomial_on_stack(inside, centre(m[0]), bound_of(wall, m[0])),
+      expect_contacts(polynomial_on_stack(inside, center(m[0]), bound_of(wall, m[0])),
                       wall_polynomial(d[0], wall), t);
     }
     if (HasFailure()) return;

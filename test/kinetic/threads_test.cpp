@@ -38,7 +38,7 @@ std::string findings(const Traits& traits, const std::vector<typename Traits::Po
   return out.str();
 }
 
-// A lattice, some of whose points move, with the centre of a circle.
+// A lattice, some of whose points move, with the center of a circle.
 std::vector<Moving_point_2> some_points() {
   std::vector<Moving_point_2> points;
   for (int i = 0; i < 9; ++i) {

@@ -226,7 +226,7 @@ TEST(CellAreas, of_points_that_accelerate_are_those_of_the_exact_cells) {
   }
 }
 
-// Some discs are hidden, some do not have their centre in their cell, some coincide.
+// Some discs are hidden, some do not have their center in their cell, some coincide.
 TEST(CellAreas, of_discs_are_those_of_the_exact_power_cells) {
   for (unsigned seed = 0; seed < 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
     SCOPED_TRACE(seed);

@@ -76,7 +76,7 @@ TEST(Cutoff, does_not_lead_around_walls) {
 
 // ---- the disc formula ----
 
-// For a polygon around the centre, in polar coordinates, with more digits.
+// For a polygon around the center, in polar coordinates, with more digits.
 double area_in_polar_coordinates(const std::vector<Vector_2>& polygon, long double radius) {
   long double sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -84,7 +84,7 @@ double area_in_polar_coordinates(const std::vector<Vector_2>& polygon, long doub
     const long double ay = polygon[i].y;
     const long double bx = polygon[(i + 1) % polygon.size()].x;
     const long double by = polygon[(i + 1) % polygon.size()].y;
-    // The edge is at the distance h from the centre in the direction of angle 0.
+    // The edge is at the distance h from the center in the direction of angle 0.
     const long double length = std::hypot(bx - ax, by - ay);
     const long double h = (ax * by - ay * bx) / length;
     const long double from = std::atan2((ax * (bx - ax) + ay * (by - ay)) / length, h);

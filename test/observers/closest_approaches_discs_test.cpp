@@ -145,7 +145,7 @@ struct Edge_recorder : Event_observer {
 // ---- by hand ----
 
 TEST(Closest_discs, of_two_sizes_are_those_of_the_least_gap_not_of_the_least_distance) {
-  // The centres of the small ones are nearer to each other, the rims of the large ones are.
+  // The centers of the small ones are nearer to each other, the rims of the large ones are.
   Disc_simulation simulation({disc({0, 0}, {}, 10), disc({25, 0}, {-1, 0}, 12),
                               disc({0, 100}, {}, 0.5), disc({5, 100}, {-1, 0}, 0.5)},
                              logging());
@@ -418,11 +418,11 @@ TEST(Closest_discs, that_grow_are_nearest_where_the_rims_stop_approaching) {
   EXPECT_NEAR(between.gap, 5 - 2 - 6.4, 1e-15);
   EXPECT_NEAR(between.time.to_double(), 8, 1e-14);
   EXPECT_EQ(least(1, 1, 20).time, Algebraic_number(20.0));    // for ever
-  EXPECT_EQ(least(2, 1, 20).time, Algebraic_number(20.0));    // faster than the centres part
+  EXPECT_EQ(least(2, 1, 20).time, Algebraic_number(20.0));    // faster than the centers part
   EXPECT_EQ(least(0.5, 0, 20).time, Algebraic_number(20.0));  // at rest
   EXPECT_EQ(least(0, 0, 20).time, Algebraic_number(0.0));     // never changes
   EXPECT_EQ(least(0, 1, 20).time, Algebraic_number(4.0));
-  // Shrinking by 1/80: before the centres are nearest.
+  // Shrinking by 1/80: before the centers are nearest.
   const Approach shrinking = least(-0.0125, 1, 20);
   EXPECT_LT(shrinking.time, Algebraic_number(4.0));
   EXPECT_NEAR(shrinking.time.to_double(), 4 - 3 * 0.0125 / std::sqrt(1 - 0.0125 * 0.0125), 1e-14);

@@ -119,7 +119,7 @@ TEST(Encounters_of_discs, are_those_of_all_pairs_at_any_range) {
   }
 }
 
-// Small integers: touches at the range, many at one time, hidden discs, equal centres.
+// Small integers: touches at the range, many at one time, hidden discs, equal centers.
 TEST(Encounters_of_discs, on_a_grid_are_those_of_all_pairs) {
   std::mt19937_64 random(2);
   const auto integer = [&random](int least, int greatest) {

@@ -88,7 +88,7 @@ bool reaches(const Snapshot<Traits>& now, const Edge_ids& edge, double length,
   const auto excess_and_square = [&](const Rational& t) {
     const auto place = [&](Point_id id) { return test::place_at(now.motions.at(id), t); };
     const auto weight = [&](Point_id id) { return weight_at(now.motions.at(id), t); };
-    // The centre less the place of the first end, times a denominator; and that.
+    // The center less the place of the first end, times a denominator; and that.
     const auto center = [&](Point_id id) {
       const auto q = place(edge[1]) - place(edge[0]);
       const auto r = place(id) - place(edge[0]);

@@ -11,8 +11,8 @@ import kinetri
 
 def lower_hull(places, weights):
     """The triangles of the lower hull of the points lifted to x^2 + y^2 - w, and the vertices."""
-    centred = places - places.mean(axis=0)
-    hull = ConvexHull(np.column_stack((centred, (centred**2).sum(axis=1) - weights)))
+    centered = places - places.mean(axis=0)
+    hull = ConvexHull(np.column_stack((centered, (centered**2).sum(axis=1) - weights)))
     faces = hull.simplices[hull.equations[:, 2] < 0]
     return sorted(tuple(sorted(map(int, face))) for face in faces)
 

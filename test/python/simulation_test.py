@@ -309,7 +309,7 @@ def test_points_stay_in_the_box_and_turn_where_they_must(seed):
     assert sim.audit()
 
 
-def test_rim_and_centre():
+def test_rim_and_center():
     for rim, time in ((False, 10), (True, 8)):
         sim = kinetri.Simulation([[0, 0]], [[1, 0]], radius=2, box=(-5, -5, 10, 5), rim=rim)
         events = sim.record(until=11)

@@ -46,7 +46,7 @@ def test_degrees_by_names(x, y):
         assert np.allclose(ends, [0.02, 0.01] * DEGREES, rtol=1e-6)
 
 
-def test_a_projection_without_names_and_its_metres():
+def test_a_projection_without_names_and_its_meters():
     for make in ways(projection="utm").values():
         tracks = make()
         assert tracks.remarks == ["places are in metres of UTM, zone 33 north (EPSG:32633); distances are off by at most "

@@ -17,7 +17,7 @@ import check_documents  # noqa: E402
 import check_layers  # noqa: E402
 import check_sources  # noqa: E402
 
-LICENCE = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
+LICENSE = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 FIRST_INCLUDE = '#include "kinetri/base/platform.h"\n'
 
 
@@ -151,14 +151,14 @@ class Sources(Tree):
 
     def test_a_good_header_passes(self):
         guard = "KINETRI_IO_POINTS_FILE_H"
-        text = LICENCE + f"#ifndef {guard}\n#define {guard}\n{FIRST_INCLUDE}#endif\n"
+        text = LICENSE + f"#ifndef {guard}\n#define {guard}\n{FIRST_INCLUDE}#endif\n"
         self.assertEqual(self.problems("include/kinetri/io/points_file.h", text), [])
         found = self.problems("include/kinetri/io/points_file.h", text.replace(FIRST_INCLUDE, ""))
         self.assertEqual(found, ["include/kinetri/io/points_file.h:1: no public header included; "
                                  "expected kinetri/base/platform.h"])
 
     def test_a_wrong_guard_fails(self):
-        text = LICENCE + f"#ifndef KINETRI_H\n#define KINETRI_H\n{FIRST_INCLUDE}#endif\n"
+        text = LICENSE + f"#ifndef KINETRI_H\n#define KINETRI_H\n{FIRST_INCLUDE}#endif\n"
         found = self.problems("include/kinetri/io/points_file.h", text)
         self.assertEqual(
             found, ["include/kinetri/io/points_file.h:1: no include guard KINETRI_IO_POINTS_FILE_H"]
@@ -167,47 +167,47 @@ class Sources(Tree):
     def test_tests_are_in_a_namespace_named_after_their_file(self):
         path = "test/io/a_test.cpp"
         for right in ("kinetri::a_test", "kinetri::app::a_test", "kinetri::io_a_test"):
-            self.assertEqual(self.problems(path, f"{LICENCE}namespace {right} {{\n}}\n"), [])
+            self.assertEqual(self.problems(path, f"{LICENSE}namespace {right} {{\n}}\n"), [])
         for wrong in ("kinetri", "kinetri::test", "kinetri::b_a_test", "a_test"):
             with self.subTest(namespace=wrong):
-                found = self.problems(path, f"{LICENCE}namespace {wrong} {{\n}}\n")
+                found = self.problems(path, f"{LICENSE}namespace {wrong} {{\n}}\n")
                 self.assertEqual(found, [f"{path}:1: expected a namespace ...::a_test around the tests"])
 
     def test_a_source_begins_with_its_own_header(self):
-        header = f"{LICENCE}#ifndef KINETRI_IO_A_H\n#define KINETRI_IO_A_H\n{FIRST_INCLUDE}#endif\n"
+        header = f"{LICENSE}#ifndef KINETRI_IO_A_H\n#define KINETRI_IO_A_H\n{FIRST_INCLUDE}#endif\n"
         own, other = '#include "kinetri/io/a.h"\n', "#include <vector>\n"
-        self.assertEqual(self.problems("src/io/a.cpp", LICENCE + other), [])  # it has none
+        self.assertEqual(self.problems("src/io/a.cpp", LICENSE + other), [])  # it has none
         self.write("include/kinetri/io/a.h", header)
-        self.assertEqual(self.problems("src/io/a.cpp", LICENCE + own + other), [])
+        self.assertEqual(self.problems("src/io/a.cpp", LICENSE + own + other), [])
         for wrong in (other + own, other, ""):
             with self.subTest(text=wrong):
-                self.assertEqual(len(self.problems("src/io/a.cpp", LICENCE + wrong)), 1)
+                self.assertEqual(len(self.problems("src/io/a.cpp", LICENSE + wrong)), 1)
 
-    def test_a_missing_licence_fails(self):
+    def test_a_missing_license_fails(self):
         for name in ("src/a.cpp", "CMakeLists.txt", "README.md", ".ci/run"):
             with self.subTest(name=name):
-                self.assertEqual(len(self.problems(name, "one\ntwo\nthree\n" + LICENCE)), 1)
+                self.assertEqual(len(self.problems(name, "one\ntwo\nthree\n" + LICENSE)), 1)
                 (self.root / name).unlink()
 
     def test_a_path_of_a_machine_fails(self):
         for path in ("/home/" + "someone/x", "/root" + "/x", "/Users" + "/me"):
             with self.subTest(path=path):
-                self.assertEqual(len(self.problems("a.sh", f"# {LICENCE}cd {path}\n")), 1)
+                self.assertEqual(len(self.problems("a.sh", f"# {LICENSE}cd {path}\n")), 1)
 
     def test_ordinary_paths_pass(self):
-        text = LICENCE + "// /usr/lib, ~/project/x, a/root/b, ${HOME}/project/x, https://a.org/home\n"
+        text = LICENSE + "// /usr/lib, ~/project/x, a/root/b, ${HOME}/project/x, https://a.org/home\n"
         self.assertEqual(self.problems("a.cpp", text), [])
 
     def test_blanks_where_none_belong_fail(self):
         for text in ("\tx\n", "x \n", "x"):
             with self.subTest(text=text):
-                self.assertEqual(len(self.problems("a.cpp", LICENCE + text)), 1)
+                self.assertEqual(len(self.problems("a.cpp", LICENSE + text)), 1)
 
     def test_a_precondition_that_no_test_breaks_fails(self):
-        text = LICENCE + 'KINETRI_PRECONDITION(!empty(),\n  "the queue is empty");\n'
+        text = LICENSE + 'KINETRI_PRECONDITION(!empty(),\n  "the queue is empty");\n'
         self.assertEqual(self.problems("src/events/a.cpp", text),
                          ['src/events/a.cpp:2: "the queue is empty" is in no test; break it in one'])
-        test = (LICENCE + "namespace kinetri::a_test {\n}\n" +
+        test = (LICENSE + "namespace kinetri::a_test {\n}\n" +
                 'EXPECT_PRECONDITION_ERROR(top(), "the queue "\n  "is empty");\n')
         self.assertEqual(self.problems("test/events/a_test.cpp", test), [])
 
@@ -224,9 +224,9 @@ class Documents(Tree):
 
     def setUp(self):
         super().setUp()
-        self.write("test/install/consumer/main.cpp", LICENCE + self.PROGRAM)
+        self.write("test/install/consumer/main.cpp", LICENSE + self.PROGRAM)
         self.write("README.md", f"```cpp\n{self.PROGRAM}```\n")
-        self.write("examples/p.cpp", LICENCE + self.PROGRAM)
+        self.write("examples/p.cpp", LICENSE + self.PROGRAM)
         self.write("examples/p.txt", self.OUTPUT)
         self.write("examples/CMakeLists.txt", "find_package(Kinetri)\n")
         self.write("examples/other.txt", "four\n")
@@ -281,11 +281,11 @@ class Documents(Tree):
                 self.assertTrue(found[0].startswith("docs/guide/p.md:2: "), found[0])
 
     def test_a_program_that_no_page_shows_fails(self):
-        found = self.problems("examples/q.cpp", LICENCE)
+        found = self.problems("examples/q.cpp", LICENSE)
         self.assertEqual(found, ["examples/q.cpp:1: no page of docs/guide shows it"])
 
     def test_a_short_program_or_an_output_that_is_shown_in_part_fails(self):
-        part, long = "  g();\n}\n", LICENCE + self.PROGRAM + "\n" * 100
+        part, long = "  g();\n}\n", LICENSE + self.PROGRAM + "\n" * 100
         for block, program, expected in (
             (f"```cpp\n{part}```\n", None, ["the whole of its 6 lines"]),
             (f"```cpp\n{part}```\n```text\n{self.OUTPUT}```\n", long, []),
@@ -293,14 +293,14 @@ class Documents(Tree):
             (f"```cpp\n{self.PROGRAM}```\n```text\ntwo\nthree\n```\n", None, ["the whole of p.txt"]),
         ):
             with self.subTest(block=block):
-                self.write("examples/p.cpp", program or LICENCE + self.PROGRAM)
+                self.write("examples/p.cpp", program or LICENSE + self.PROGRAM)
                 found = self.problems("docs/guide/p.md", self.GUIDE + block)
                 prefix = "examples/p.cpp:1: no page of docs/guide shows "
                 self.assertEqual(found, [prefix + text for text in expected])
 
     def test_a_python_program_is_shown_as_it_is(self):
         program, page = '"""What."""\nf()\n', "[q](../../examples/python/q.py)\n"
-        self.write("examples/python/q.py", LICENCE.replace("//", "#") + program)
+        self.write("examples/python/q.py", LICENSE.replace("//", "#") + program)
         self.write("examples/python/q.txt", self.OUTPUT)
         whole = f"```python\n{program}```\n```text\n{self.OUTPUT}```\n"
         self.assertEqual(self.problems("docs/guide/q.md", page + whole), [])

@@ -55,7 +55,7 @@ class Numbers {
 };
 
 template <class Motion>
-Motion random_centre(Numbers& numbers, int size) {
+Motion random_center(Numbers& numbers, int size) {
   const Vector_2 place = numbers.vector(size);
   const Vector_2 velocity = numbers.vector(3);
   if constexpr (std::same_as<Motion, Linear_motion_2>) {
@@ -81,11 +81,11 @@ struct Sizes {
 template <class Motion>
 Motion random_motion(Numbers& numbers, const Sizes& sizes) {
   if constexpr (HasWeight<Motion>) {
-    const auto centre = random_motion<typename Motion::Centre_motion>(numbers, sizes);
+    const auto center = random_motion<typename Motion::Center_motion>(numbers, sizes);
     const double radius = numbers.radius(sizes.radius);
-    return {centre, radius, numbers.growth(radius, sizes.duration), 0};
+    return {center, radius, numbers.growth(radius, sizes.duration), 0};
   } else {
-    return random_centre<Motion>(numbers, sizes.side);
+    return random_center<Motion>(numbers, sizes.side);
   }
 }
 /// At `time` a point comes, turns, or goes, in turn: the motion begins there at that time.

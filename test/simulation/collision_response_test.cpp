@@ -49,7 +49,7 @@ class Random_contacts {
     } while (result.separation == Vector_2() || relative(result) >= 0);
     return result;
   }
-  /// The relative velocity along the line of centres, positive where the centres part.
+  /// The relative velocity along the line of centers, positive where the centers part.
   static Real relative(const Contact_2& c) {
     return along(c, Real(c.velocity_b.x) - c.velocity_a.x, Real(c.velocity_b.y) - c.velocity_a.y);
   }

@@ -85,13 +85,13 @@ TEST(Wall, parts_from_the_rim_of_a_growing_disc_as_fast_as_they_met) {
   Simulation_options options;
   options.box = Box_2{0, 0, 10, 10};
   options.rim_touches = true;
-  // At t = 2 its centre is at 8 and its radius 2; they meet at the speed 1 + 0.5.
+  // At t = 2 its center is at 8 and its radius 2; they meet at the speed 1 + 0.5.
   const std::vector<Disc_motion_2> motions = {{{{6, 5}, {1, 0}, 0}, 1, 0.5, 0}};
   const auto made = changes<Disc_kinetic_traits_2>(motions, options, 2, Contact_kind::wall, 0, 1);
   EXPECT_EQ(rounded_velocity(*made[0].motion, 2).x, -2) << "-(1 + 2 * 0.5)";
 }
 
-TEST(Collision, of_equal_masses_exchanges_what_is_along_the_line_of_centres) {
+TEST(Collision, of_equal_masses_exchanges_what_is_along_the_line_of_centers) {
   const auto made = collision(head_on, discs(1, collide_elastically));
   ASSERT_EQ(made.size(), 2u);
   EXPECT_EQ(rounded_velocity(*made[0].motion, 2), (Vector_2{-1, 1}));

@@ -169,7 +169,7 @@ TEST(Contact_regions, collide_discs_of_any_size_as_the_loop_does) {
 }
 
 // Few large discs among many small ones. Some are smaller than a rounding, so that a contact may
-// leave their centres in others.
+// leave their centers in others.
 TEST(Contact_regions, collide_small_discs_with_large_ones_as_the_loop_does) {
   Region_counters sum;
   for (unsigned seed = 0; seed < 40u * static_cast<unsigned>(test::multiplier()); ++seed) {

@@ -22,7 +22,7 @@ using test::Simulation;
 using test::velocity;
 
 TEST(Discs, that_swap_velocities_pass_them_on_to_a_resting_one) {
-  // Centres 0 and 5 apart, diameter 2: contact at time 3.
+  // Centers 0 and 5 apart, diameter 2: contact at time 3.
   const std::vector<Linear_motion_2> motions = {
       {{0, 0}, {1, 0}, 0}, {{5, 0}, {0, 0}, 0}, {{2, 9}, {0, 0}, 0}};
   Simulation simulation(motions, discs(1, swap_velocities));

@@ -44,7 +44,7 @@ bool is_outside(const Any_setup& known, const Motion& motion, double now) {
   return !message.empty();
 }
 
-TEST(Simulation_setup, has_walls_for_centres_or_for_rims) {
+TEST(Simulation_setup, has_walls_for_centers_or_for_rims) {
   EXPECT_EQ(setup(in_box(8, 1, false)).walls()[1], (Wall_2{Wall_2::Side::right, 8, 0}));
   EXPECT_EQ(setup(in_box(8, 1, true)).walls()[1], (Wall_2{Wall_2::Side::right, 8, 1}));
   EXPECT_EQ(disc_setup(in_box(8, 0, true)).walls()[1], (Wall_2{Wall_2::Side::right, 8, 0, true}));
@@ -54,7 +54,7 @@ TEST(Simulation_setup, has_walls_for_centres_or_for_rims) {
   EXPECT_FALSE(setup({}).has_response());
 }
 
-// 1 - 0.1 is no binary64 number: the bound of the centres is exact, not rounded.
+// 1 - 0.1 is no binary64 number: the bound of the centers is exact, not rounded.
 TEST(Simulation_setup, compares_places_with_the_exact_bound) {
   const Point_setup known = setup(in_box(1, 0.1, true));
   const double bound = 1 - 0.1;
@@ -73,7 +73,7 @@ TEST(Simulation_setup, of_growing_discs_compares_their_rims) {
   const Disc_motion_2 grows = {{{5, 5}, {0, 0}, 0}, 1, 0.5, 0};
   EXPECT_FALSE(is_outside(known, grows, 4)) << "its rim is on the wall";
   EXPECT_TRUE(is_outside(known, grows, 4.5));
-  EXPECT_FALSE(is_outside(disc_setup(in_box(8, 0, false)), grows, 4.5)) << "its centre is inside";
+  EXPECT_FALSE(is_outside(disc_setup(in_box(8, 0, false)), grows, 4.5)) << "its center is inside";
 }
 
 TEST(Simulation_setup, refuses_a_radius_that_is_negative_from_now_on) {

@@ -35,11 +35,11 @@ enum Kind_of_radii {
 template <class Disc>
 class Disc_certificates {
  public:
-  Disc_certificates(int flavor, unsigned seed) : flavor_(flavor), centres_(seed), random_(seed) {}
+  Disc_certificates(int flavor, unsigned seed) : flavor_(flavor), centers_(seed), random_(seed) {}
 
   /// For certificates that start at the time t.
   std::array<Disc, 4> next(int kind, double t) {
-    const auto lines = centres_.next(flavor_);
+    const auto lines = centers_.next(flavor_);
     std::array<Disc, 4> m;
     if constexpr (std::same_as<Disc, Disc_motion_2>) {
       for (std::size_t i = 0; i < 4; ++i) static_cast<Linear_motion_2&>(m[i]) = lines[i];
@@ -94,11 +94,11 @@ class Disc_certificates {
     }
     return m;
   }
-  double time() { return centres_.time(flavor_); }
+  double time() { return centers_.time(flavor_); }
 
  private:
   int flavor_;
-  Certificates centres_;
+  Certificates centers_;
   std::mt19937_64 random_;
   std::uniform_real_distribution<double> share_{-1, 1};
 };

@@ -35,7 +35,7 @@ Rational weight_at(const Disc& disc, const Rational& t) {
 /// The weighted point at time `t`.
 template <class Disc>
 Static_disc disc_at(const Disc& disc, const Rational& t) {
-  return {place_at(centre(disc), t), weight_at(disc, t)};
+  return {place_at(center(disc), t), weight_at(disc, t)};
 }
 
 /// Random discs: 0 ordinary, 1 of tiny integers (degenerate), 2 of wild magnitudes, 3 of far-away

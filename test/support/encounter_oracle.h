@@ -139,9 +139,9 @@ struct Functions {
 
   template <class Motion>
   Functions(const Motion& p, const Motion& q, double radius, double range) {
-    constexpr int degree = std::is_same_v<Centre_motion_of<Motion>, Linear_motion_2> ? 2 : 6;
+    constexpr int degree = std::is_same_v<Center_motion_of<Motion>, Linear_motion_2> ? 2 : 6;
     const auto distance = [&](const Rational& t) {
-      return Rational(CGAL::squared_distance(place_at(centre(p), t), place_at(centre(q), t)));
+      return Rational(CGAL::squared_distance(place_at(center(p), t), place_at(center(q), t)));
     };
     const auto sum = [&](const Rational& t) {
       return Rational(radius_of(p, radius, t) + radius_of(q, radius, t));

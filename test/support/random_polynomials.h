@@ -223,8 +223,8 @@ inline Algebraic_number isolated_root(const Known_polynomial& p, const Known_roo
     return scaled_by_power_of_two(scale, -exponent - narrower);
   };
   // Fewer digits suffice, since the ends are far from the root.
-  const Rational centre = root.rational ? *root.rational : rounded(root.value, 2000);
-  return Algebraic_number(square_free_part(p.polynomial()), centre - radius(), centre + radius());
+  const Rational center = root.rational ? *root.rational : rounded(root.value, 2000);
+  return Algebraic_number(square_free_part(p.polynomial()), center - radius(), center + radius());
 }
 
 /// Whether the number is the known one. For an irrational: the minimal polynomial divides the

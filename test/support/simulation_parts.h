@@ -31,7 +31,7 @@ struct Geometry_part {
       for (Point_id b = a + 1; b < n; ++b) {
         const Rational reach = radius(a, t) + radius(b, t);
         const auto place = [&](Point_id id) {
-          return place_at(centre(triangulation.motion(id)), t);
+          return place_at(center(triangulation.motion(id)), t);
         };
         if (CGAL::squared_distance(place(a), place(b)) < reach * reach) result.insert({a, b});
       }

@@ -299,10 +299,10 @@ TEST(Queries_of_discs, that_accelerate_are_answered_as_by_a_look_at_everything) 
   for (unsigned seed = 0; seed < 8u * static_cast<unsigned>(test::multiplier()); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
-    const auto centres = test::polynomial_grid_motions(2 + seed % 5, 4, 1, 2, seed);
+    const auto centers = test::polynomial_grid_motions(2 + seed % 5, 4, 1, 2, seed);
     std::vector<Polynomial_disc_motion_2> discs;
-    for (const Polynomial_motion_2& centre : centres) {
-      discs.push_back({centre, static_cast<double>(random() % 4), 0, 0});
+    for (const Polynomial_motion_2& center : centers) {
+      discs.push_back({center, static_cast<double>(random() % 4), 0, 0});
     }
     Kinetic_regular_triangulation_2<Polynomial_disc_kinetic_traits_2> kinetic(discs);
     ask_along(kinetic, 3, seed, shapes);
@@ -382,7 +382,7 @@ TEST(Queries_of_discs, a_cell_is_one_position_when_it_appears_and_when_it_vanish
   }
 }
 
-// On the edge of two others, at its height: between the centres of the triangles beside it.
+// On the edge of two others, at its height: between the centers of the triangles beside it.
 TEST(Queries_of_discs, a_cell_on_an_edge_is_a_segment_with_two_sides) {
   const Kinetic kinetic({resting(-1, 0, 0), resting(1, 0, 0), resting(0, 3, 0), resting(0, -5, 0),
                          resting(0, 0, 0, -1)});

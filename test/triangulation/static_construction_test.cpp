@@ -91,7 +91,7 @@ TEST(Static_construction, of_discs_hides_those_that_have_no_cell) {
         0.0, Disc_kinetic_traits_2().instantaneous_traits(Instant{0.0, Time_side::after}));
     return made.number_of_hidden_vertices();
   };
-  // (4, 3) is the centre of the circle through the three, and 5 away from them: 36 - 25 = 11.
+  // (4, 3) is the center of the circle through the three, and 5 away from them: 36 - 25 = 11.
   EXPECT_EQ(hidden(3), 1u);
   EXPECT_EQ(hidden(3.5), 0u);
 }

@@ -171,10 +171,10 @@ Exit_code generate_packing(const Packing_arguments& given) {
   } catch (const Packing_error& error) {
     throw Run_error(error.what());
   }
-  std::vector<Linear_motion_2> centres;
+  std::vector<Linear_motion_2> centers;
   std::vector<double> radii;
   for (const Disc_motion_2& disc : packing.discs) {
-    centres.push_back(disc);
+    centers.push_back(disc);
     radii.push_back(disc.radius);
   }
   std::vector<double> growths;
@@ -183,7 +183,7 @@ Exit_code generate_packing(const Packing_arguments& given) {
         std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
     for (const double radius : radii) growths.push_back(*growth * (radius / mean));
   }
-  write_points(output.stream(), centres, radii, growths);
+  write_points(output.stream(), centers, radii, growths);
   output.commit();
   print_error(joined("To simulate these discs in their box:\n  ",
                      command_for(packing.box, given.output), "\n"));

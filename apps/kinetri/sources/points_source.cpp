@@ -147,11 +147,11 @@ Any_simulation Points_source::simulation_of_points(const Simulation_options& sim
 Any_simulation Points_source::simulation_of_discs(const Point_discs& discs,
                                                   const Simulation_options& simulation_options,
                                                   Arithmetic arithmetic) const {
-  const auto motions_of = [&](const auto& centres) {
-    using Centre = typename std::decay_t<decltype(centres)>::value_type;
-    std::vector<Basic_disc_motion_2<Centre>> result;
-    for (std::size_t i = 0; i < centres.size(); ++i) {
-      result.push_back({centres[i], discs.radii[i], discs.growths[i], 0});
+  const auto motions_of = [&](const auto& centers) {
+    using Center = typename std::decay_t<decltype(centers)>::value_type;
+    std::vector<Basic_disc_motion_2<Center>> result;
+    for (std::size_t i = 0; i < centers.size(); ++i) {
+      result.push_back({centers[i], discs.radii[i], discs.growths[i], 0});
     }
     return result;
   };

@@ -19,7 +19,7 @@
 
 namespace kinetri {
 
-/// A disc whose center has the motion `CentreMotion` and whose radius at time t is
+/// A disc whose center has the motion `CenterMotion` and whose radius at time t is
 ///
 ///     radius + growth * (t - epoch),
 ///
@@ -27,9 +27,9 @@ namespace kinetri {
 /// `weight`, which is 0 for a disc; a point with a given weight of either sign has radius and
 /// growth 0 and that `weight`. The power of a position to it is the squared distance to the center
 /// minus the weight. All numbers are finite (`is_finite`).
-template <class CentreMotion>
-struct Basic_disc_motion_2 : CentreMotion {
-  using Centre_motion = CentreMotion;  ///< of the center; it has the epoch
+template <class CenterMotion>
+struct Basic_disc_motion_2 : CenterMotion {
+  using Center_motion = CenterMotion;  ///< of the center; it has the epoch
 
   double radius = 0;  ///< at the epoch
   double growth = 0;  ///< of the radius per unit of time
@@ -47,23 +47,23 @@ using Polynomial_disc_motion_2 = Basic_disc_motion_2<Polynomial_motion_2>;
 /// A motion of a point with a weight, such as a disc.
 template <class Motion>
 concept HasWeight = requires(const Motion& motion) {
-  typename Motion::Centre_motion;
+  typename Motion::Center_motion;
   { motion.radius + motion.growth + motion.weight } -> std::same_as<double>;
 };
 
 /// The motion of the center of a disc; any other motion itself.
 template <class Motion>
-const auto& centre(const Motion& motion) {
+const auto& center(const Motion& motion) {
   if constexpr (HasWeight<Motion>) {
-    return static_cast<const typename Motion::Centre_motion&>(motion);
+    return static_cast<const typename Motion::Center_motion&>(motion);
   } else {
     return motion;
   }
 }
 
-/// The type of `centre(motion)`.
+/// The type of `center(motion)`.
 template <class Motion>
-using Centre_motion_of = std::remove_cvref_t<decltype(centre(std::declval<const Motion&>()))>;
+using Center_motion_of = std::remove_cvref_t<decltype(center(std::declval<const Motion&>()))>;
 
 /// The same disc, as one whose center may accelerate.
 Polynomial_disc_motion_2 polynomial_motion(const Disc_motion_2& disc);
@@ -91,22 +91,22 @@ bool have_equal_weights(const Polynomial_disc_motion_2& a, const Polynomial_disc
 
 /// The radius at time t, rounded, for output, not for decisions. The error is a few units in the
 /// last place of the largest term of the formula.
-template <class CentreMotion>
-double rounded_radius(const Basic_disc_motion_2<CentreMotion>& disc, double t) {
+template <class CenterMotion>
+double rounded_radius(const Basic_disc_motion_2<CenterMotion>& disc, double t) {
   return disc.radius + disc.growth * (t - disc.epoch);
 }
 
 /// The weight at time t, rounded as rounded_radius is.
-template <class CentreMotion>
-double rounded_weight(const Basic_disc_motion_2<CentreMotion>& disc, double t) {
+template <class CenterMotion>
+double rounded_weight(const Basic_disc_motion_2<CenterMotion>& disc, double t) {
   const double radius = rounded_radius(disc, t);
   return radius * radius + disc.weight;
 }
 
 /// Bounds how far rounded_weight(disc, t) is from the weight at any of the times. Not finite if
 /// numbers overflow. Precondition: t is one of the times.
-template <class CentreMotion>
-double weight_error(const Basic_disc_motion_2<CentreMotion>& disc, double t,
+template <class CenterMotion>
+double weight_error(const Basic_disc_motion_2<CenterMotion>& disc, double t,
                     const Double_interval& times) {
   // The radius has three roundings, the weight two more, each of at most two unit roundoffs in any
   // rounding mode.
@@ -135,20 +135,20 @@ Polynomial_disc_motion_2 with_velocity_at(const Polynomial_disc_motion_2& disc,
 
 /// The disc at rest, which does not grow, from its position at t on, rounded as with_velocity_at
 /// does.
-template <class CentreMotion>
-Basic_disc_motion_2<CentreMotion> at_rest_at(const Basic_disc_motion_2<CentreMotion>& disc,
+template <class CenterMotion>
+Basic_disc_motion_2<CenterMotion> at_rest_at(const Basic_disc_motion_2<CenterMotion>& disc,
                                              double t) {
-  const Basic_disc_motion_2<CentreMotion> there = with_velocity_at(disc, {}, t);
-  CentreMotion centre = {};
-  centre.position = there.position;
-  centre.epoch = t;
-  return {centre, there.radius, 0, there.weight};
+  const Basic_disc_motion_2<CenterMotion> there = with_velocity_at(disc, {}, t);
+  CenterMotion center = {};
+  center.position = there.position;
+  center.epoch = t;
+  return {center, there.radius, 0, there.weight};
 }
 
 /// Whether neither the position nor the radius ever changes.
-template <class CentreMotion>
-bool is_at_rest(const Basic_disc_motion_2<CentreMotion>& disc) {
-  return is_at_rest(static_cast<const CentreMotion&>(disc)) && disc.growth == 0;
+template <class CenterMotion>
+bool is_at_rest(const Basic_disc_motion_2<CenterMotion>& disc) {
+  return is_at_rest(static_cast<const CenterMotion&>(disc)) && disc.growth == 0;
 }
 
 /// @{
@@ -161,9 +161,9 @@ Polynomial_disc_motion_2 clamped_inside(const Polynomial_disc_motion_2& disc, co
 /// @}
 
 /// The disc at -t in place of t, exactly.
-template <class CentreMotion>
-Basic_disc_motion_2<CentreMotion> mirrored(const Basic_disc_motion_2<CentreMotion>& disc) {
-  return {mirrored(static_cast<const CentreMotion&>(disc)), disc.radius, -disc.growth, disc.weight};
+template <class CenterMotion>
+Basic_disc_motion_2<CenterMotion> mirrored(const Basic_disc_motion_2<CenterMotion>& disc) {
+  return {mirrored(static_cast<const CenterMotion&>(disc)), disc.radius, -disc.growth, disc.weight};
 }
 
 }  // namespace kinetri

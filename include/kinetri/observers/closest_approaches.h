@@ -32,7 +32,7 @@ struct Approach {
 /// Traits of points, or discs, whose velocities are constant between events.
 template <class Traits>
 concept HasLinearMotion = ContactKineticTraits_2<Traits> &&
-    std::same_as<Centre_motion_of<typename Traits::Motion>, Linear_motion_2>;
+    std::same_as<Center_motion_of<typename Traits::Motion>, Linear_motion_2>;
 
 /// An observer of a simulation that keeps the `number` pairs with the least gaps while they were
 /// neighbors in the triangulation or overlapped, and for each pair the first time of its least gap.

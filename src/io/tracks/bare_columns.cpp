@@ -35,11 +35,11 @@ constexpr std::string_view with_numbers_of_columns =
 constexpr std::string_view expect_four = "4, frame, id, x and y, separated by tabs or blanks";
 constexpr std::string_view as_if_exchanged = ", as if the first two columns were exchanged";
 
-double units_in_metre(Length_unit unit) {
+double units_in_meter(Length_unit unit) {
   switch (unit) {
-    case Length_unit::centimetre:
+    case Length_unit::centimeter:
       return 100;
-    case Length_unit::millimetre:
+    case Length_unit::millimeter:
       return 1000;
     default:
       return 1;
@@ -48,9 +48,9 @@ double units_in_metre(Length_unit unit) {
 
 std::string_view name_of(Length_unit unit) {
   switch (unit) {
-    case Length_unit::centimetre:
+    case Length_unit::centimeter:
       return "centimetres";
-    case Length_unit::millimetre:
+    case Length_unit::millimeter:
       return "millimetres";
     default:
       return "metres";
@@ -152,7 +152,7 @@ class Bare_columns_reader {
 
   void heed_unit(const Comment_signs& signs) {
     const bool is_known = unit_ || !first_rows_.empty();
-    const Length_unit known = unit_.value_or(Length_unit::metre);
+    const Length_unit known = unit_.value_or(Length_unit::meter);
     if (signs.has_two_units || (is_known && *signs.unit != known)) {
       table_.fail(joined("the comment gives places in ", name_of(*signs.unit),
                          signs.has_two_units ? " and in another unit"
@@ -279,7 +279,7 @@ class Bare_columns_reader {
     row.id = fields_[columns.id];
     row.place = {table_.number(fields_[columns.x], "x"), table_.number(fields_[columns.y], "y")};
     if (unit_) {
-      const double units = units_in_metre(*unit_);
+      const double units = units_in_meter(*unit_);
       row.place = {row.place.x / units, row.place.y / units};
     }
     Parsed_time time = time_of_frame(frame.value, frame_rate(input_.options, file_rate_));
@@ -368,7 +368,7 @@ class Bare_columns_reader {
           joined("columns besides frame, id, x and y, which are not used: ", others));
     }
     if (!remark_.empty()) result.remarks.push_back(remark_);
-    if (unit_ && *unit_ != Length_unit::metre) {
+    if (unit_ && *unit_ != Length_unit::meter) {
       result.remarks.push_back(joined("places are in metres; the file has ", name_of(*unit_)));
     }
     return result;

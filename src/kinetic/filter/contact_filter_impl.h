@@ -255,7 +255,7 @@ template <class Motion, class Function>
 inline auto with_contact(const Motion& p, const Motion& q, double diameter, double origin,
                          const Function& function) {
   return with_reach_of(p, q, diameter, origin, [&](const auto& reach) {
-    return with_differences(std::array{&centre(p)}, centre(q), origin, With_reach{reach}, function);
+    return with_differences(std::array{&center(p)}, center(q), origin, With_reach{reach}, function);
   });
 }
 // The same for a center and its foot on a wall.
@@ -263,7 +263,7 @@ template <class Motion, class Function>
 inline auto with_wall(const Motion& p, const Wall_2& wall, double origin,
                       const Function& function) {
   return with_reach_of(p, wall, origin, [&](const auto& reach) {
-    return with_differences(std::array{&centre(p)}, foot_at(centre(p), wall), origin,
+    return with_differences(std::array{&center(p)}, foot_at(center(p), wall), origin,
                             With_reach{reach}, function);
   });
 }
@@ -279,8 +279,8 @@ Filter_result filter_contact(const Motion& p, const Motion& q, double diameter,
 template <class Motion>
 Filter_result filter_wall_contact(const Motion& p, const Wall_2& wall,
                                   const Double_interval& after) {
-  if constexpr (std::same_as<Centre_motion_of<Motion>, Polynomial_motion_2>) {
-    if (!is_linear(centre(p))) {
+  if constexpr (std::same_as<Center_motion_of<Motion>, Polynomial_motion_2>) {
+    if (!is_linear(center(p))) {
       return with_wall(p, wall, after.lower, [&](auto& d) {
         return first_contact(d, Inside{wall}, window_share_of_walls, after);
       });
@@ -294,7 +294,7 @@ Filter_result filter_wall_contact(const Motion& p, const Wall_2& wall,
       growth = p.growth;
     }
   }
-  return wall_contact(linear(centre(p)), radius, growth, wall, after);
+  return wall_contact(linear(center(p)), radius, growth, wall, after);
 }
 
 template <class Motion>

@@ -87,7 +87,7 @@ template <std::size_t N, class Motion, class Function>
 inline auto with_differences(const std::array<const Motion*, N>& from, const Motion& to,
                              double origin, const Function& function) {
   if constexpr (HasWeight<Motion>) {
-    return with_differences(centres(from), centre(to), origin,
+    return with_differences(centers(from), center(to), origin,
                             With_weights<Motion, N>{{from}, {&to}}, function);
   } else {
     return with_differences(from, to, origin, Alone(), function);

@@ -13,16 +13,16 @@ namespace kinetri {
 template <HasWeight Disc>
 Filter_result filter_orientation(const Disc& p, const Disc& q, const Disc& r,
                                  const Double_interval& after, bool vanishes_at) {
-  return filter_orientation(centre(p), centre(q), centre(r), after, vanishes_at);
+  return filter_orientation(center(p), center(q), center(r), after, vanishes_at);
 }
 template <HasWeight Disc>
 Sign certain_orientation(const Disc& p, const Disc& q, const Disc& r,
                          const Double_interval& interval) {
-  return certain_orientation(centre(p), centre(q), centre(r), interval);
+  return certain_orientation(center(p), center(q), center(r), interval);
 }
 template <HasWeight Disc>
 double precise_orientation(const Disc& p, const Disc& q, const Disc& r, double high, double low) {
-  return precise_orientation(centre(p), centre(q), centre(r), high, low);
+  return precise_orientation(center(p), center(q), center(r), high, low);
 }
 inline bool have_same_derivatives(const Linear_motion_2& p, const Linear_motion_2& q) {
   return p.velocity == q.velocity;
@@ -35,10 +35,10 @@ inline bool have_same_derivatives(const Polynomial_motion_2& p, const Polynomial
 // weights may become equal.
 template <HasWeight Disc>
 bool certainly_apart(const Disc& p, const Disc& q, const Double_interval& interval) {
-  if (have_same_derivatives(centre(p), centre(q))) {
+  if (have_same_derivatives(center(p), center(q))) {
     return p.epoch == q.epoch && p.position != q.position;
   }
-  return certainly_apart(centre(p), centre(q), interval);
+  return certainly_apart(center(p), center(q), interval);
 }
 
 }  // namespace kinetri

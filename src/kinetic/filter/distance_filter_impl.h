@@ -238,7 +238,7 @@ Filter_result filter_near(const Motion& p, const Motion& q, double range,
 template <class Motion>
 Filter_result filter_closer(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
                             const Double_interval& after, bool vanishes_at) {
-  return with_two_differences(centre(p), centre(q), centre(r), centre(s), after.lower,
+  return with_two_differences(center(p), center(q), center(r), center(s), after.lower,
                               [&](auto& d) { return closer(d, after, vanishes_at); });
 }
 
@@ -246,7 +246,7 @@ template <class Motion>
 Sign certain_distance_comparison(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
                                  const Double_interval& interval) {
   return with_two_differences(
-      centre(p), centre(q), centre(r), centre(s), interval.lower,
+      center(p), center(q), center(r), center(s), interval.lower,
       [&](auto& d) { return sign_throughout(d, Distance_comparison(), interval); });
 }
 

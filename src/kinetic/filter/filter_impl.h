@@ -72,7 +72,7 @@ Filter_result filter_in_circle(const Motion& p, const Motion& q, const Motion& r
                                const Double_interval& after, bool vanishes_at) {
   if constexpr (HasWeight<Motion>) {
     if (have_same_weight_numbers(std::array{&p, &q, &r, &s})) {
-      return filter_in_circle(centre(p), centre(q), centre(r), centre(s), after, vanishes_at);
+      return filter_in_circle(center(p), center(q), center(r), center(s), after, vanishes_at);
     }
   }
   return with_differences(std::array{&p, &q, &r}, s, after.lower, [&](auto& d) {
@@ -116,7 +116,7 @@ Sign certain_in_circle(const Motion& p, const Motion& q, const Motion& r, const 
                        const Double_interval& interval) {
   if constexpr (HasWeight<Motion>) {
     if (have_same_weight_numbers(std::array{&p, &q, &r, &s})) {
-      return certain_in_circle(centre(p), centre(q), centre(r), centre(s), interval);
+      return certain_in_circle(center(p), center(q), center(r), center(s), interval);
     }
   }
   const Sign sign = in_circle_of_places(interval, p, q, r, s);
@@ -144,7 +144,7 @@ template <class Disc>
 Sign certain_power_distance_order(const Disc& p, const Disc& q, const Disc& r,
                                   const Double_interval& interval) {
   if (have_same_weight_numbers(q, r)) {
-    return certain_distance_order(centre(p), centre(q), centre(r), interval);
+    return certain_distance_order(center(p), center(q), center(r), interval);
   }
   return certain_distance_order<Disc>(p, q, r, interval);
 }

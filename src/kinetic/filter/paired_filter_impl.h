@@ -173,14 +173,14 @@ template <class Motion>
 std::array<Filter_result, 2> filter_in_circles(const std::array<Quadruple<Motion>, 2>& certificates,
                                                const Double_interval& after) {
   if constexpr (HasWeight<Motion>) {
-    const std::array of_centres = {centres(certificates[0]), centres(certificates[1])};
+    const std::array of_centers = {centers(certificates[0]), centers(certificates[1])};
     if (have_same_weight_numbers(certificates[0]) && have_same_weight_numbers(certificates[1])) {
-      return filter_in_circles(of_centres, after);
+      return filter_in_circles(of_centers, after);
     }
     const With_weights<Motion, 3, 2> weights = {
         {all_but_last(certificates[0]), all_but_last(certificates[1])},
         {certificates[0][3], certificates[1][3]}};
-    return in_circles(of_centres, after, weights);
+    return in_circles(of_centers, after, weights);
   } else {
     return in_circles(certificates, after, Alone());
   }
@@ -190,14 +190,14 @@ template <class Motion>
 std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<Motion>& around,
                                                const Double_interval& after) {
   if constexpr (HasWeight<Motion>) {
-    const Flip_neighborhood<typename Motion::Centre_motion> of_centres = {centres(around.corners),
-                                                                          centres(around.beyond)};
+    const Flip_neighborhood<typename Motion::Center_motion> of_centers = {centers(around.corners),
+                                                                          centers(around.beyond)};
     if (have_same_weight_numbers(around.corners) && have_same_weight_numbers(around.beyond) &&
         have_same_weight_numbers(*around.corners[0], *around.beyond[0])) {
-      return filter_after_flip(of_centres, after);
+      return filter_after_flip(of_centers, after);
     }
     const With_weights<Motion, 7> weights = {{all_but_first(around)}, {around.corners[0]}};
-    return after_flip(of_centres, after, weights);
+    return after_flip(of_centers, after, weights);
   } else {
     return after_flip(around, after, Alone());
   }

@@ -16,7 +16,7 @@ namespace {
 // is computed from to `terms`.
 template <class Disc>
 Double_double scaled_radius(const Disc& disc, const Double_double& time, double& terms) {
-  constexpr double scale = Scaled<typename Disc::Centre_motion>::scale;
+  constexpr double scale = Scaled<typename Disc::Center_motion>::scale;
   const Double_double radius = exact_product(scale, disc.radius);
   const Double_double grown =
       (time - Double_double{disc.epoch}) * exact_product(scale, disc.growth);
@@ -30,7 +30,7 @@ template <std::size_t N, class Disc>
 class Weights {
  public:
   Weights(const std::array<const Disc*, N>& discs, const Double_double& time) {
-    constexpr double scale = Scaled<typename Disc::Centre_motion>::scale;
+    constexpr double scale = Scaled<typename Disc::Center_motion>::scale;
     std::array<Double_double, N> radii;
     double terms = 0;
     for (std::size_t i = 0; i < N; ++i) radii[i] = scaled_radius(*discs[i], time, terms);
@@ -59,8 +59,8 @@ class Weights {
 template <class Motion>
 double precise_in_circle(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
                          double high, double low) {
-  using Centre = Centre_motion_of<Motion>;
-  const Places<4, Centre> places({&p, &q, &r, &s}, {high, low});
+  using Center = Center_motion_of<Motion>;
+  const Places<4, Center> places({&p, &q, &r, &s}, {high, low});
   if (!places.is_in_range() || !is_precise()) return 0;
   std::array<Double_double, 3> lifts = {places.squared_length(0), places.squared_length(1),
                                         places.squared_length(2)};
@@ -76,7 +76,7 @@ double precise_in_circle(const Motion& p, const Motion& q, const Motion& r, cons
   }
   const Double_double value =
       lifts[0] * places.cross(1, 2) + lifts[1] * places.cross(2, 0) + lifts[2] * places.cross(0, 1);
-  constexpr double units = 4096 * Scaled<Centre>::error_factor * unit;
+  constexpr double units = 4096 * Scaled<Center>::error_factor * unit;
   return certain(value, units * lift_size * (size * places.terms()));
 }
 
@@ -94,7 +94,7 @@ double precise_orientation(const Motion& p, const Motion& q, const Motion& r, do
 template <class Motion>
 Double_double scaled_reach(const Motion& p, const Motion& q, double diameter,
                            const Double_double& time, double& terms) {
-  const Double_double scaled = exact_product(diameter, Scaled<Centre_motion_of<Motion>>::scale);
+  const Double_double scaled = exact_product(diameter, Scaled<Center_motion_of<Motion>>::scale);
   terms += std::abs(scaled.high);
   if constexpr (HasWeight<Motion>) {
     return scaled + (scaled_radius(p, time, terms) + scaled_radius(q, time, terms));
@@ -105,12 +105,12 @@ Double_double scaled_reach(const Motion& p, const Motion& q, double diameter,
 
 template <class Motion>
 double precise_contact(const Motion& p, const Motion& q, double diameter, double high, double low) {
-  using Centre = Centre_motion_of<Motion>;
-  const Places<2, Centre> places({&p, &q}, {high, low});
+  using Center = Center_motion_of<Motion>;
+  const Places<2, Center> places({&p, &q}, {high, low});
   double terms = 0;
   const Double_double reach = scaled_reach(p, q, diameter, {high, low}, terms);
   if (!places.is_in_range() || !is_precise() || !is_in_range(terms)) return 0;
-  constexpr double units = 256 * Scaled<Centre>::error_factor * unit;
+  constexpr double units = 256 * Scaled<Center>::error_factor * unit;
   return certain(places.squared_length(0) - reach * reach,
                  units * (places.size() * places.terms() + terms * terms));
 }

@@ -45,8 +45,8 @@ inline double size(const Linear_function& reach) {
 template <class Differences, class Reach>
 class Differences_and_reach : public Differences {
  public:
-  template <class Centre>
-  Differences_and_reach(const std::array<const Centre*, 1>& from, const Centre& to, double origin,
+  template <class Center>
+  Differences_and_reach(const std::array<const Center*, 1>& from, const Center& to, double origin,
                         const Reach& reach)
       : Differences(from, to, origin), reach_(reach) {}
 
@@ -84,8 +84,8 @@ class Differences_and_reach : public Differences {
 // The kind of differences (differences.h) of two centers with their reach.
 template <class Reach>
 struct With_reach {
-  template <class Differences, class Centre>
-  auto make(const std::array<const Centre*, 1>& from, const Centre& to, double origin) const {
+  template <class Differences, class Center>
+  auto make(const std::array<const Center*, 1>& from, const Center& to, double origin) const {
     return Differences_and_reach<Differences, Reach>(from, to, origin, reach);
   }
 
@@ -117,8 +117,8 @@ inline auto with_reach_of(const Motion& p, const Wall_2& wall, double origin,
                           const Function& function) {
   if constexpr (HasWeight<Motion>) {
     if (wall.rim) {
-      const Linear_function of_centre = {wall.clearance, 0, wall.clearance};
-      return function(of_centre + radius_from(p, origin));
+      const Linear_function of_center = {wall.clearance, 0, wall.clearance};
+      return function(of_center + radius_from(p, origin));
     }
   }
   return function(Constant_reach{wall.clearance});

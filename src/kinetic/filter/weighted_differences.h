@@ -35,10 +35,10 @@ inline bool have_same_weight_numbers(const std::array<const Disc*, N>& discs) {
   return result;
 }
 
-template <class Centre, std::size_t N>
-inline std::array<const Centre*, N> centres(
-    const std::array<const Basic_disc_motion_2<Centre>*, N>& discs) {
-  std::array<const Centre*, N> result;
+template <class Center, std::size_t N>
+inline std::array<const Center*, N> centers(
+    const std::array<const Basic_disc_motion_2<Center>*, N>& discs) {
+  std::array<const Center*, N> result;
   for (std::size_t i = 0; i < N; ++i) result[i] = discs[i];
   return result;
 }
@@ -98,10 +98,10 @@ inline std::optional<double> shorter(const std::optional<double>& one,
 template <class Differences, std::size_t N>
 class Weighted_differences : public Differences {
  public:
-  template <class Centre, class Disc>
-  Weighted_differences(const std::array<const Centre*, N>& centres, const Centre& centre_of_to,
+  template <class Center, class Disc>
+  Weighted_differences(const std::array<const Center*, N>& centers, const Center& center_of_to,
                        const std::array<const Disc*, N>& from, const Disc& to, double origin)
-      : Differences(centres, centre_of_to, origin) {
+      : Differences(centers, center_of_to, origin) {
     const Linear_function radius = radius_from(to, origin);
     for (std::size_t i = 0; i < N; ++i) {
       factors_[i] = {difference_of_radii(*from[i], to, origin),
@@ -175,10 +175,10 @@ class Weighted_differences : public Differences {
 // `from` and the disc `to`.
 template <class Disc, std::size_t N, std::size_t Certificates = 1>
 struct With_weights {
-  template <class Differences, class Centre>
-  auto make(const std::array<const Centre*, N>& centres, const Centre& centre_of_to, double origin,
+  template <class Differences, class Center>
+  auto make(const std::array<const Center*, N>& centers, const Center& center_of_to, double origin,
             std::size_t certificate = 0) const {
-    return Weighted_differences<Differences, N>(centres, centre_of_to, from[certificate],
+    return Weighted_differences<Differences, N>(centers, center_of_to, from[certificate],
                                                 *to[certificate], origin);
   }
 

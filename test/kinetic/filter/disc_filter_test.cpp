@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The filters of discs never contradict exact arithmetic: centres of every flavor, with radii and
+// The filters of discs never contradict exact arithmetic: centers of every flavor, with radii and
 // weights of every kind.
 #include "kinetic/filter/disc_filter.h"
 

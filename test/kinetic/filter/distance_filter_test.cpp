@@ -141,7 +141,7 @@ Counts expect_true_ranges(int flavor, int cases) {
     const Filter_result end = expect_true(
         -distance, t, mode, [&](const Double_interval& after) { return near(after, false); },
         of_case);
-    if constexpr (!std::same_as<Centre_motion_of<Motion>, Linear_motion_2>) {
+    if constexpr (!std::same_as<Center_motion_of<Motion>, Linear_motion_2>) {
       expect_true_after(
           end, -distance, mode,
           [&](const Double_interval& at) { return filter_apart(m[0], m[1], range, at, true); },
@@ -243,7 +243,7 @@ TEST_P(Distance_filter, of_comparisons_of_curves_never_contradicts_exact_arithme
       expect_true_comparisons<Polynomial_motion_2>(GetParam(), 500 * test::multiplier());
   if (GetParam() == 0) expect_most_decided(counts, 95, 60);
 }
-TEST_P(Distance_filter, of_comparisons_of_discs_is_about_centres) {
+TEST_P(Distance_filter, of_comparisons_of_discs_is_about_centers) {
   expect_true_comparisons<Disc_motion_2>(GetParam(), 200 * test::multiplier());
 }
 

@@ -24,7 +24,7 @@ using Disc_box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Point_id>;
 /// overflow. Precondition: t is one of the times.
 template <HasWeight Motion>
 Disc_box box_around(const Motion& disc, Point_id id, double t, const Double_interval& times) {
-  const Vector_2 centre = rounded_place(disc, t);
+  const Vector_2 center = rounded_place(disc, t);
   // Each has four roundings at most, each of two unit roundoffs of its terms, in any rounding mode;
   // the sums and differences below have four more.
   const double change = std::abs(disc.growth) * std::abs(t - disc.epoch);
@@ -32,12 +32,12 @@ Disc_box box_around(const Motion& disc, Point_id id, double t, const Double_inte
   const double radius = std::abs(rounded_radius(disc, t)) + 0x1p-48 * terms +
                         2 * std::abs(disc.growth) * (times.upper - times.lower);
   const double reach =
-      (radius + place_error(disc, t, times) + 0x1p-50 * (std::abs(centre.x) + std::abs(centre.y))) *
+      (radius + place_error(disc, t, times) + 0x1p-50 * (std::abs(center.x) + std::abs(center.y))) *
           (1 + 0x1p-48) +
       std::numeric_limits<double>::min();
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  double lower[] = {centre.x - reach, centre.y - reach};
-  double upper[] = {centre.x + reach, centre.y + reach};
+  double lower[] = {center.x - reach, center.y - reach};
+  double upper[] = {center.x + reach, center.y + reach};
   if (!std::isfinite(lower[0] + lower[1] + upper[0] + upper[1])) {
     lower[0] = lower[1] = -infinite;
     upper[0] = upper[1] = infinite;

@@ -197,8 +197,8 @@ Ball_2 ball_place(const Motion& /*motion*/, const Ball& /*t*/) {
 }
 
 /// Contains the weight of a disc at the time that `t` contains.
-template <class CentreMotion>
-Ball ball_weight(const Basic_disc_motion_2<CentreMotion>& disc, const Ball& t) {
+template <class CenterMotion>
+Ball ball_weight(const Basic_disc_motion_2<CenterMotion>& disc, const Ball& t) {
   const Ball radius = disc.growth == 0
                           ? Ball(disc.radius)
                           : Ball(disc.radius) + Ball(disc.growth) * (t - Ball(disc.epoch));

@@ -46,11 +46,11 @@ class Ball_positions {
   explicit Ball_positions(const At_time& at) : at_(at), t_(ball_of(at.time())) {}
 
   const At_time& at() const { return at_; }
-  Ball_2 position(Vertex_handle v) const { return ball_place(centre(v->point().motion()), t_); }
+  Ball_2 position(Vertex_handle v) const { return ball_place(center(v->point().motion()), t_); }
   /// Cheaper, with a bound of its error.
   Approximate_place approximate(Vertex_handle v) const {
     if (!is_known_well(t_)) return {};
-    return approximate_place(centre(v->point().motion()), t_.high);
+    return approximate_place(center(v->point().motion()), t_.high);
   }
   Ball weight(Vertex_handle v) const { return ball_weight(v->point().motion(), t_); }
   Vector_2 rounded_position(Vertex_handle v) const {
