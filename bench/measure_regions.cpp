@@ -33,12 +33,12 @@ json run_by_regions(const Setup& setup, const Make& make, std::size_t threads) {
   const detail::Region_counters& counters = run.counters();
   return {{"seconds", seconds},
           {"windows", counters.windows},
-          {"cuts", counters.cuts},
+          {"truncated_windows", counters.truncated_windows},
           {"by_region", counters.by_region},
           {"by_union", counters.by_union},
-          {"by_rest", counters.by_rest},
-          {"undone", counters.undone},
-          {"cut_off", counters.cut_off}};
+          {"by_root", counters.by_root},
+          {"rolled_back", counters.rolled_back},
+          {"truncated", counters.truncated}};
 }
 
 template <class Make>

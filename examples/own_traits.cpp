@@ -59,7 +59,7 @@ class Closing_traits : public Base {
       return certificate.failure ? *certificate.failure : failure(certificate.bounds);
     };
     if (lower > closing_ || time() > closing_) {
-      return {.may_vanish = certificate.may_vanish, .means = certificate.means};  // never fails
+      return {.may_be_zero = certificate.may_be_zero, .means = certificate.means};  // never fails
     }
     return certificate;
   }

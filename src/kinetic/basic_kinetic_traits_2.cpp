@@ -29,11 +29,11 @@ Certificate certificate(const Filter_result& result) {
       result.is_refined ? Certificate::Means::refined_filter : Certificate::Means::filter;
   switch (result.kind) {
     case Filter_result::Kind::fails:
-      return {Kind::fails, result.bounds, nullptr, result.may_vanish, means, true};
+      return {Kind::fails, result.bounds, nullptr, result.may_be_zero, means, true};
     case Filter_result::Kind::holds:
-      return {Kind::holds, result.bounds, nullptr, result.may_vanish, means};
+      return {Kind::holds, result.bounds, nullptr, result.may_be_zero, means};
     default:
-      return {Kind::never_fails, {}, nullptr, result.may_vanish, means};
+      return {Kind::never_fails, {}, nullptr, result.may_be_zero, means};
   }
 }
 
@@ -494,7 +494,7 @@ Time Basic_kinetic_traits_2<Motion>::wall_failure(const Point_2& p, const Wall_2
     Rational clearance = to_rational(wall.clearance);
     Rational growth = 0;
     if constexpr (HasWeight<Motion>) {
-      if (wall.rim) {
+      if (wall.rim_touches) {
         clearance += to_rational(p.motion().radius);
         growth = to_rational(p.motion().growth);
       }
@@ -537,7 +537,7 @@ bool Basic_kinetic_traits_2<Motion>::has_approach_speed(const Point_2& p, const 
     const double speed = wall.is_vertical() ? velocity.x : velocity.y;
     double growth = 0;
     if constexpr (HasWeight<Motion>) {
-      if (wall.rim) growth = p.motion().growth;
+      if (wall.rim_touches) growth = p.motion().growth;
     }
     return wall.is_upper() ? speed > -growth : speed < growth;
   }

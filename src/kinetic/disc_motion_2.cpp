@@ -130,7 +130,7 @@ Disc clamped_with_rim(const Disc& disc, const Wall_2& wall, const Double_interva
 
 template <class Disc>
 Disc clamped(const Disc& disc, const Wall_2& wall, const Double_interval& times) {
-  if (wall.rim) return clamped_with_rim(disc, wall, times);
+  if (wall.rim_touches) return clamped_with_rim(disc, wall, times);
   return {clamped_inside(center(disc), wall, times), disc.radius, disc.growth, disc.weight};
 }
 

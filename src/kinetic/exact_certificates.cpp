@@ -44,14 +44,14 @@ std::optional<Time> contact_time(const Polynomial& distance, const Time& t) {
 Certificate exact_certificate(std::optional<Time> failure, bool is_root_solved) {
   using Kind = Certificate::Kind;
   constexpr auto exact = Certificate::Means::exact;
-  constexpr bool may_vanish = true;
-  if (!failure) return {Kind::never_fails, {}, nullptr, may_vanish, exact, is_root_solved};
+  constexpr bool may_be_zero = true;
+  if (!failure) return {Kind::never_fails, {}, nullptr, may_be_zero, exact, is_root_solved};
   // After the event the filter starts from this time's interval, and decides nothing if that is
   // wide.
   failure->refine_to_bits(std::numeric_limits<double>::digits);
   const Double_interval bounds = failure->interval();
   return {Kind::fails, bounds, std::make_unique<Time>(std::move(*failure)),
-          may_vanish,  exact,  is_root_solved};
+          may_be_zero, exact,  is_root_solved};
 }
 
 Certificate exact_certificate(const Polynomial& p, const Time& t) {

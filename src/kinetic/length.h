@@ -39,7 +39,7 @@ Length touching_distance(const Motion& p, const Motion& q, double diameter) {
 template <class Motion>
 Length bound_of(const Wall_2& wall, const Motion& motion) {
   const double inward = wall.is_upper() ? -1 : 1;
-  const Length::Term rim = wall.rim ? radius_of(motion) : Length::Term();
+  const Length::Term rim = wall.rim_touches ? radius_of(motion) : Length::Term();
   return {{{{wall.position, 0, 0},
             {inward * wall.clearance, 0, 0},
             {inward * rim.value, inward * rim.rate, rim.epoch}}}};

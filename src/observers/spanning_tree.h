@@ -238,7 +238,7 @@ class Spanning_tree {
       const bool fails_now = certificate.bounds.lower <= now_.interval().upper &&
                              time_of(certificate, near, far) == now_;
       if (fails_now) return {};
-    } else if (certificate.may_vanish && edges_[near].ids > edges_[far].ids &&
+    } else if (certificate.may_be_zero && edges_[near].ids > edges_[far].ids &&
                distance_comparison_polynomial(end(near, 0), end(near, 1), end(far, 0), end(far, 1))
                    .is_zero()) {
       return {};

@@ -45,7 +45,7 @@ class Contact_events {
   using Moment = typename Log::Moment;
   using Record = typename Log::Record;
   using Process = Logical_process<Traits, true>;
-  using Two_sided_edge = typename Edges::Two_sided_edge;
+  using Edge_with_mirror = typename Edges::Edge_with_mirror;
   using Face_handle = typename Edges::Face_handle;
   using Points = typename Watch::Points;  ///< some points
 
@@ -137,7 +137,7 @@ class Contact_events {
   bool blocks(const Process& process, const typename Edges::Candidate& flip);
   /// Whether the ends of the edge are discs that have touched in this window and still meet, so
   /// that the edge must not be flipped.
-  bool keeps(const Two_sided_edge& edge, Moment& moment);
+  bool keeps(const Edge_with_mirror& edge, Moment& moment);
   /// Schedules the contact of the edge that a flip has added, instead of that of the removed one.
   void follow_flip(Process& process, const Record& flip, Moment& moment);
   /// The reverse, for a flip that is rolled back at the time `now`.
@@ -173,8 +173,8 @@ class Contact_events {
     std::uint64_t discarded_walls = 0;
     std::uint64_t discarded_collisions = 0;
     std::vector<Point_id> blocked = {};  // points of deferred contacts
-    std::vector<Two_sided_edge> edges = {};
-    std::vector<std::tuple<Two_sided_edge, Entry_kind, Certificate>> edge_certificates = {};
+    std::vector<Edge_with_mirror> edges = {};
+    std::vector<std::tuple<Edge_with_mirror, Entry_kind, Certificate>> edge_certificates = {};
     std::vector<std::pair<Entry, Certificate>> contact_certificates = {};
     std::vector<Queue_handle> handles = {};
 
@@ -204,7 +204,7 @@ class Contact_events {
   void record(Process& process, Candidate&& candidate);
   template <class Function>
   void for_each_face_around(Points points, const Function& function) const;
-  std::span<const Two_sided_edge> edges_around(State& state, Points points) const;
+  std::span<const Edge_with_mirror> edges_around(State& state, Points points) const;
 
   static constexpr double never = std::numeric_limits<double>::infinity();
 

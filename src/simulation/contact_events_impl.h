@@ -164,7 +164,7 @@ bool Contact_events<Traits>::blocks(const Process& process, const typename Edges
 }
 
 template <class Traits>
-bool Contact_events<Traits>::keeps(const Two_sided_edge& edge, Moment& moment) {
+bool Contact_events<Traits>::keeps(const Edge_with_mirror& edge, Moment& moment) {
   if (!watch_.keep_edges()) return false;
   const auto [a, b] = Types::ids_of(edge.here);
   return a != no_point && b != no_point && (log_.has_changed(a) || log_.has_changed(b)) &&
@@ -247,7 +247,7 @@ bool Contact_events<Traits>::certify(Process& process, const Velocity_change& ch
   };
   certification_.certify(edges_around(state, changed), *moment.exact, Certificate_state::any,
                          process.certificates,
-                         [&](const Two_sided_edge& edge, Entry_kind kind, Certificate&& known) {
+                         [&](const Edge_with_mirror& edge, Entry_kind kind, Certificate&& known) {
                            look_at(known);
                            state.edge_certificates.emplace_back(edge, kind, std::move(known));
                          });
@@ -272,8 +272,8 @@ void Contact_events<Traits>::record(Process& process, Candidate&& candidate) {
   for_each_face_around(changed, [&](Face_handle /*face*/) { ++faces; });
   change.faces.reserve(faces);
   for_each_face_around(changed, [&](Face_handle face) {
-    change.faces.push_back({face, face->stamp()});
-    face->set_stamp(number);
+    change.faces.push_back({face, face->version()});
+    face->set_version(number);
   });
   // Entries leave the queue before the motions change: the others are compared by the old motions.
   log_.set_motions(change, false);
@@ -312,21 +312,21 @@ void Contact_events<Traits>::for_each_face_around(Points points, const Function&
 // The edges of the faces at the points, each once.
 template <class Traits>
 auto Contact_events<Traits>::edges_around(State& state, Points points) const
-    -> std::span<const Two_sided_edge> {
-  std::vector<Two_sided_edge>& result = state.edges;
+    -> std::span<const Edge_with_mirror> {
+  std::vector<Edge_with_mirror>& result = state.edges;
   result.clear();
   const Vertex_handle first = topology_.vertex(points.front());
   const auto add = [&](Vertex_handle v, const auto& is_known) {
     for_each_face_at(topology_.triangulation(), v, [&](Face_handle face, int at) {
       for (const int i : {at, Triangulation::cw(at)}) {
-        const Two_sided_edge edge = topology_.two_sided(typename Types::Edge(face, i));
+        const Edge_with_mirror edge = topology_.with_mirror(typename Types::Edge(face, i));
         if (!is_known(edge)) result.push_back(edge);
       }
     });
   };
-  add(first, [](const Two_sided_edge&) { return false; });
+  add(first, [](const Edge_with_mirror&) { return false; });
   if (points.size() == 2) {
-    add(topology_.vertex(points.back()), [&](const Two_sided_edge& edge) {
+    add(topology_.vertex(points.back()), [&](const Edge_with_mirror& edge) {
       return edge.here.first->has_vertex(first) || edge.there.first->has_vertex(first);
     });
   }
@@ -338,8 +338,8 @@ void Contact_events<Traits>::roll_back(Process& process, Record& record, const T
   State& state = of(process);
   const Velocity_change& change = *record.change;
   const Points points = change.changed_points();
-  const std::span<const Two_sided_edge> edges = edges_around(state, points);
-  for (const Two_sided_edge& edge : edges) {
+  const std::span<const Edge_with_mirror> edges = edges_around(state, points);
+  for (const Edge_with_mirror& edge : edges) {
     const Queue_handle handle = edge.here.first->event(edge.here.second);
     if (handle != no_event) edges_.queue().erase(handle);
   }
@@ -367,7 +367,7 @@ void Contact_events<Traits>::follow_flip(Process& process, const Record& flip, M
   const Entry about = Watch::pair(edge_ids(corner, opposite));
   // Just before the flip the two do not touch: else they would have been watched.
   auto [entry, known] = watch_.certificate(about, Time(moment.bounds.lower), state.certificates);
-  if (known.may_vanish ||
+  if (known.may_be_zero ||
       (known.kind != Certificate::Kind::never_fails && known.bounds.lower <= moment.bounds.upper)) {
     known = watch_.certificate(about, log_.time(moment), state.certificates).second;
   }

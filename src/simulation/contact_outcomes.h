@@ -64,7 +64,7 @@ auto Simulation_types<Traits>::Contact_outcomes::reflection(Point_id id, std::si
   Vector_2 velocity = rounded_velocity(motion, time);
   double& component = side.is_vertical() ? velocity.x : velocity.y;
   component = -component;
-  if (side.rim) {  // the boundary circle leaves the wall as fast as it approached
+  if (side.rim_touches) {  // the boundary circle leaves the wall as fast as it approached
     component += (side.is_upper() ? -2 : 2) * growth_of(motion);
   }
   return {id, with_velocity(id, velocity, now)};

@@ -262,7 +262,7 @@ bool Simulation_types<Traits>::Contact_schedule::schedule_new_pair(const Edge_id
                                                                    const Time& after) {
   Certificate certificate = pair_certificate(pair, after, setup_.traits());
   certificate_counters_.count(certificate);
-  const bool may_overlap = certificate.may_vanish;
+  const bool may_overlap = certificate.may_be_zero;
   push_pair(pair, is_edge, std::move(certificate));
   return may_overlap;
 }
@@ -289,7 +289,7 @@ Certificate Simulation_types<Traits>::Contact_schedule::pair_certificate(
     return traits.contact_certificate(p, q, setup_.diameter(), after);
   }
   Certificate result = traits.next_contact_certificate(p, q, setup_.diameter(), after);
-  result.may_vanish = true;
+  result.may_be_zero = true;
   return result;
 }
 

@@ -61,7 +61,7 @@ Event_certificates<Traits>::Event_certificates(const Triangulation& triangulatio
   constexpr bool has_radii = HasWeight<typename Traits::Motion>;
   if (options.box) {
     for (Wall_2 wall : options.box->walls(options.rim_touches ? options.radius : 0)) {
-      wall.rim = has_radii && options.rim_touches;
+      wall.rim_touches = has_radii && options.rim_touches;
       walls_.push_back(wall);
     }
   }

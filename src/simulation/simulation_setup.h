@@ -28,7 +28,7 @@ class Simulation_types<Traits>::Simulation_setup {
       : traits_(traits), options_(options), diameter_(2 * options.radius) {
     if (!options_.box) return;
     walls_ = options_.box->walls(options_.rim_touches ? options_.radius : 0);
-    for (Wall_2& wall : walls_) wall.rim = has_radii && options_.rim_touches;
+    for (Wall_2& wall : walls_) wall.rim_touches = has_radii && options_.rim_touches;
   }
 
   const Traits& traits() const { return traits_; }
@@ -104,7 +104,7 @@ void Simulation_types<Traits>::Simulation_setup::check_place(const Point_2& p,
     throw Outside_box_error(
         p.id(), "point " + std::to_string(p.id()) + " is outside of the box at t = " + text(time) +
                     ": at " + text(place.x) + ", " + text(place.y) +
-                    (wall.clearance > 0 || wall.rim ? ", its rim" : "") + " beyond the " +
+                    (wall.clearance > 0 || wall.rim_touches ? ", its rim" : "") + " beyond the " +
                     std::string(name(wall.side)) + " side at " + text(wall.position) +
                     "; expected every point inside of the box or on its sides");
   }

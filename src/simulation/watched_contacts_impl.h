@@ -150,7 +150,7 @@ bool Watched_contacts<Traits>::certify(const Pair& points, Points changed, const
     if (entry.kind == Contact_kind::collision) {
       if (is_one(points, entry.point_a) && is_one(points, entry.point_b)) {
         are_neighbors = true;
-      } else if (known.may_vanish && do_meet(entry.point_a, entry.point_b, now)) {
+      } else if (known.may_be_zero && do_meet(entry.point_a, entry.point_b, now)) {
         may_go_on = false;
       }
     }

@@ -26,7 +26,7 @@ class Edge_events {
   using Time = typename Types::Time;
   using Edge = typename Types::Edge;
   using Face_handle = typename Types::Face_handle;
-  using Two_sided_edge = typename Types::Two_sided_edge;
+  using Edge_with_mirror = typename Types::Edge_with_mirror;
   using Entry = typename Schedule<Traits>::Entry;
   using Queue = typename Schedule<Traits>::Queue;
   using Part = typename Queue::Part;
@@ -38,7 +38,7 @@ class Edge_events {
   /// An entry that a process may execute.
   struct Candidate {
     Entry entry;
-    Two_sided_edge edge;
+    Edge_with_mirror edge;
     Moment moment;
   };
 
@@ -65,9 +65,9 @@ class Edge_events {
   /// on.
   void recheck(Process& process, std::span<const Entry> entries);
   /// Certifies edges that have no entries from `after` on, and schedules them.
-  void certify(Process& process, std::span<const Two_sided_edge> edges, const Time& after);
+  void certify(Process& process, std::span<const Edge_with_mirror> edges, const Time& after);
   /// Schedules an edge that has no entry yet.
-  KINETRI_ALWAYS_INLINE void put(const Process& process, const Two_sided_edge& edge,
+  KINETRI_ALWAYS_INLINE void put(const Process& process, const Edge_with_mirror& edge,
                                  Entry_kind kind, Certificate&& known);
   /// Removes and counts the entry of an edge, if it has one.
   void discard(Process& process, Queue_handle handle);
@@ -97,7 +97,7 @@ class Edge_events {
   /// event of its faces.
   void roll_back(Process& process, Record& record);
   /// Schedules edges whose quadrilaterals a rollback has restored.
-  void certify_again(Process& process, std::span<const Two_sided_edge> edges);
+  void certify_again(Process& process, std::span<const Edge_with_mirror> edges);
 
   /// Whether a point and all its neighbors are in the node of a process. Then the point is not on
   /// the hull.
@@ -117,7 +117,7 @@ class Edge_events {
     Edge_events& events;
     const Process& process;
 
-    KINETRI_ALWAYS_INLINE void operator()(const Two_sided_edge& edge, Entry_kind kind,
+    KINETRI_ALWAYS_INLINE void operator()(const Edge_with_mirror& edge, Entry_kind kind,
                                           Certificate&& known) const {
       events.put(process, edge, kind, std::move(known));
     }
@@ -125,7 +125,7 @@ class Edge_events {
 
   bool is_blocked(const Process& process, const Candidate& candidate);
   bool is_convex(const Candidate& candidate) const;
-  const Time& birth(const Two_sided_edge& edge);
+  const Time& birth(const Edge_with_mirror& edge);
 
   Topology<Traits>& topology_;
   const Certification<Traits>& certification_;

@@ -28,16 +28,16 @@ void Edge_events<Traits, has_contacts>::recheck(Process& process, std::span<cons
       return schedule_.schedule_hidden(first.hidden, Time(first.bounds.lower));
     }
   }
-  std::array<Two_sided_edge, 2> edges;
+  std::array<Edge_with_mirror, 2> edges;
   for (std::size_t k = 0; k < entries.size(); ++k) {
-    edges[k] = topology_.two_sided(entries[k].edge());
+    edges[k] = topology_.with_mirror(entries[k].edge());
   }
   certify(process, std::span(edges).first(entries.size()), Time(first.bounds.lower));
 }
 
 template <class Traits, bool has_contacts>
 void Edge_events<Traits, has_contacts>::certify(Process& process,
-                                                std::span<const Two_sided_edge> edges,
+                                                std::span<const Edge_with_mirror> edges,
                                                 const Time& after) {
   certification_.certify(edges, after, Certificate_state::any, process.certificates,
                          Put_certificate{*this, process});
@@ -45,7 +45,7 @@ void Edge_events<Traits, has_contacts>::certify(Process& process,
 
 template <class Traits, bool has_contacts>
 KINETRI_ALWAYS_INLINE void Edge_events<Traits, has_contacts>::put(const Process& process,
-                                                                  const Two_sided_edge& edge,
+                                                                  const Edge_with_mirror& edge,
                                                                   Entry_kind kind,
                                                                   Certificate&& known) {
   if (known.kind == Certificate::Kind::never_fails) return topology_.set_event(edge, no_event);
@@ -97,7 +97,7 @@ inline bool Edge_events<Traits, has_contacts>::waits_before(Face_handle face,
 template <class Traits, bool has_contacts>
 auto Edge_events<Traits, has_contacts>::candidate(Process& process, const Entry& entry) const
     -> Candidate {
-  const Two_sided_edge edge = topology_.two_sided(entry.edge());
+  const Edge_with_mirror edge = topology_.with_mirror(entry.edge());
   Candidate result = {entry, edge, {certification_.points(edge), entry.bounds, std::nullopt}};
   if (entry.time != Time_pool::none) result.moment.exact = process.edges->time_of(entry);
   return result;
@@ -212,9 +212,9 @@ auto Edge_events<Traits, has_contacts>::execute(Process& process, Candidate& can
   for (const auto& [here, there] : outer) discard(process, here.first->event(here.second));
   // Nothing throws from here to the flip.
   const auto number = log_.add_key(*process.log, moment.bounds, event_kind_of(entry.kind));
-  record.face->set_stamp(number);
-  record.neighbor->set_stamp(number);
-  const Two_sided_edge added = topology_.flip(edge, outer);
+  record.face->set_version(number);
+  record.neighbor->set_version(number);
+  const Edge_with_mirror added = topology_.flip(edge, outer);
   const auto now = [this, &moment = moment]() -> const Time& { return log_.time(moment); };
   const Double_interval bounds = moment.exact ? moment.exact->interval() : moment.bounds;
   certification_.certify_after_flip(added, outer, bounds, now, process.certificates,
@@ -241,7 +241,7 @@ void Edge_events<Traits, has_contacts>::roll_back(Process& process, Record& reco
   erase(record.neighbor, j);
   erase(record.neighbor, Triangulation::cw(j));
   log_.roll_back(record);
-  const Two_sided_edge edge = {Edge(record.face, i), Edge(record.neighbor, j)};
+  const Edge_with_mirror edge = {Edge(record.face, i), Edge(record.neighbor, j)};
   const auto outer = topology_.outer_edges(edge);
   certify_again(process, std::array{edge, outer[0], outer[1], outer[2], outer[3]});
 }
@@ -250,18 +250,18 @@ void Edge_events<Traits, has_contacts>::roll_back(Process& process, Record& reco
 // one at a time t is not found from t on, so the computation starts at the creation.
 template <class Traits, bool has_contacts>
 void Edge_events<Traits, has_contacts>::certify_again(Process& process,
-                                                      std::span<const Two_sided_edge> edges) {
-  for (const Two_sided_edge& edge : edges) certify(process, {&edge, 1}, birth(edge));
+                                                      std::span<const Edge_with_mirror> edges) {
+  for (const Edge_with_mirror& edge : edges) certify(process, {&edge, 1}, birth(edge));
 }
 
 // When a quadrilateral was created, or the present time, which is the begin of the window, if that
 // is later.
 template <class Traits, bool has_contacts>
-auto Edge_events<Traits, has_contacts>::birth(const Two_sided_edge& edge) -> const Time& {
+auto Edge_events<Traits, has_contacts>::birth(const Edge_with_mirror& edge) -> const Time& {
   const Time* result = &schedule_.current_time();
   for (const Face_handle face : {edge.here.first, edge.there.first}) {
-    if (!log_.is_of_window(face->stamp())) continue;
-    const Time& last = log_.time(log_.key(face->stamp()));
+    if (!log_.is_of_window(face->version())) continue;
+    const Time& last = log_.time(log_.key(face->version()));
     if (last > *result) result = &last;
   }
   return *result;

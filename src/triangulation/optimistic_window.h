@@ -97,7 +97,7 @@ class Optimistic_window {
 
  private:
   using Face_handle = typename Types::Face_handle;
-  using Stamp = typename Log::Stamp;
+  using Version = typename Log::Version;
   using Moment = typename Log::Moment;
   using Record = typename Log::Record;
   using Key = typename Log::Key;
@@ -126,8 +126,8 @@ class Optimistic_window {
   bool flip(Process& process, typename Edges::Candidate& candidate);
   template <class Events, class Candidate>
   void roll_back_later(Events& events, Process& process, Candidate& candidate);
-  void roll_back(Process& process, Stamp number);
-  void roll_back_last(Process& process, Stamp number);
+  void roll_back(Process& process, Version number);
+  void roll_back_last(Process& process, Version number);
   void start_anew();
 
   void put_in_order();

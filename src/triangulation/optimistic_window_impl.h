@@ -97,13 +97,13 @@ bool Optimistic_window<Traits, Contacts>::run(double end) {
   ++counters_.windows;
   truncated_.reset();
   double reached = end;
-  const std::uint64_t cut_off_before = counters_.cut_off;
+  const std::uint64_t truncated_before = counters_.truncated;
   or_roll_back([&] {
     reached = execute(end);
     put_in_order();
   });
   work_ = work_of_processes();
-  work_.undone += static_cast<double>(counters_.cut_off - cut_off_before);
+  work_.rolled_back += static_cast<double>(counters_.truncated - truncated_before);
   close();
   return !truncated_ && reached == end;
 }
@@ -298,7 +298,7 @@ template <class Traits, class Contacts>
 bool Optimistic_window<Traits, Contacts>::flip(Process& process,
                                                typename Edges::Candidate& candidate) {
   for (const Face_handle face : {candidate.edge.here.first, candidate.edge.there.first}) {
-    KINETRI_ASSERT(process.is_region() || !log_.is_later(face->stamp(), candidate.moment),
+    KINETRI_ASSERT(process.is_region() || !log_.is_later(face->version(), candidate.moment),
                    "a flip at a face whose edge has an entry before it");
   }
   if constexpr (has_contacts) {
@@ -320,29 +320,29 @@ template <class Events, class Candidate>
 void Optimistic_window<Traits, Contacts>::roll_back_later(Events& events, Process& process,
                                                           Candidate& candidate) {
   const auto find_later = [&] {
-    Stamp later = 0;
+    Version later = 0;
     events.for_each_surrounding_face(candidate, [&](Face_handle face) {
-      if (later == 0 && log_.is_later(face->stamp(), candidate.moment)) later = face->stamp();
+      if (later == 0 && log_.is_later(face->version(), candidate.moment)) later = face->version();
     });
     return later;
   };
-  for (Stamp later = find_later(); later != 0; later = find_later()) roll_back(process, later);
+  for (Version later = find_later(); later != 0; later = find_later()) roll_back(process, later);
 }
 
 // Rolls an event back, after the events that were executed later and conflict with it.
 template <class Traits, class Contacts>
-void Optimistic_window<Traits, Contacts>::roll_back(Process& process, Stamp number) {
+void Optimistic_window<Traits, Contacts>::roll_back(Process& process, Version number) {
   // The last event at a face or beside it.
   const auto last_at = [&](Face_handle face) {
-    Stamp last = 0;
+    Version last = 0;
     for (const Face_handle f : {face, face->neighbor(0), face->neighbor(1), face->neighbor(2)}) {
-      if (log_.is_of_window(f->stamp())) last = std::max(last, f->stamp());
+      if (log_.is_of_window(f->version())) last = std::max(last, f->version());
     }
     return last;
   };
-  std::vector<Stamp> waiting = {number};  // each waits for the one after it
+  std::vector<Version> waiting = {number};  // each waits for the one after it
   while (!waiting.empty()) {
-    Stamp last = 0;
+    Version last = 0;
     log_.for_each_written_face(log_.record(waiting.back()),
                                [&](Face_handle face) { last = std::max(last, last_at(face)); });
     if (last > waiting.back()) {
@@ -356,13 +356,13 @@ void Optimistic_window<Traits, Contacts>::roll_back(Process& process, Stamp numb
 
 // Rolls back an event without a later one that conflicts with it.
 template <class Traits, class Contacts>
-void Optimistic_window<Traits, Contacts>::roll_back_last(Process& process, Stamp number) {
+void Optimistic_window<Traits, Contacts>::roll_back_last(Process& process, Version number) {
   const Key& key = log_.key(number);
   Record& record = log_.record(key);
   ++process.rolled_back;
   log_.node_of(number).has_rolled_back = true;
   log_.for_each_written_face(record, [&](Face_handle face) {
-    KINETRI_ASSERT(face->stamp() == number, "the last event of its faces");
+    KINETRI_ASSERT(face->version() == number, "the last event of its faces");
   });
   if constexpr (has_contacts) {
     const Time& now = log_.time(key);  // computed from the motions of that time
@@ -398,7 +398,7 @@ void Optimistic_window<Traits, Contacts>::put_in_order() {
 // Rolls back the events at and after the time at which the window is truncated.
 template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::truncate() {
-  ++counters_.cuts;
+  ++counters_.truncated_windows;
   Process& root = processes_.back();
   const std::uint64_t rolled_back = root.rolled_back;
   Moment from = {{}, truncated_->interval(), *truncated_};
@@ -409,12 +409,12 @@ void Optimistic_window<Traits, Contacts>::truncate() {
     for (std::size_t k = process.log->records.size(); k-- > 0;) {
       if (!process.log->records[k].is_rolled_back &&
           log_.compare(process.log->keys[k], from) >= 0) {
-        roll_back(root, log_.stamp(*process.log, k));
+        roll_back(root, log_.version(*process.log, k));
       }
     }
   };
   std::for_each(processes_.rbegin(), processes_.rend(), roll_back_in);
-  counters_.cut_off += std::exchange(root.rolled_back, rolled_back) - rolled_back;
+  counters_.truncated += std::exchange(root.rolled_back, rolled_back) - rolled_back;
 }
 
 template <class Traits, class Contacts>
@@ -429,7 +429,7 @@ Window_work Optimistic_window<Traits, Contacts>::work_of_processes() const {
       const auto executed = static_cast<double>(process.log->records.size());
       most = std::max(most, executed);
       sum += executed;
-      work.undone += static_cast<double>(process.rolled_back);
+      work.rolled_back += static_cast<double>(process.rolled_back);
     }
     work.executed += sum;
     work.in_turn += std::max(most, sum / static_cast<double>(threads_));
@@ -464,10 +464,10 @@ template <class Traits, class Contacts>
 void Optimistic_window<Traits, Contacts>::count_and_clear() {
   if constexpr (has_contacts) contacts_.end_window();
   for (Process& process : processes_) {
-    (process.is_root       ? counters_.by_rest
+    (process.is_root       ? counters_.by_root
      : process.is_region() ? counters_.by_region
                            : counters_.by_union) += process.log->records.size();
-    counters_.undone += std::exchange(process.rolled_back, 0);
+    counters_.rolled_back += std::exchange(process.rolled_back, 0);
     count_certificates(process);
   }
   for_each(processes_, [this](Process& process) { log_.clear(*process.log); });

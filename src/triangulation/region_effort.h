@@ -19,8 +19,8 @@ struct Window_work {
   double executed = 0;  ///< by all nodes, including those rolled back
   /// The least number that one thread executes if all threads are used as well as possible.
   double in_turn = 0;
-  double undone = 0;  ///< rolled back: executed too early, or the window was truncated
-  double serial = 0;  ///< other work of one thread
+  double rolled_back = 0;  ///< rolled back: executed too early, or the window was truncated
+  double serial = 0;       ///< other work of one thread
 };
 
 /// An account of events. The unit is the cost of one event of the sequential loop, so nothing
@@ -56,8 +56,8 @@ class Region_effort {
   /// or half of that of all events, if that is more: two threads that do the work of one gain
   /// nothing.
   void add_window(const Window_work& work) {
-    const double in_turn = cost_of_event * work.in_turn + work.undone + work.serial;
-    const double in_all = cost_of_event * work.executed + work.undone + work.serial;
+    const double in_turn = cost_of_event * work.in_turn + work.rolled_back + work.serial;
+    const double in_all = cost_of_event * work.executed + work.rolled_back + work.serial;
     spend(std::max(in_turn, in_all / 2) - work.reported);
     earn(share_ * work.reported);
   }

@@ -29,7 +29,7 @@ struct Region_options {
   /// The most events of a node in a window. It defers further ones; the root truncates the window.
   std::size_t most_flips = std::size_t{1} << 22;
   /// The bits of the version of a face, at most 24 (Flip_numbers). Fewer for tests.
-  unsigned stamp_bits = 24;
+  unsigned version_bits = 24;
   std::size_t flips_per_slice = 4096;  ///< events that one thread sorts. Fewer for tests
   std::size_t threads = 0;             ///< at most; 0: those of oneTBB's arena; 1: no parallelism
   /// If not 0, a seed for the order in which one thread executes tasks. For tests.
@@ -56,13 +56,13 @@ void call_for_each(const Region_options& options, Vector& elements, const Work& 
 
 /// Counts of a run. "Flips" here are all events, contacts too.
 struct Region_counters {
-  std::uint64_t windows = 0;    ///< windows executed
-  std::uint64_t cuts = 0;       ///< windows that were truncated
+  std::uint64_t windows = 0;            ///< windows executed
+  std::uint64_t truncated_windows = 0;  ///< windows that were truncated
   std::uint64_t by_region = 0;  ///< flips that regions executed, including those rolled back later
   std::uint64_t by_union = 0;   ///< flips that unions of regions executed, likewise
-  std::uint64_t by_rest = 0;    ///< flips that the root executed, likewise
-  std::uint64_t undone = 0;     ///< flips rolled back because they were executed too early
-  std::uint64_t cut_off = 0;    ///< flips rolled back because their window was truncated
+  std::uint64_t by_root = 0;    ///< flips that the root executed, likewise
+  std::uint64_t rolled_back = 0;  ///< flips rolled back because they were executed too early
+  std::uint64_t truncated = 0;    ///< flips rolled back because their window was truncated
 };
 
 }  // namespace kinetri::detail

@@ -307,12 +307,12 @@ bool Region_run<Traits, Contacts>::is_loop_next() {
 // changes, since they depend on motions, and made again after the last change.
 template <class Traits, class Contacts>
 void Region_run<Traits, Contacts>::make_turns(std::span<const Change> changes) {
-  using Two_sided_edge = typename Topology<Traits>::Two_sided_edge;
+  using Edge_with_mirror = typename Topology<Traits>::Edge_with_mirror;
   struct Share {
     Process* process = nullptr;
     std::vector<const Change*> changes = {};
     std::vector<const Change*> others = {};  // of points with triangles in other regions
-    std::vector<Two_sided_edge> edges = {};
+    std::vector<Edge_with_mirror> edges = {};
     Time now = {};  // its own copy
   };
   regions_ = division().regions;

@@ -59,7 +59,7 @@ void choose_regions(Kinetic_core<Traits>& core, const Region_options& options,
   division.flips.assign(nodes, 0);
   std::vector<double> shares;
   for (std::size_t node = 0; node < nodes; ++node) shares.push_back(division.share(node));
-  division.numbers = Flip_numbers(shares, options.stamp_bits);
+  division.numbers = Flip_numbers(shares, options.version_bits);
   division.events = 0;
 }
 
@@ -79,10 +79,10 @@ void distribute_edges(Kinetic_core<Traits>& core, const Region_options& options,
     for (std::size_t k = 0; k < block.size(); ++k) {
       if (k + 12 < block.size()) prefetch(block[k + 12]);
       if (k + 6 < block.size()) prefetch_around(block[k + 6]);
-      block[k]->set_stamp(0);
+      block[k]->set_version(0);
       topology.for_each_own_edge(block[k], [&](const Edge& edge) {
         if (edge.first->event(edge.second) == no_event) return;
-        function(Subject{topology.chosen_side(topology.two_sided(edge)).here});
+        function(Subject{topology.chosen_side(topology.with_mirror(edge)).here});
       });
       if constexpr (Types::is_weighted) {
         for (const auto hidden : block[k]->vertex_list()) {
@@ -103,7 +103,7 @@ void clear_versions(const Topology<Traits>& topology, const Region_options& opti
   const std::vector<Face_handle> faces = topology.faces();
   auto blocks = blocks_of(std::span(std::as_const(faces)));
   call_for_each(options, blocks, [](std::span<const Face_handle> block) {
-    for (const Face_handle face : block) face->set_stamp(0);
+    for (const Face_handle face : block) face->set_version(0);
   });
 }
 

@@ -25,7 +25,7 @@ namespace kinetri::detail {
 /// The records of the events of a window, and their order. With contacts, some events are velocity
 /// changes.
 ///
-/// Invariants: the event of a record with a key has been executed; the version (stamp) of a face is
+/// Invariants: the event of a record with a key has been executed; the version of a face is
 /// the number of its last event that has not been rolled back; among events that conflict, numbers
 /// grow in the order of execution. Several threads may add records for different nodes.
 template <class Traits, bool has_contacts>
@@ -34,12 +34,12 @@ class Window_log {
   using Types = Topology<Traits>;
   using Time = typename Types::Time;
   using Edge = typename Types::Edge;
-  using Two_sided_edge = typename Types::Two_sided_edge;
+  using Edge_with_mirror = typename Types::Edge_with_mirror;
   using Face_handle = typename Types::Face_handle;
   using Vertex_handle = typename Types::Vertex_handle;
   using Point_2 = typename Types::Point_2;
   using Certificate_points = typename Certification<Traits>::Certificate_points;
-  using Stamp = std::uint32_t;
+  using Version = std::uint32_t;
   using Points = std::span<const Point_id>;
 
   /// The time of an entry of a flip, a hull event or a contact.
@@ -52,17 +52,17 @@ class Window_log {
   /// A face that an event has written.
   struct Written_face {
     Face_handle face;
-    Stamp stamp;  ///< its version before
+    Version version;  ///< its version before
   };
 
   /// The part of a record that only velocity changes have.
   struct Velocity_change {
     std::array<Point_id, 2> points = {no_point, no_point};  ///< of the event
     std::array<Point_id, 2> changed = {no_point, no_point};
-    std::array<Point_2, 2> before = {};  ///< their motions
-    std::array<Point_2, 2> after = {};   ///< their motions
-    std::array<Stamp, 2> previous = {};  ///< the numbers of their changes before this one
-    std::vector<Written_face> faces;     ///< written by it
+    std::array<Point_2, 2> before = {};    ///< their motions
+    std::array<Point_2, 2> after = {};     ///< their motions
+    std::array<Version, 2> previous = {};  ///< the numbers of their changes before this one
+    std::vector<Written_face> faces;       ///< written by it
 
     Points changed_points() const { return Points(changed).first(changed[1] == no_point ? 1 : 2); }
   };
@@ -76,12 +76,12 @@ class Window_log {
     /// The edge, before the flip.
     Face_handle face;
     Face_handle neighbor;
-    std::array<Stamp, 2> previous;  ///< versions of the two faces
-    std::unique_ptr<Time> exact;    ///< the time, if it has been computed
-    std::uint8_t i : 2;             ///< the index of the edge in `face`
-    std::uint8_t j : 2;             ///< and in `neighbor`
-    bool left_had_face : 1;         ///< `face` was the one that CGAL keeps at the left end
-    bool right_had_neighbor : 1;    ///< `neighbor` was the one at the right end
+    std::array<Version, 2> previous;  ///< versions of the two faces
+    std::unique_ptr<Time> exact;      ///< the time, if it has been computed
+    std::uint8_t i : 2;               ///< the index of the edge in `face`
+    std::uint8_t j : 2;               ///< and in `neighbor`
+    bool left_had_face : 1;           ///< `face` was the one that CGAL keeps at the left end
+    bool right_had_neighbor : 1;      ///< `neighbor` was the one at the right end
     bool is_rolled_back : 1;
     /// Empty if it is a flip.
     [[no_unique_address]] std::conditional_t<has_contacts, std::unique_ptr<Velocity_change>,
@@ -137,17 +137,19 @@ class Window_log {
 
   // ---- numbers ----
 
-  Node& node_of(Stamp stamp) { return nodes_[division_.numbers.node(stamp - 1)]; }
-  bool is_of_window(Stamp stamp) { return stamp != 0 && index_of(stamp) >= node_of(stamp).before; }
-  static Stamp stamp(const Node& node, std::size_t index) {
-    return static_cast<Stamp>(node.first_number + node.before + index + 1);
+  Node& node_of(Version version) { return nodes_[division_.numbers.node(version - 1)]; }
+  bool is_of_window(Version version) {
+    return version != 0 && index_of(version) >= node_of(version).before;
   }
-  /// Precondition: is_of_window(stamp).
-  const Key& key(Stamp stamp) {
-    const Node& node = node_of(stamp);
-    return node.keys[index_of(stamp) - node.before];
+  static Version version(const Node& node, std::size_t index) {
+    return static_cast<Version>(node.first_number + node.before + index + 1);
   }
-  Record& record(Stamp stamp) { return record(key(stamp)); }
+  /// Precondition: is_of_window(version).
+  const Key& key(Version version) {
+    const Node& node = node_of(version);
+    return node.keys[index_of(version) - node.before];
+  }
+  Record& record(Version version) { return record(key(version)); }
   Record& record(const Key& key) { return nodes_[key.node].records[key.index]; }
   static bool is_contact(const Key& key) {
     return key.kind == Event_kind::wall || key.kind == Event_kind::collision;
@@ -156,16 +158,16 @@ class Window_log {
   // ---- records ----
 
   /// Adds the record of a flip that is about to be executed.
-  Record& start_flip(Node& node, const Two_sided_edge& edge);
+  Record& start_flip(Node& node, const Edge_with_mirror& edge);
   /// Gives the last record of the node its key, and returns the number of the event. If this does
   /// not throw, the event must be executed.
-  Stamp add_key(Node& node, const Double_interval& bounds, Event_kind kind);
+  Version add_key(Node& node, const Double_interval& bounds, Event_kind kind);
   /// Adds the record of a velocity change and takes ownership of it; if this throws before, the
   /// caller keeps it.
-  Stamp add_change(Node& node, std::unique_ptr<Velocity_change>&& change, const Moment& moment,
-                   Event_kind kind);
+  Version add_change(Node& node, std::unique_ptr<Velocity_change>&& change, const Moment& moment,
+                     Event_kind kind);
   /// Notes that the points of a velocity change have got their motions.
-  void note_change(Velocity_change& change, Stamp number);
+  void note_change(Velocity_change& change, Version number);
   /// Notes that a velocity change has been rolled back.
   void forget_change(const Velocity_change& change);
   /// Whether a point has got another motion in this window.
@@ -196,8 +198,8 @@ class Window_log {
     return order < 0 ? -1 : (order > 0 ? 1 : 0);
   }
   /// Whether an event of the window is later than the moment.
-  bool is_later(Stamp stamp, Moment& moment) {
-    return is_of_window(stamp) && compare(key(stamp), moment) > 0;
+  bool is_later(Version version, Moment& moment) {
+    return is_of_window(version) && compare(key(version), moment) > 0;
   }
 
   // ---- motions at other times ----
@@ -228,7 +230,7 @@ class Window_log {
   static void for_each_written_face(const Record& record, const Function& function) {
     if constexpr (has_contacts) {
       if (record.change) {
-        for (const auto& [face, stamp] : record.change->faces) function(face);
+        for (const auto& [face, version] : record.change->faces) function(face);
         return;
       }
     }
@@ -249,8 +251,8 @@ class Window_log {
   };
 
   // Among the events of its node since versions were cleared.
-  std::size_t index_of(Stamp stamp) { return stamp - 1 - node_of(stamp).first_number; }
-  const Point_2& point_at(Point_id id, Stamp flip);
+  std::size_t index_of(Version version) { return version - 1 - node_of(version).first_number; }
+  const Point_2& point_at(Point_id id, Version flip);
   static std::span<const Key> keys_in(const Node& node, const Slice& slice);
   std::size_t count_keys(const Slice& slice) const;
   void distribute(const Slice& slice, double width, std::span<Key> keys) const;
@@ -262,7 +264,7 @@ class Window_log {
   Region_division& division_;
   std::vector<Node> nodes_;
   std::vector<Key> order_;
-  std::vector<Stamp> last_changes_;  // by point: the last change of the window, or 0
+  std::vector<Version> last_changes_;  // by point: the last change of the window, or 0
 };
 
 }  // namespace kinetri::detail

@@ -63,7 +63,7 @@ void Window_log<Traits, has_contacts>::reset() {
 // ---- records ----
 
 template <class Traits, bool has_contacts>
-auto Window_log<Traits, has_contacts>::start_flip(Node& node, const Two_sided_edge& edge)
+auto Window_log<Traits, has_contacts>::start_flip(Node& node, const Edge_with_mirror& edge)
     -> Record& {
   const auto [face, i] = edge.here;
   const auto [neighbor, j] = edge.there;
@@ -78,24 +78,25 @@ auto Window_log<Traits, has_contacts>::start_flip(Node& node, const Two_sided_ed
   f.j = static_cast<std::uint8_t>(j & 3);
   f.left_had_face = left->face() == face;
   f.right_had_neighbor = right->face() == neighbor;
-  f.previous = {face->stamp(), neighbor->stamp()};
+  f.previous = {face->version(), neighbor->version()};
   return f;
 }
 
 template <class Traits, bool has_contacts>
 auto Window_log<Traits, has_contacts>::add_key(Node& node, const Double_interval& bounds,
-                                               Event_kind kind) -> Stamp {
+                                               Event_kind kind) -> Version {
   const std::size_t index = node.records.size() - 1;
   const double reached = index > 0 ? node.keys.back().reached : bounds.lower;
   node.keys.push_back({bounds, std::max(reached, bounds.lower), static_cast<std::uint32_t>(index),
                        node.number, kind});
-  return stamp(node, index);
+  return version(node, index);
 }
 
 template <class Traits, bool has_contacts>
 auto Window_log<Traits, has_contacts>::add_change(Node& node,
                                                   std::unique_ptr<Velocity_change>&& change,
-                                                  const Moment& moment, Event_kind kind) -> Stamp {
+                                                  const Moment& moment, Event_kind kind)
+    -> Version {
   Record& f = node.records.emplace_back();
   f.exact = std::make_unique<Time>(*moment.exact);
   f.change = std::move(change);
@@ -103,7 +104,7 @@ auto Window_log<Traits, has_contacts>::add_change(Node& node,
 }
 
 template <class Traits, bool has_contacts>
-void Window_log<Traits, has_contacts>::note_change(Velocity_change& change, Stamp number) {
+void Window_log<Traits, has_contacts>::note_change(Velocity_change& change, Version number) {
   const Points changed = change.changed_points();
   for (std::size_t k = 0; k < changed.size(); ++k) {
     change.previous[k] = std::exchange(last_changes_[changed[k]], number);
@@ -122,7 +123,7 @@ void Window_log<Traits, has_contacts>::roll_back(Record& f) {
   if constexpr (has_contacts) {
     if (f.change) {
       set_motions(*f.change, false);
-      for (const auto& [face, stamp] : f.change->faces) face->set_stamp(stamp);
+      for (const auto& [face, version] : f.change->faces) face->set_version(version);
       return;
     }
   }
@@ -131,8 +132,8 @@ void Window_log<Traits, has_contacts>::roll_back(Record& f) {
   const int j = f.j;
   const Vertex_handle left = f.neighbor->vertex(Triangulation::ccw(j));
   const Vertex_handle right = f.face->vertex(Triangulation::ccw(i));
-  const Edge at_bottom = topology_.two_sided(Edge(f.face, i)).there;
-  const Edge at_top = topology_.two_sided(Edge(f.neighbor, j)).there;
+  const Edge at_bottom = topology_.with_mirror(Edge(f.face, i)).there;
+  const Edge at_top = topology_.with_mirror(Edge(f.neighbor, j)).there;
   auto& tds = topology_.triangulation().tds();
   f.face->set_vertex(Triangulation::cw(i), left);
   f.neighbor->set_vertex(Triangulation::cw(j), right);
@@ -141,8 +142,8 @@ void Window_log<Traits, has_contacts>::roll_back(Record& f) {
   tds.set_adjacency(f.neighbor, Triangulation::ccw(j), at_bottom.first, at_bottom.second);
   if (f.left_had_face) left->set_face(f.face);
   if (f.right_had_neighbor) right->set_face(f.neighbor);
-  f.face->set_stamp(f.previous[0]);
-  f.neighbor->set_stamp(f.previous[1]);
+  f.face->set_version(f.previous[0]);
+  f.neighbor->set_version(f.previous[1]);
 }
 
 // In any order of the nodes of a level, whose events do not conflict. A record without a key is of
@@ -172,7 +173,7 @@ auto Window_log<Traits, has_contacts>::time(const Key& key) -> const Time& {
 // Those of Certification::points at that time.
 template <class Traits, bool has_contacts>
 auto Window_log<Traits, has_contacts>::certificate_points(const Key& key) -> Certificate_points {
-  const Stamp number = stamp(nodes_[key.node], key.index);
+  const Version number = version(nodes_[key.node], key.index);
   const Record& f = record(key);
   const auto point = [&](std::size_t k) { return &point_at(f.corners[k], number); };
   return {Entry_kind::flip, {point(0), point(1), point(2), point(3)}};
@@ -182,10 +183,10 @@ auto Window_log<Traits, has_contacts>::certificate_points(const Key& key) -> Cer
 
 // The point with the motion that it had at the flip.
 template <class Traits, bool has_contacts>
-auto Window_log<Traits, has_contacts>::point_at(Point_id id, Stamp flip) -> const Point_2& {
+auto Window_log<Traits, has_contacts>::point_at(Point_id id, Version flip) -> const Point_2& {
   if constexpr (has_contacts) {
     const Point_2* result = nullptr;
-    for (Stamp number = last_changes_[id]; number != 0;) {
+    for (Version number = last_changes_[id]; number != 0;) {
       const Velocity_change& change = *record(number).change;
       const std::size_t k = change.changed[0] == id ? 0 : 1;
       if (number < flip) return result == nullptr ? change.after[k] : *result;

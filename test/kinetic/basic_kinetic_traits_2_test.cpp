@@ -70,7 +70,7 @@ int expect_certificates_of_two_as_of_each(
     const auto alone = traits.in_circle_certificate(*p, *q, *r, *s, t, Certificate_state::any);
     EXPECT_EQ(certificates[k].kind, alone.kind);
     EXPECT_EQ(certificates[k].bounds, alone.bounds);
-    EXPECT_EQ(certificates[k].may_vanish, alone.may_vanish);
+    EXPECT_EQ(certificates[k].may_be_zero, alone.may_be_zero);
     EXPECT_EQ(certificates[k].means, alone.means);
     EXPECT_EQ(certificates[k].is_root_solved, alone.is_root_solved);
     EXPECT_EQ(certificates[k].failure == nullptr, alone.failure == nullptr);

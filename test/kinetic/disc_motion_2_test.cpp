@@ -173,7 +173,7 @@ TYPED_TEST(Disc_motions, are_clamped_to_the_inner_side_of_a_wall_for_rims) {
     }
     // Without rims it is about the center.
     Wall_2 bare = wall;
-    bare.rim = false;
+    bare.rim_touches = false;
     const TypeParam about_center = clamped_inside(m, bare, times);
     ASSERT_EQ(center(about_center), clamped_inside(center(m), bare, times));
   }

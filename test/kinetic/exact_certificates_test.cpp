@@ -122,7 +122,7 @@ void expect_same(const std::optional<Certificate>& counted, const Certificate& e
   if (!counted) return;
   ASSERT_EQ(counted->kind, expected.kind) << p << " from " << t;
   EXPECT_EQ(counted->means, Certificate::Means::exact);
-  if (!counted->may_vanish) {
+  if (!counted->may_be_zero) {
     EXPECT_EQ(sign_just_after(p, t), CGAL::POSITIVE) << p << " from " << t;
   }
   if (counted->kind == Kind::never_fails) {
@@ -231,7 +231,7 @@ TEST(Counted_certificates, of_contacts_wait_for_an_approach) {
   };
   // They part: never, though they overlap, touch, or have just touched.
   EXPECT_EQ(contact({-1, 1}, 0)->kind, Kind::never_fails);
-  EXPECT_TRUE(contact({-1, 1}, 0)->may_vanish);
+  EXPECT_TRUE(contact({-1, 1}, 0)->may_be_zero);
   EXPECT_EQ(contact({0, 1}, 0)->kind, Kind::never_fails);
   EXPECT_EQ(contact({0, 0, 1}, 0)->kind, Kind::never_fails) << "a touch";
   EXPECT_EQ(contact({-1, 0, 1}, 0)->kind, Kind::never_fails);
@@ -240,19 +240,19 @@ TEST(Counted_certificates, of_contacts_wait_for_an_approach) {
   EXPECT_EQ(failure_of(contact({-1, -1}, 3)), Time(3.0));
   EXPECT_EQ(failure_of(contact({0, -1}, 0)), Time(0.0));
   EXPECT_EQ(failure_of(contact({-1, 0, 1}, -0.5)), Time(-0.5));
-  EXPECT_TRUE(contact({-1, 0, 1}, -0.5)->may_vanish);
+  EXPECT_TRUE(contact({-1, 0, 1}, -0.5)->may_be_zero);
   EXPECT_EQ(failure_of(contact({-1, 0, -1}, 0)), Time(0.0)) << "just after 0";
   // They are apart, and approach.
   const auto later = contact({3, -1}, 0);
   EXPECT_EQ(later->kind, Kind::fails);
-  EXPECT_FALSE(later->may_vanish);
+  EXPECT_FALSE(later->may_be_zero);
   EXPECT_TRUE(later->bounds.lower < 3 && later->bounds.upper > 3);
   // They do not move against each other.
   EXPECT_EQ(contact({-1}, 0)->kind, Kind::never_fails);
-  EXPECT_TRUE(contact({-1}, 0)->may_vanish);
-  EXPECT_FALSE(contact({1}, 0)->may_vanish);
+  EXPECT_TRUE(contact({-1}, 0)->may_be_zero);
+  EXPECT_FALSE(contact({1}, 0)->may_be_zero);
   EXPECT_EQ(contact({0}, 0)->kind, Kind::never_fails);
-  EXPECT_TRUE(contact({0}, 0)->may_vanish);
+  EXPECT_TRUE(contact({0}, 0)->may_be_zero);
   // They overlap, and part before they approach: that is left to others.
   EXPECT_FALSE(contact({-1, 4, -1}, 0));
 }

@@ -67,8 +67,8 @@ TEST(Contact_regions, collide_discs_as_the_loop_does) {
   }
   EXPECT_GT(sum.by_region, 0u);
   EXPECT_GT(sum.by_union, 0u);
-  EXPECT_GT(sum.by_rest, 0u);
-  EXPECT_GT(sum.undone, 0u);
+  EXPECT_GT(sum.by_root, 0u);
+  EXPECT_GT(sum.rolled_back, 0u);
 }
 
 // Long windows and many small regions: events come too early. Audits in between tell whether
@@ -88,7 +88,7 @@ TEST(Contact_regions, undo_contacts_that_come_too_early) {
               "")
         << "seed " << seed;
   }
-  EXPECT_GT(sum.undone, 0u);
+  EXPECT_GT(sum.rolled_back, 0u);
 }
 
 // Many contacts at one time, and discs that touch several.
@@ -106,7 +106,7 @@ TEST(Contact_regions, collide_discs_on_a_grid_as_the_loop_does) {
         "")
         << "seed " << seed;
   }
-  EXPECT_GT(sum.cuts, 0u);
+  EXPECT_GT(sum.truncated_windows, 0u);
 }
 
 TEST(Contact_regions, collide_accelerated_discs_as_the_loop_does) {
@@ -164,8 +164,8 @@ TEST(Contact_regions, collide_discs_of_any_size_as_the_loop_does) {
   }
   EXPECT_GT(sum.by_region, 0u);
   EXPECT_GT(sum.by_union, 0u);
-  EXPECT_GT(sum.by_rest, 0u);
-  EXPECT_GT(sum.undone, 0u);
+  EXPECT_GT(sum.by_root, 0u);
+  EXPECT_GT(sum.rolled_back, 0u);
 }
 
 // Few large discs among many small ones. Some are smaller than a rounding, so that a contact may
@@ -195,7 +195,7 @@ TEST(Contact_regions, collide_small_discs_with_large_ones_as_the_loop_does) {
               "")
         << "seed " << seed;
   }
-  EXPECT_GT(sum.cuts, 0u);
+  EXPECT_GT(sum.truncated_windows, 0u);
 }
 
 // Radii, places and velocities are small integers: many contacts at one time.
@@ -220,7 +220,7 @@ TEST(Contact_regions, collide_discs_of_any_size_on_a_grid_as_the_loop_does) {
         "")
         << "seed " << seed;
   }
-  EXPECT_GT(sum.cuts, 0u);
+  EXPECT_GT(sum.truncated_windows, 0u);
 }
 
 // Walls alone: discs overlap, and hide one another.

@@ -216,7 +216,7 @@ class Checked : Event_observer {
     const Simulation_options& options = simulation_.options();
     std::vector<Wall_2> result;
     for (Wall_2 wall : options.box->walls(options.rim_touches ? options.radius : 0)) {
-      wall.rim = HasWeight<typename Traits::Motion> && options.rim_touches;
+      wall.rim_touches = HasWeight<typename Traits::Motion> && options.rim_touches;
       result.push_back(wall);
     }
     return result;

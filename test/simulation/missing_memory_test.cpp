@@ -44,8 +44,8 @@ Failure run_with_failure(Run& run, const Algebraic_number& until, std::int64_t a
   }
   test::allocations_before_failure = -1;
   if (!has_failed) return Failure::none;
-  const bool is_in_window =
-      run.counters().windows == before.windows + 1 && run.counters().cuts == before.cuts;
+  const bool is_in_window = run.counters().windows == before.windows + 1 &&
+                            run.counters().truncated_windows == before.truncated_windows;
   return is_in_window ? Failure::in_window : Failure::elsewhere;
 }
 

@@ -37,9 +37,9 @@ struct Outcome {
   Region_counters counters;
 
   /// Events that were executed and undone, by whatever cause.
-  std::uint64_t undone() const { return counters.undone + counters.cut_off; }
+  std::uint64_t undone() const { return counters.rolled_back + counters.truncated; }
   std::uint64_t by_windows() const {
-    return counters.by_region + counters.by_union + counters.by_rest - undone();
+    return counters.by_region + counters.by_union + counters.by_root - undone();
   }
 };
 
@@ -148,7 +148,7 @@ TEST(Region_decisions, pay_for_what_is_undone_where_windows_are_cut) {
   }
   const Outcome run = run_to(6, motions, discs_of(1.5), usual_options());
   EXPECT_EQ(run.problem, "");
-  EXPECT_GT(run.counters.cuts, 0u);
+  EXPECT_GT(run.counters.truncated_windows, 0u);
   EXPECT_LT(static_cast<double>(run.undone()), most_undone(run, motions.size()));
 }
 

@@ -183,7 +183,7 @@ class All_pairs_simulator {
     if (!options_.box) return motion;
     for (Wall_2 wall : walls_) {
       wall.clearance = options_.rim_touches ? options_.radius : 0;
-      wall.rim = HasWeight<Motion> && options_.rim_touches;
+      wall.rim_touches = HasWeight<Motion> && options_.rim_touches;
       motion = clamped_inside(motion, wall, time_.tight_interval());
     }
     return motion;

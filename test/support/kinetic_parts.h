@@ -45,7 +45,7 @@ struct Topology_part {
   using Motion = typename Traits::Motion;
   using Point_2 = typename Traits::Point_2;
   using Edge = typename Topology::Edge;
-  using Two_sided_edge = typename Topology::Two_sided_edge;
+  using Edge_with_mirror = typename Topology::Edge_with_mirror;
   using Vertex_handle = typename Topology::Vertex_handle;
   using Face_handle = typename Topology::Face_handle;
   using Triangulation = typename Topology::Triangulation;
@@ -66,18 +66,18 @@ struct Topology_part {
     return {ids.begin(), ids.end()};
   }
   /// The edge between two points, or between one and the infinite vertex (no_point).
-  Two_sided_edge edge(Point_id a, Point_id b) const {
+  Edge_with_mirror edge(Point_id a, Point_id b) const {
     const Triangulation& triangulation = topology.triangulation();
     const Vertex_handle v = b == no_point ? triangulation.infinite_vertex() : topology.vertex(b);
     Edge result;
     EXPECT_TRUE(triangulation.is_edge(topology.vertex(a), v, result.first, result.second))
         << "an edge " << a << " - " << b;
-    return topology.two_sided(result);
+    return topology.with_mirror(result);
   }
-  std::vector<Two_sided_edge> all_edges() const {
-    std::vector<Two_sided_edge> result;
+  std::vector<Edge_with_mirror> all_edges() const {
+    std::vector<Edge_with_mirror> result;
     for (const Edge& edge : topology.triangulation().all_edges()) {
-      result.push_back(Topology::chosen_side(topology.two_sided(edge)));
+      result.push_back(Topology::chosen_side(topology.with_mirror(edge)));
     }
     return result;
   }
@@ -90,11 +90,11 @@ template <class Traits = Linear_kinetic_traits_2>
 struct Certification_part : Topology_part<Traits> {
   using Base = Topology_part<Traits>;
   using Base::Base;
+  using typename Base::Edge_with_mirror;
   using typename Base::Time;
-  using typename Base::Two_sided_edge;
 
   /// The failure of an edge's certificate, which is rechecked while it only holds.
-  std::optional<std::pair<detail::Entry_kind, Time>> failure(const Two_sided_edge& edge,
+  std::optional<std::pair<detail::Entry_kind, Time>> failure(const Edge_with_mirror& edge,
                                                              Time after) const {
     for (;;) {
       const auto [kind, certificate] = certification.certificate_of(edge, after);
@@ -121,9 +121,9 @@ struct Certification_part : Topology_part<Traits> {
 template <class Traits = Linear_kinetic_traits_2>
 struct Schedule_part : Certification_part<Traits> {
   using Base = Certification_part<Traits>;
+  using typename Base::Edge_with_mirror;
   using typename Base::Motion;
   using typename Base::Time;
-  using typename Base::Two_sided_edge;
 
   explicit Schedule_part(const std::vector<Motion>& motions, const Time& start = 0.0)
       : Base(motions, start), schedule(this->certification, start, counters) {
@@ -135,7 +135,7 @@ struct Schedule_part : Certification_part<Traits> {
   /// earlier time.
   std::string problem() const {
     std::size_t entries = 0;
-    for (const Two_sided_edge& edge : this->all_edges()) {
+    for (const Edge_with_mirror& edge : this->all_edges()) {
       const Queue_handle handle = edge.here.first->event(edge.here.second);
       const auto [a, b] = Topology_part<Traits>::Topology::ids_of(edge.here);
       const std::string who = "edge " + std::to_string(a) + " - " + std::to_string(b);

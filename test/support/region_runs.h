@@ -72,12 +72,12 @@ std::string difference_of_states(const Kinetic_triangulation_2<Traits>& one,
 
 inline void add(Region_counters& sum, const Region_counters& counters) {
   sum.windows += counters.windows;
-  sum.cuts += counters.cuts;
+  sum.truncated_windows += counters.truncated_windows;
   sum.by_region += counters.by_region;
   sum.by_union += counters.by_union;
-  sum.by_rest += counters.by_rest;
-  sum.undone += counters.undone;
-  sum.cut_off += counters.cut_off;
+  sum.by_root += counters.by_root;
+  sum.rolled_back += counters.rolled_back;
+  sum.truncated += counters.truncated;
 }
 
 /// The difference between the sequential loop and parallel execution, with and without observers,
@@ -144,7 +144,7 @@ inline Region_options options_of(std::size_t regions, double events_per_vertex) 
   options.points_per_hidden_one = 0;
   options.events_per_division = 1;
   if (regions % 5 == 4) options.most_flips = 3;
-  if (regions % 3 == 1) options.stamp_bits = 12;
+  if (regions % 3 == 1) options.version_bits = 12;
   if (regions % 3 == 2) options.flips_per_slice = 4;
   options.threads = regions % 2 == 1 ? 1 + regions % 8 : 1;
   options.order_of_tasks = regions;

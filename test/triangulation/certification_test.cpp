@@ -49,7 +49,8 @@ class Edge_oracle {
   Edge_oracle(const Part& part, const std::vector<Motion>& motions)
       : part_(part), motions_(motions) {}
 
-  Failure failure(const typename Part::Two_sided_edge& edge, const Algebraic_number& start) const {
+  Failure failure(const typename Part::Edge_with_mirror& edge,
+                  const Algebraic_number& start) const {
     const auto& [face, i] = edge.here;
     const auto& [neighbor, j] = edge.there;
     const Vertex_handle a = face->vertex(Part::Triangulation::ccw(i));
@@ -198,7 +199,7 @@ TEST(Certification, names_the_kind_of_what_fails_first) {
 // All five certificates, mostly made together, are those that each edge has by itself.
 TEST(Certification, after_a_flip_is_that_of_each_edge) {
   test::Certification_part<> part(test::random_motions(40, 10, 1, 5));
-  std::optional<std::pair<Algebraic_number, test::Certification_part<>::Two_sided_edge>> first;
+  std::optional<std::pair<Algebraic_number, test::Certification_part<>::Edge_with_mirror>> first;
   for (const auto& edge : part.all_edges()) {
     const auto failure = part.failure(edge, 0.0);
     if (failure && failure->first == Entry_kind::flip &&

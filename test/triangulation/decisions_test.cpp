@@ -27,7 +27,7 @@ struct First_decision {
     edge = Part::Topology::ids_of(entry.edge());
     const auto now = [&]() -> const Algebraic_number& { return part.schedule.current_time(); };
     decision = detail::Decisions<Traits>(part.certification)
-                   .decide(entry, part.topology.two_sided(entry.edge()),
+                   .decide(entry, part.topology.with_mirror(entry.edge()),
                            part.schedule.current_bounds(), now);
   }
 

@@ -50,11 +50,11 @@ TEST(Region_effort, bounds_what_windows_take) {
       work.executed = executed;
       work.in_turn = executed / (kind == 1 ? 1 : 2);
       work.reported = executed * kept;
-      work.undone = executed - work.reported;
+      work.rolled_back = executed - work.reported;
       work.serial = static_cast<double>(random() % 20) + (kind == 3 ? 300 : 0);
       effort.add_window(work);
-      const double wall = 1.25 * work.in_turn + work.undone + work.serial;
-      const double processor = 1.25 * work.executed + work.undone + work.serial;
+      const double wall = 1.25 * work.in_turn + work.rolled_back + work.serial;
+      const double processor = 1.25 * work.executed + work.rolled_back + work.serial;
       events += work.reported;
       taken += wall;
       of_processor += processor;
@@ -89,7 +89,7 @@ Window_work work(double reported, double executed, double in_turn, double undone
   result.reported = reported;
   result.executed = executed;
   result.in_turn = in_turn;
-  result.undone = undone;
+  result.rolled_back = undone;
   result.serial = serial;
   return result;
 }

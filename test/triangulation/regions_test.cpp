@@ -77,7 +77,7 @@ TEST(Region_division, has_numbers_for_the_flips_of_each_node) {
         EXPECT_EQ(numbers.node(numbers.first(node)), node);
         EXPECT_EQ(numbers.node(static_cast<std::uint32_t>(next - 1)), node);
       }
-      // A stamp is a number and one.
+      // A version is a number and one.
       EXPECT_LT(next, std::size_t{1} << bits);
       EXPECT_GT(next, std::size_t{7} << (bits - 3));
     }
@@ -98,8 +98,8 @@ TEST(Regions, run_random_points_as_the_loop_does) {
   // Else the test would say little.
   EXPECT_GT(sum.by_region, 0u);
   EXPECT_GT(sum.by_union, 0u);
-  EXPECT_GT(sum.by_rest, 0u);
-  EXPECT_GT(sum.undone, 0u);
+  EXPECT_GT(sum.by_root, 0u);
+  EXPECT_GT(sum.rolled_back, 0u);
 }
 
 // Long windows and many small regions: flips come too early, and some never come.
@@ -120,8 +120,8 @@ TEST(Regions, undo_flips_that_come_too_early) {
     }
     test::add(sum, run.counters());
   }
-  EXPECT_GT(sum.undone, 0u);
-  EXPECT_GT(sum.cut_off, 0u);
+  EXPECT_GT(sum.rolled_back, 0u);
+  EXPECT_GT(sum.truncated, 0u);
 }
 
 TEST(Regions, run_points_on_a_grid_as_the_loop_does) {
@@ -134,7 +134,7 @@ TEST(Regions, run_points_on_a_grid_as_the_loop_does) {
               "")
         << "seed " << seed;
   }
-  EXPECT_GT(sum.cuts, 0u);
+  EXPECT_GT(sum.truncated_windows, 0u);
 }
 
 // Points that leave a corner, and points that come together: many come to the hull and leave it.
@@ -146,7 +146,7 @@ TEST(Regions, change_the_hull_as_the_loop_does) {
               "")
         << "seed " << seed;
   }
-  EXPECT_GT(sum.by_rest, 0u);
+  EXPECT_GT(sum.by_root, 0u);
 }
 
 TEST(Regions, run_polynomial_motions_as_the_loop_does) {
@@ -234,7 +234,7 @@ TEST(Regions, leave_a_touch_of_the_hull_to_the_loop) {
     ASSERT_EQ(difference_from_loop(motions, {0.5, 2.0}, options_of(1 + seed, 4), sum), "")
         << "seed " << seed;
   }
-  EXPECT_GT(sum.cuts, 0u);
+  EXPECT_GT(sum.truncated_windows, 0u);
 }
 
 // Runs by regions one after the other, with changes of points and single events between them.

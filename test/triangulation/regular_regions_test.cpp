@@ -57,8 +57,8 @@ TEST(Regular_regions, run_random_discs_as_the_loop_does) {
   }
   EXPECT_GT(sum.by_region, 0u);
   EXPECT_GT(sum.by_union, 0u);
-  EXPECT_GT(sum.by_rest, 0u);
-  EXPECT_GT(sum.undone, 0u);
+  EXPECT_GT(sum.by_root, 0u);
+  EXPECT_GT(sum.rolled_back, 0u);
 }
 
 // Places, velocities and radii are small integers, so that much happens at one time.
@@ -73,7 +73,7 @@ TEST(Regular_regions, run_discs_on_a_grid_as_the_loop_does) {
               "")
         << "seed " << seed;
   }
-  EXPECT_GT(sum.cuts, 0u);
+  EXPECT_GT(sum.truncated_windows, 0u);
 }
 
 TEST(Regular_regions, run_accelerated_discs_as_the_loop_does) {

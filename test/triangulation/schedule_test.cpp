@@ -39,7 +39,7 @@ std::vector<Failure> take_failures(Part& part, const Algebraic_number* until = n
     const Algebraic_number time = queue.time(queue.top());
     const auto entry = queue.pop();
     result.emplace_back(time, entry.kind, Topology::ids_of(entry.edge()));
-    Topology::set_event(part.topology.two_sided(entry.edge()), no_event);
+    Topology::set_event(part.topology.with_mirror(entry.edge()), no_event);
   }
   return result;
 }
@@ -112,7 +112,7 @@ TEST(Schedule, around_a_vertex_leaves_other_edges_alone) {
   part.schedule.schedule_around(v, Certificate_state::any);
   EXPECT_EQ(part.problem(), "");
   // The same with the list of the edges, each once.
-  std::vector<Part::Two_sided_edge> edges;
+  std::vector<Part::Edge_with_mirror> edges;
   Triangulation_counters counters;
   part.schedule.unschedule_around(v, edges, counters);
   part.schedule.unschedule_around(v, edges, counters);
@@ -144,7 +144,7 @@ TEST(Schedule, after_a_flip_is_that_of_the_new_edges) {
   auto& queue = part.schedule.queue();
   while (part.schedule.settle(nullptr) && queue.top().kind != Entry_kind::flip) queue.pop();
   part.schedule.set_current_time(queue.top());
-  const auto edge = part.topology.two_sided(queue.pop().edge());
+  const auto edge = part.topology.with_mirror(queue.pop().edge());
   auto outer = part.topology.outer_edges(edge);
   for (const auto& side : outer) part.schedule.unschedule(side);
   part.schedule.schedule_after_flip(part.topology.flip(edge, outer), outer);

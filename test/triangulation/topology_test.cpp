@@ -22,7 +22,7 @@ using Edge_set = std::set<Edge_ids>;
 const std::vector<Linear_motion_2> square = {resting(0, 0), resting(8, 0), resting(8, 9),
                                              resting(0, 8), resting(3, 3), resting(5, 4)};
 
-Edge_ids ids(const Part::Two_sided_edge& edge) {
+Edge_ids ids(const Part::Edge_with_mirror& edge) {
   EXPECT_EQ(Topology::ids_of(edge.here), Topology::ids_of(edge.there));
   return Topology::ids_of(edge.here);
 }
@@ -72,13 +72,13 @@ TEST(Topology, of_a_point_that_comes_turns_and_goes_keeps_its_vertex_until_then)
 TEST(Flip, exchanges_the_diagonal_and_keeps_the_edges_around_it) {
   Part part(square);
   const Edge_set before = part.edges();
-  const Part::Two_sided_edge edge = part.edge(4, 5);
+  const Part::Edge_with_mirror edge = part.edge(4, 5);
   const auto [removed, added] = Topology::flipped_edges(edge);
   EXPECT_EQ(removed, (Edge_ids{4, 5}));
   auto outer = part.topology.outer_edges(edge);
   Edge_set outer_before;
   for (const auto& side : outer) outer_before.insert(ids(side));
-  const Part::Two_sided_edge flipped = part.topology.flip(edge, outer);
+  const Part::Edge_with_mirror flipped = part.topology.flip(edge, outer);
   EXPECT_EQ(ids(flipped), added);
   Edge_set outer_after;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -107,7 +107,7 @@ TEST(Flip, of_a_hull_edge_makes_its_apex_a_hull_vertex) {
 TEST(Hull, turns_counterclockwise) {
   const Part part(square);
   for (const auto& [a, b, c] : {std::array<Point_id, 3>{3, 0, 1}, {0, 1, 2}, {1, 2, 3}}) {
-    const Part::Two_sided_edge to_infinity = part.edge(b, no_point);
+    const Part::Edge_with_mirror to_infinity = part.edge(b, no_point);
     for (const auto& side : {to_infinity, {to_infinity.there, to_infinity.here}}) {
       const auto turn = part.topology.hull_turn(side);
       EXPECT_EQ(turn[0]->point().id(), a);
@@ -115,7 +115,7 @@ TEST(Hull, turns_counterclockwise) {
       EXPECT_EQ(turn[2]->point().id(), c);
     }
   }
-  const Part::Two_sided_edge lower = part.edge(0, 1);
+  const Part::Edge_with_mirror lower = part.edge(0, 1);
   const auto& [face, i] = part.topology.hull_triangle(lower);
   EXPECT_EQ(face->vertex(i)->point().id(), 4u) << "the triangle inside";
 }

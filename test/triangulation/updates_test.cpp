@@ -42,7 +42,7 @@ TEST(Flip, at_its_time_leaves_the_edges_just_after_it) {
     for (int flips = 0; flips < 5 && schedule.settle(nullptr); ++flips) {
       schedule.set_current_time(schedule.queue().top());
       const auto failure = schedule.queue().pop();
-      part.updates.flip(part.topology.two_sided(failure.edge()),
+      part.updates.flip(part.topology.with_mirror(failure.edge()),
                         detail::event_kind_of(failure.kind));
       part.updates.show_current_time();
       ASSERT_EQ(part.edges(), test::edges_after(motions, schedule.current_time())) << seed;
@@ -94,7 +94,8 @@ TEST(Point, put_in_beyond_the_hull_leaves_entries_that_are_due) {
   int flips = 0;
   while (part.schedule.settle_now()) {
     const auto failure = part.schedule.queue().pop();
-    part.updates.flip(part.topology.two_sided(failure.edge()), detail::event_kind_of(failure.kind));
+    part.updates.flip(part.topology.with_mirror(failure.edge()),
+                      detail::event_kind_of(failure.kind));
     ++flips;
   }
   EXPECT_GT(flips, 0);

@@ -42,7 +42,7 @@ struct Certificate {
   /// sign at the failure, and has no other root within `bounds`.
   std::unique_ptr<Algebraic_number> failure = nullptr;
   /// If false, the polynomial is certainly positive from just after t on until it fails.
-  bool may_vanish = false;
+  bool may_be_zero = false;
   Means means = Means::none;    ///< what decided
   bool is_root_solved = false;  ///< whether a root was computed
 };

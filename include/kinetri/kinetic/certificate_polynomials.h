@@ -105,9 +105,9 @@ template <class Point>
 Polynomial distance_comparison_polynomial(const Point& p, const Point& q, const Point& r,
                                           const Point& s);
 
-/// Sign of the distance from p (or, if `wall.rim`, from the boundary circle of the disc p) to the
-/// exact bound of the wall: positive inside, zero at the bound. Precondition: the numbers of the
-/// wall are finite.
+/// Sign of the distance from p (or, if `wall.rim_touches`, from the boundary circle of the disc p)
+/// to the exact bound of the wall: positive inside, zero at the bound. Precondition: the numbers of
+/// the wall are finite.
 template <class Point>
 Polynomial wall_polynomial(const Point& p, const Wall_2& wall);
 

@@ -34,12 +34,13 @@ namespace kinetri {
 /// | `is_inside(p, wall, t)` | whether p is on the inner side of the bound at t, or at it |
 ///
 /// Points that are discs themselves (HasWeight) add their radii at each time to `diameter`, which
-/// is then usually 0, and to the clearance of a wall with `rim`. They approach if their boundaries
-/// do: if the squared distance of p and q minus the square of the sum of diameter and radii
-/// decreases. Precondition: the sum of diameter and radii is not negative at the times of interest;
-/// the caller checks for radii that reach zero.
+/// is then usually 0, and to the clearance of a wall with `rim_touches`. They approach if their
+/// boundaries do: if the squared distance of p and q minus the square of the sum of diameter and
+/// radii decreases. Precondition: the sum of diameter and radii is not negative at the times of
+/// interest; the caller checks for radii that reach zero.
 ///
-/// A contact certificate of two discs that are certainly apart just after t has `may_vanish` unset.
+/// A contact certificate of two discs that are certainly apart just after t has `may_be_zero`
+/// unset.
 ///
 /// Only the first contact of a pair matters. For discs that a response has left in contact,
 /// `next_contact_certificate` gives the first contact after they have been apart.

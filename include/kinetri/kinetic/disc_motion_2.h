@@ -152,8 +152,8 @@ bool is_at_rest(const Basic_disc_motion_2<CenterMotion>& disc) {
 }
 
 /// @{
-/// As for points, for the center or, if `wall.rim`, for the boundary circle: changes the position
-/// of the disc, by about as little as necessary, and not its radius.
+/// As for points, for the center or, if `wall.rim_touches`, for the boundary circle: changes the
+/// position of the disc, by about as little as necessary, and not its radius.
 Disc_motion_2 clamped_inside(const Disc_motion_2& disc, const Wall_2& wall,
                              const Double_interval& times);
 Polynomial_disc_motion_2 clamped_inside(const Polynomial_disc_motion_2& disc, const Wall_2& wall,

@@ -15,8 +15,8 @@ namespace kinetri {
 
 /// Points are kept at `clearance` or more from the line, on the inner side of it: to the right of a
 /// left wall, and so on. The exact bound is position + clearance, or position - clearance,
-/// unrounded. If `rim` is true, the radius of a disc at the time is added to the clearance, so that
-/// the bound moves if the disc grows.
+/// unrounded. If `rim_touches` is true, the radius of a disc at the time is added to the clearance,
+/// so that the bound moves if the disc grows.
 struct Wall_2 {
   /// Which side of the plane the wall closes.
   enum class Side : std::uint8_t {
@@ -26,10 +26,10 @@ struct Wall_2 {
     top,     ///< points are at smaller y
   };
 
-  Side side = Side::left;  ///< the side of the points on which the wall is
-  double position = 0;     ///< of the line: its x, or its y
-  double clearance = 0;    ///< at least 0; for example, a radius that all discs have
-  bool rim = false;        ///< whether boundary circles touch the wall, not centers
+  Side side = Side::left;    ///< the side of the points on which the wall is
+  double position = 0;       ///< of the line: its x, or its y
+  double clearance = 0;      ///< at least 0; for example, a radius that all discs have
+  bool rim_touches = false;  ///< whether boundary circles touch the wall, not centers
 
   /// Whether the wall bounds x.
   constexpr bool is_vertical() const { return side == Side::left || side == Side::right; }

@@ -263,7 +263,7 @@ void Auditor<Traits>::check_embedding() {
   }
   for (const Edge& edge : triangulation_.all_edges()) {
     if (!triangulation_.is_infinite(edge)) continue;
-    const auto turn = topology_.hull_turn(topology_.two_sided(edge));
+    const auto turn = topology_.hull_turn(topology_.with_mirror(edge));
     if (CGAL::orientation(place(turn[0]), place(turn[1]), place(turn[2])) == CGAL::RIGHT_TURN) {
       fail("the hull is not convex at", turn);
     }
@@ -387,7 +387,7 @@ void Auditor<Traits>::check_reference() {
 template <class Traits>
 auto Auditor<Traits>::next_failure(const Edge& edge, const Certification<Traits>& exact) const
     -> std::optional<Failure> {
-  const auto sides = topology_.two_sided(edge);
+  const auto sides = topology_.with_mirror(edge);
   auto [kind, next] = exact.certificate_of(sides, schedule_.current_time());
   while (next.kind == Certificate::Kind::holds) {
     std::tie(kind, next) = exact.certificate_of(sides, Time(next.bounds.lower));

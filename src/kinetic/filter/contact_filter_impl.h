@@ -240,7 +240,7 @@ Filter_result first_contact(Differences& d, const Certificate& distance, double 
   if (least(slope) > slope_errors(slope) * error) return {Kind::never_fails, {}, false, true};
   const double rising = positive_share(bernstein(slope), slope_errors(slope) * error);
   Filter_result result = in_time({Kind::holds, {rising, rising}}, *window, after);
-  result.may_vanish = true;
+  result.may_be_zero = true;
   return result;
 }
 
@@ -289,7 +289,7 @@ Filter_result filter_wall_contact(const Motion& p, const Wall_2& wall,
   double radius = 0;
   double growth = 0;
   if constexpr (HasWeight<Motion>) {
-    if (wall.rim) {
+    if (wall.rim_touches) {
       radius = p.radius;
       growth = p.growth;
     }

@@ -210,7 +210,7 @@ inline Filter_result apart(Linear_contact<Reach>& d, const Double_interval& afte
   if (vanishes_at) return {};
   if (do_part(d)) return {Kind::never_fails};
   const Filter_result result = contact(d, after);
-  if (result.kind == Kind::never_fails && result.may_vanish) return {};
+  if (result.kind == Kind::never_fails && result.may_be_zero) return {};
   return result;
 }
 template <std::size_t K, class Reach>

@@ -21,7 +21,7 @@ struct Filter_result {
   Kind kind = Kind::unknown;    ///< how much is known
   Double_interval bounds = {};  ///< of `holds` and `fails`
   bool is_refined = false;      ///< by subdivision, or by narrowing a root
-  bool may_vanish = false;      ///< of contacts: the discs may touch or overlap at the start
+  bool may_be_zero = false;     ///< of contacts: the discs may touch or overlap at the start
 };
 
 }  // namespace kinetri

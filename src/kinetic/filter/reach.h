@@ -116,7 +116,7 @@ template <class Motion, class Function>
 inline auto with_reach_of(const Motion& p, const Wall_2& wall, double origin,
                           const Function& function) {
   if constexpr (HasWeight<Motion>) {
-    if (wall.rim) {
+    if (wall.rim_touches) {
       const Linear_function of_center = {wall.clearance, 0, wall.clearance};
       return function(of_center + radius_from(p, origin));
     }

@@ -49,7 +49,7 @@ bool expect_true(const Filter_result& result, const Polynomial& certificate, dou
 // Returns whether the discs are certainly apart at the start.
 bool expect_apart(const Filter_result& result, const Polynomial& gap,
                   const Double_interval& after) {
-  if (result.kind == Filter_result::Kind::unknown || result.may_vanish) return false;
+  if (result.kind == Filter_result::Kind::unknown || result.may_be_zero) return false;
   EXPECT_EQ(gap.sign_at(to_rational(after.lower)), CGAL::POSITIVE);
   EXPECT_EQ(gap.sign_at(to_rational(after.upper)), CGAL::POSITIVE);
   return true;

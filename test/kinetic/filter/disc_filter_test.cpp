@@ -225,7 +225,7 @@ void expect_true_contacts(int flavor, int cases) {
         test::in_mode(mode, [&] { return filter_contact(m[0], m[1], diameter, now); });
     const Polynomial gap = contact_polynomial(p, q, diameter);
     decided += expect_true_contact(result, exact_contact_certificate(gap, t), now);
-    if (result.kind != Filter_result::Kind::unknown && !result.may_vanish) {
+    if (result.kind != Filter_result::Kind::unknown && !result.may_be_zero) {
       EXPECT_EQ(gap.sign_at(to_rational(t)), CGAL::POSITIVE);
     }
     if (result.kind == Filter_result::Kind::fails) {
@@ -288,7 +288,7 @@ TEST(Disc_filter, of_equal_radii_gives_what_that_of_points_gives) {
     const auto expect_same = [](const Filter_result& a, const Filter_result& b) {
       EXPECT_EQ(a.kind, b.kind);
       EXPECT_EQ(a.bounds, b.bounds);
-      EXPECT_EQ(a.may_vanish, b.may_vanish);
+      EXPECT_EQ(a.may_be_zero, b.may_be_zero);
       EXPECT_EQ(a.is_refined, b.is_refined);
     };
     expect_same(filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false),

@@ -203,7 +203,7 @@ TEST_P(Polynomial_filter, never_contradicts_exact_contacts) {
       return filter_contact(m[0], m[1], diameter, {t, t});
     });
     decided += expect_contact(result, distance, t);
-    if (result.kind != Filter_result::Kind::unknown && !result.may_vanish) {
+    if (result.kind != Filter_result::Kind::unknown && !result.may_be_zero) {
       ++apart;
       EXPECT_EQ(distance.sign_at(to_rational(t)), CGAL::POSITIVE);
     }

@@ -58,7 +58,7 @@ class Kinetic_types<Traits>::Certification {
   // ---- edges ----
 
   /// The points of the certificate of an edge. Precondition: dimension 2.
-  Certificate_points points(const Two_sided_edge& edge) const;
+  Certificate_points points(const Edge_with_mirror& edge) const;
   /// The certificate of these points from `after` on.
   Certificate certificate(const Certificate_points& about, const Time& after,
                           Certificate_state state) const;
@@ -67,17 +67,17 @@ class Kinetic_types<Traits>::Certification {
   /// and the kind of the failure. An edge has two conditions: that it is Delaunay (or a hull edge),
   /// and that its ends are apart. The certificate is that of the condition that fails first.
   template <class Put>
-  void certify(std::span<const Two_sided_edge> edges, const Time& after, Certificate_state state,
+  void certify(std::span<const Edge_with_mirror> edges, const Time& after, Certificate_state state,
                Certificate_counters& counters, const Put& put) const;
   /// The same for an edge that has just been flipped, and the outer edges of its quadrilateral, as
   /// Topology::flip returns them; usually one call of the traits certifies all five. now(), called
   /// only if needed, is the time of the flip, within `bounds`.
   template <class Now, class Put>
-  void certify_after_flip(const Two_sided_edge& edge, const Outer_edges& outer,
+  void certify_after_flip(const Edge_with_mirror& edge, const Outer_edges& outer,
                           const Double_interval& bounds, const Now& now,
                           Certificate_counters& counters, const Put& put) const;
   /// The certificate of one edge, and the kind of its failure; counted nowhere.
-  std::pair<Entry_kind, Certificate> certificate_of(const Two_sided_edge& edge,
+  std::pair<Entry_kind, Certificate> certificate_of(const Edge_with_mirror& edge,
                                                     const Time& after) const;
 
   /// The exact failure time of a certificate, within bounds that the traits gave.
@@ -114,17 +114,17 @@ class Kinetic_types<Traits>::Certification {
   };
 
   template <class Now, class Put>
-  bool certify_together(const Two_sided_edge& edge, const Outer_edges& outer,
+  bool certify_together(const Edge_with_mirror& edge, const Outer_edges& outer,
                         const Double_interval& bounds, const Now& now,
                         Certificate_counters& counters, const Put& put) const;
   template <class Put>
-  void certify_chain(std::span<const Two_sided_edge> edges, const Time& after,
+  void certify_chain(std::span<const Edge_with_mirror> edges, const Time& after,
                      Certificate_counters& counters, const Put& put) const;
   Certificate chain_certificate(const Edge& edge, const Time& after) const;
   template <class After>
-  Entry_kind first_failure(const Two_sided_edge& edge, Entry_kind kind, Certificate& certificate,
+  Entry_kind first_failure(const Edge_with_mirror& edge, Entry_kind kind, Certificate& certificate,
                            const After& after, Certificate_counters& counters) const;
-  Certificate coincidence(const Two_sided_edge& edge, const Time& after,
+  Certificate coincidence(const Edge_with_mirror& edge, const Time& after,
                           const Double_interval& among, Certificate_counters& counters) const;
   Certificate hidden_certificate(Vertex_handle v, std::uint8_t condition, const Time& after,
                                  Certificate_state state) const;

@@ -16,7 +16,7 @@ namespace kinetri::detail {
 // ---- edges ----
 
 template <class Traits>
-auto Kinetic_types<Traits>::Certification::points(const Two_sided_edge& edge) const
+auto Kinetic_types<Traits>::Certification::points(const Edge_with_mirror& edge) const
     -> Certificate_points {
   const auto& [face, i] = edge.here;
   const Vertex_handle left = face->vertex(Triangulation::cw(i));
@@ -51,25 +51,25 @@ inline Certificate Kinetic_types<Traits>::Certification::certificate(
 
 template <class Traits>
 template <class Put>
-void Kinetic_types<Traits>::Certification::certify(std::span<const Two_sided_edge> edges,
+void Kinetic_types<Traits>::Certification::certify(std::span<const Edge_with_mirror> edges,
                                                    const Time& after, Certificate_state state,
                                                    Certificate_counters& counters,
                                                    const Put& put) const {
   if (triangulation_.dimension() < 2) return certify_chain(edges, after, counters, put);
   const auto time = [&after]() -> const Time& { return after; };
-  const auto finish = [&](const Two_sided_edge& edge, Entry_kind failure, Certificate&& known) {
+  const auto finish = [&](const Edge_with_mirror& edge, Entry_kind failure, Certificate&& known) {
     counters.count(known);
     const Entry_kind kind = first_failure(edge, failure, known, time, counters);
     put(edge, kind, std::move(known));
   };
-  const auto certify_alone = [&](const Two_sided_edge& edge, const Certificate_points& about) {
+  const auto certify_alone = [&](const Edge_with_mirror& edge, const Certificate_points& about) {
     finish(edge, about.kind, certificate(about, after, state));
   };
   if constexpr (BatchKineticTraits_2<Traits>) {
     // In-circle certificates go two by two.
-    const Two_sided_edge* first = nullptr;
+    const Edge_with_mirror* first = nullptr;
     Certificate_points points_of_first = {};
-    for (const Two_sided_edge& edge : edges) {
+    for (const Edge_with_mirror& edge : edges) {
       const Certificate_points about = points(edge);
       if (about.kind != Entry_kind::flip || state != Certificate_state::any) {
         certify_alone(edge, about);
@@ -78,7 +78,7 @@ void Kinetic_types<Traits>::Certification::certify(std::span<const Two_sided_edg
         points_of_first = about;
       } else {
         auto both = traits_.in_circle_certificates({points_of_first.points, about.points}, after);
-        const auto finish_known = [&](const Two_sided_edge& e, const Certificate_points& p,
+        const auto finish_known = [&](const Edge_with_mirror& e, const Certificate_points& p,
                                       Certificate&& known) {
           if (known.kind == Certificate::Kind::unknown) return certify_alone(e, p);
           finish(e, p.kind, std::move(known));
@@ -90,18 +90,18 @@ void Kinetic_types<Traits>::Certification::certify(std::span<const Two_sided_edg
     }
     if (first != nullptr) certify_alone(*first, points_of_first);
   } else {
-    for (const Two_sided_edge& edge : edges) certify_alone(edge, points(edge));
+    for (const Edge_with_mirror& edge : edges) certify_alone(edge, points(edge));
   }
 }
 
 // For collinear points, or fewer than two.
 template <class Traits>
 template <class Put>
-void Kinetic_types<Traits>::Certification::certify_chain(std::span<const Two_sided_edge> edges,
+void Kinetic_types<Traits>::Certification::certify_chain(std::span<const Edge_with_mirror> edges,
                                                          const Time& after,
                                                          Certificate_counters& counters,
                                                          const Put& put) const {
-  for (const Two_sided_edge& edge : edges) {
+  for (const Edge_with_mirror& edge : edges) {
     if (triangulation_.is_infinite(edge.here)) {
       put(edge, Entry_kind::coincidence, Certificate());
       continue;
@@ -139,7 +139,7 @@ Certificate Kinetic_types<Traits>::Certification::chain_certificate(const Edge& 
 template <class Traits>
 template <class Now, class Put>
 inline void Kinetic_types<Traits>::Certification::certify_after_flip(
-    const Two_sided_edge& edge, const Outer_edges& outer, const Double_interval& bounds,
+    const Edge_with_mirror& edge, const Outer_edges& outer, const Double_interval& bounds,
     const Now& now, Certificate_counters& counters, const Put& put) const {
   if (certify_together(edge, outer, bounds, now, counters, put)) return;
   certify({&edge, 1}, now(), Certificate_state::vanishes, counters, put);
@@ -150,7 +150,7 @@ inline void Kinetic_types<Traits>::Certification::certify_after_flip(
 template <class Traits>
 template <class Now, class Put>
 inline bool Kinetic_types<Traits>::Certification::certify_together(
-    const Two_sided_edge& edge, const Outer_edges& outer, const Double_interval& bounds,
+    const Edge_with_mirror& edge, const Outer_edges& outer, const Double_interval& bounds,
     const Now& now, Certificate_counters& counters, const Put& put) const {
   if constexpr (BatchKineticTraits_2<Traits>) {
     const auto& [face, i] = edge.here;
@@ -172,7 +172,7 @@ inline bool Kinetic_types<Traits>::Certification::certify_together(
     if (!are_finite) return false;
     auto certificates = traits_.certificates_after_flip(around, bounds);
     for (std::size_t k = 0; k < certificates.size(); ++k) {
-      const Two_sided_edge& e = k < 4 ? outer[k] : edge;
+      const Edge_with_mirror& e = k < 4 ? outer[k] : edge;
       Certificate& known = certificates[k];
       if (known.kind == Certificate::Kind::unknown) {
         known = certificate({Entry_kind::flip, around.certificate(k)}, now(),
@@ -188,13 +188,13 @@ inline bool Kinetic_types<Traits>::Certification::certify_together(
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Certification::certificate_of(const Two_sided_edge& edge,
+auto Kinetic_types<Traits>::Certification::certificate_of(const Edge_with_mirror& edge,
                                                           const Time& after) const
     -> std::pair<Entry_kind, Certificate> {
   std::pair<Entry_kind, Certificate> result;
   Certificate_counters unused;
   certify({&edge, 1}, after, Certificate_state::any, unused,
-          [&](const Two_sided_edge& /*edge*/, Entry_kind kind, Certificate&& certificate) {
+          [&](const Edge_with_mirror& /*edge*/, Entry_kind kind, Certificate&& certificate) {
             result = {kind, std::move(certificate)};
           });
   return result;
@@ -207,18 +207,18 @@ auto Kinetic_types<Traits>::Certification::certificate_of(const Two_sided_edge& 
 template <class Traits>
 template <class After>
 inline Entry_kind Kinetic_types<Traits>::Certification::first_failure(
-    const Two_sided_edge& edge, Entry_kind kind, Certificate& certificate, const After& after,
+    const Edge_with_mirror& edge, Entry_kind kind, Certificate& certificate, const After& after,
     Certificate_counters& counters) const {
   using Kind = Certificate::Kind;
   if (certificate.kind == Kind::holds || kind == Entry_kind::hull_remove) return kind;
   const bool fails = certificate.kind == Kind::fails;
-  if (!fails && !certificate.may_vanish) return kind;
+  if (!fails && !certificate.may_be_zero) return kind;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const Double_interval among = {
-      certificate.may_vanish ? after().interval().lower : certificate.bounds.lower,
+      certificate.may_be_zero ? after().interval().lower : certificate.bounds.lower,
       fails ? certificate.bounds.upper : infinity};
   // If the polynomial vanishes nowhere before, the ends of the edge are apart up to bounds.lower.
-  Certificate meeting = certificate.may_vanish
+  Certificate meeting = certificate.may_be_zero
                             ? coincidence(edge, after(), among, counters)
                             : coincidence(edge, Time(certificate.bounds.lower), among, counters);
   if (meeting.kind != Kind::fails) return kind;
@@ -235,7 +235,7 @@ inline Entry_kind Kinetic_types<Traits>::Certification::first_failure(
 
 template <class Traits>
 inline Certificate Kinetic_types<Traits>::Certification::coincidence(
-    const Two_sided_edge& edge, const Time& after, const Double_interval& among,
+    const Edge_with_mirror& edge, const Time& after, const Double_interval& among,
     Certificate_counters& counters) const {
   const auto& [face, i] = edge.here;
   Certificate result =

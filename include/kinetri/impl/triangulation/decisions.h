@@ -40,7 +40,7 @@ class Kinetic_types<Traits>::Decisions {
   /// What to do with an edge whose certificate fails at the time now(), which is within `bounds`.
   /// Precondition: not a coincidence.
   template <class Now>
-  Decision decide(const Entry& failure, const Two_sided_edge& edge, const Double_interval& bounds,
+  Decision decide(const Entry& failure, const Edge_with_mirror& edge, const Double_interval& bounds,
                   const Now& now) const {
     if (failure.kind == Entry_kind::hull_insert) {
       return decide_at_hull(edge, failure.changes_sign, now());
@@ -70,9 +70,9 @@ class Kinetic_types<Traits>::Decisions {
     return certification_.traits().instantaneous_traits({time, Time_side::after});
   }
 
-  Decision decide_at_hull(const Two_sided_edge& edge, bool changes_sign, const Time& now) const;
+  Decision decide_at_hull(const Edge_with_mirror& edge, bool changes_sign, const Time& now) const;
   template <class Now>
-  Decision decide_inside(const Two_sided_edge& edge, bool changes_sign,
+  Decision decide_inside(const Edge_with_mirror& edge, bool changes_sign,
                          const Double_interval& bounds, const Now& now) const;
   bool is_touch(Face_handle face, const Time& now) const;
   bool do_corners_meet(Face_handle face, const Time& now) const;
@@ -88,8 +88,9 @@ class Kinetic_types<Traits>::Decisions {
 
 // The triangle at a hull edge is flat.
 template <class Traits>
-auto Kinetic_types<Traits>::Decisions::decide_at_hull(const Two_sided_edge& edge, bool changes_sign,
-                                                      const Time& now) const -> Decision {
+auto Kinetic_types<Traits>::Decisions::decide_at_hull(const Edge_with_mirror& edge,
+                                                      bool changes_sign, const Time& now) const
+    -> Decision {
   const Edge& triangle = topology_.hull_triangle(edge);
   const Face_handle face = triangle.first;
   if (may_hide_a_turn(triangle, now)) return {Action::rebuild};
@@ -120,7 +121,8 @@ auto Kinetic_types<Traits>::Decisions::decide_at_hull(const Two_sided_edge& edge
 // several events of one time are executed, c and d may already have an edge.
 template <class Traits>
 template <class Now>
-auto Kinetic_types<Traits>::Decisions::decide_inside(const Two_sided_edge& edge, bool changes_sign,
+auto Kinetic_types<Traits>::Decisions::decide_inside(const Edge_with_mirror& edge,
+                                                     bool changes_sign,
                                                      const Double_interval& bounds,
                                                      const Now& now) const -> Decision {
   const auto& [face, i] = edge.here;

@@ -72,7 +72,7 @@ void Kinetic_types<Traits>::Event_loop::execute(const Entry& failure) {
       return;
     }
   }
-  const Two_sided_edge edge = topology_.two_sided(failure.edge());
+  const Edge_with_mirror edge = topology_.with_mirror(failure.edge());
   const auto now = [this]() -> const Time& { return schedule_.current_time(); };
   const auto decision =
       Decisions(certification_).decide(failure, edge, schedule_.current_bounds(), now);
@@ -122,7 +122,7 @@ bool Kinetic_types<Traits>::Event_loop::retry_postponed() {
         edge.first->event(edge.second) != no_event) {
       continue;
     }
-    const Two_sided_edge both = topology_.two_sided(edge);
+    const Edge_with_mirror both = topology_.with_mirror(edge);
     schedule_.schedule({&both, 1}, schedule_.current_time());
   }
   return true;
@@ -146,7 +146,7 @@ void Kinetic_types<Traits>::Event_loop::set_coincident_points_aside() {
   };
   while (schedule_.settle_now() && queue.top().kind == Entry_kind::coincidence) {
     const Edge edge = queue.pop().edge();
-    Topology::set_event(topology_.two_sided(edge), no_event);
+    Topology::set_event(topology_.with_mirror(edge), no_event);
     const auto [a, b] = Topology::ids_of(edge);
     parents.emplace(a, a);
     parents.emplace(b, b);

@@ -44,7 +44,7 @@ class Kinetic_types<Traits>::Hidden_events {
     triangulation_.take_from_face(v);
     if (failure.index != plane_condition) {
       // It crosses a side of its triangle.
-      const auto [beyond, i] = topology_.two_sided(Edge(face, failure.index)).there;
+      const auto [beyond, i] = topology_.with_mirror(Edge(face, failure.index)).there;
       if (!triangulation_.is_infinite(beyond)) {
         updates_.hide_in(v, beyond);
         schedule_.schedule_hidden(

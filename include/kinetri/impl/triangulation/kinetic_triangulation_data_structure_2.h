@@ -47,19 +47,20 @@ class alignas(64) Kinetic_face_base_2 : public FaceBase {
 
   /// The version of the face: the number of the last event that changed it; 0 if none did
   /// (docs/PARALLEL.md).
-  std::uint32_t stamp() const {
-    return static_cast<std::uint32_t>(high_stamp_) << 8 | static_cast<std::uint32_t>(low_stamp_);
+  std::uint32_t version() const {
+    return static_cast<std::uint32_t>(high_version_) << 8 |
+           static_cast<std::uint32_t>(low_version_);
   }
-  /// Sets the version of the face. Precondition: stamp < 2^24.
-  void set_stamp(std::uint32_t stamp) {
-    low_stamp_ = static_cast<std::uint8_t>(stamp);
-    high_stamp_ = static_cast<std::uint16_t>(stamp >> 8);
+  /// Sets the version of the face. Precondition: version < 2^24.
+  void set_version(std::uint32_t version) {
+    low_version_ = static_cast<std::uint8_t>(version);
+    high_version_ = static_cast<std::uint16_t>(version >> 8);
   }
 
  private:
   // In this order the members use the three bytes that CGAL's face leaves in its last word.
-  std::uint8_t low_stamp_ = 0;
-  std::uint16_t high_stamp_ = 0;
+  std::uint8_t low_version_ = 0;
+  std::uint16_t high_version_ = 0;
   std::array<Queue_handle, 3> events_ = {no_event, no_event, no_event};
 };
 

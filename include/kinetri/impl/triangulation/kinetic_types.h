@@ -38,7 +38,7 @@ struct Point_change {
 /// An edge with its mirror edge: the edge in each of its two faces. In dimension 1 `there` is
 /// `here`.
 template <class Edge>
-struct Two_sided_edge {
+struct Edge_with_mirror {
   Edge here;
   Edge there;
 };
@@ -51,9 +51,9 @@ struct Kinetic_types {
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Face_handle = typename Triangulation::Face_handle;
   using Edge = typename Triangulation::Edge;
-  using Two_sided_edge = detail::Two_sided_edge<Edge>;
+  using Edge_with_mirror = detail::Edge_with_mirror<Edge>;
   /// The outer edges of the quadrilateral of an edge, counterclockwise.
-  using Outer_edges = std::array<Two_sided_edge, 4>;
+  using Outer_edges = std::array<Edge_with_mirror, 4>;
   using Motion = typename Traits::Motion;
   using Point_2 = typename Traits::Point_2;
   using Change = Point_change<Motion>;

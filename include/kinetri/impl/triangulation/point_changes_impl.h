@@ -288,7 +288,7 @@ void Kinetic_types<Traits>::Point_changes::make_turns(std::span<const Change> tu
     }
   }
   // Each edge once, even if it is at several of the points.
-  std::vector<Two_sided_edge> edges;
+  std::vector<Edge_with_mirror> edges;
   edges.reserve(16 * turns.size());
   std::vector<Vertex_handle> hidden;
   for (const Change& change : turns) {

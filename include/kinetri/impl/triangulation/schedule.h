@@ -196,23 +196,25 @@ class Kinetic_types<Traits>::Schedule {
   Certificate_points points(const Entry& entry) const;
 
   /// Schedules the certificates of edges from `after` on. Precondition: the edges have no entries.
-  void schedule(std::span<const Two_sided_edge> edges, const Time& after,
+  void schedule(std::span<const Edge_with_mirror> edges, const Time& after,
                 Certificate_state state = Certificate_state::any);
   /// The same for an edge that has just been flipped, and the outer edges of its quadrilateral, as
   /// Topology::flip returns them.
-  void schedule_after_flip(const Two_sided_edge& edge, const Outer_edges& outer);
+  void schedule_after_flip(const Edge_with_mirror& edge, const Outer_edges& outer);
   /// Schedules all edges, on all threads of oneTBB, and all hidden points. Precondition: the queue
   /// is empty.
   void schedule_all();
   /// Removes the entry of an edge from the queue, if it has one; the faces keep the handle.
-  KINETRI_ALWAYS_INLINE void unschedule(const Two_sided_edge& edge) { unschedule(edge, counters_); }
+  KINETRI_ALWAYS_INLINE void unschedule(const Edge_with_mirror& edge) {
+    unschedule(edge, counters_);
+  }
   /// The same for each edge of a face, whose handles are reset.
   void unschedule_face(Face_handle face);
   /// The same for the edges of the faces at a vertex: all certificates that depend on it.
   void unschedule_around(Vertex_handle v);
   /// The same; adds to `edges` those that are not among them yet, with the handle `listed` until
   /// they are scheduled. Counts discarded failures in `counters`.
-  void unschedule_around(Vertex_handle v, std::vector<Two_sided_edge>& edges,
+  void unschedule_around(Vertex_handle v, std::vector<Edge_with_mirror>& edges,
                          Triangulation_counters& counters);
   /// Schedules the edges of the faces at a vertex that have no entry; `state` is that of the
   /// certificates of edges at the vertex.
@@ -230,7 +232,7 @@ class Kinetic_types<Traits>::Schedule {
   /// Puts the certificates of edges into the queue.
   struct Put_certificate {
     Schedule& schedule;
-    KINETRI_ALWAYS_INLINE void operator()(const Two_sided_edge& edge, Entry_kind kind,
+    KINETRI_ALWAYS_INLINE void operator()(const Edge_with_mirror& edge, Entry_kind kind,
                                           Certificate&& certificate) const {
       schedule.put(edge, kind, std::move(certificate));
     }
@@ -252,9 +254,9 @@ class Kinetic_types<Traits>::Schedule {
   bool fails_before(const Entry& entry, const Time& time) const;
   std::pair<Certificate_points, Certificate> certificate_of(const Entry& entry,
                                                             const Time& after) const;
-  KINETRI_ALWAYS_INLINE void put(const Two_sided_edge& edge, Entry_kind kind,
+  KINETRI_ALWAYS_INLINE void put(const Edge_with_mirror& edge, Entry_kind kind,
                                  Certificate&& certificate);
-  KINETRI_ALWAYS_INLINE void unschedule(const Two_sided_edge& edge,
+  KINETRI_ALWAYS_INLINE void unschedule(const Edge_with_mirror& edge,
                                         Triangulation_counters& counters);
   template <class Put>
   void schedule_block(Block& block, const Put& put) const;

@@ -67,7 +67,7 @@ inline void Kinetic_types<Traits>::Schedule::Policy::set_handle(const Subject& s
   if constexpr (is_weighted) {
     if (subject.is_hidden()) return subject.hidden->set_event(handle);
   }
-  Topology::set_event(schedule_.topology_.two_sided(subject.edge), handle);
+  Topology::set_event(schedule_.topology_.with_mirror(subject.edge), handle);
 }
 
 template <class Traits>
@@ -75,7 +75,7 @@ auto Kinetic_types<Traits>::Schedule::points(const Entry& entry) const -> Certif
   if constexpr (is_weighted) {
     if (entry.is_hidden()) return certification_.hidden_points(entry.hidden, entry.index);
   }
-  return certification_.points(topology_.two_sided(entry.edge()));
+  return certification_.points(topology_.with_mirror(entry.edge()));
 }
 
 // ---- the present time ----
@@ -109,7 +109,7 @@ bool Kinetic_types<Traits>::Schedule::settle_now() {
 template <class Traits>
 void Kinetic_types<Traits>::Schedule::recheck(std::span<const Entry> entries) {
   counters_.rechecks += entries.size();
-  std::array<Two_sided_edge, 2> edges;
+  std::array<Edge_with_mirror, 2> edges;
   std::size_t number = 0;
   const Time after(entries.front().bounds.lower);
   for (const Entry& entry : entries) {
@@ -119,7 +119,7 @@ void Kinetic_types<Traits>::Schedule::recheck(std::span<const Entry> entries) {
         continue;
       }
     }
-    edges[number++] = topology_.two_sided(entry.edge());
+    edges[number++] = topology_.with_mirror(entry.edge());
   }
   schedule(std::span(edges).first(number), after);
 }
@@ -164,7 +164,7 @@ auto Kinetic_types<Traits>::Schedule::certificate_of(const Entry& entry, const T
           std::move(known)};
     }
   }
-  const Two_sided_edge edge = topology_.two_sided(entry.edge());
+  const Edge_with_mirror edge = topology_.with_mirror(entry.edge());
   Certificate known = certification_.certificate_of(edge, after).second;
   return {have_points ? certification_.points(edge) : Certificate_points(), std::move(known)};
 }
@@ -174,7 +174,7 @@ auto Kinetic_types<Traits>::Schedule::certificate_of(const Entry& entry, const T
 // Puts the failure of the certificate of an edge, or the time to recheck it, into the queue.
 // Usually constructs the entry in the queue.
 template <class Traits>
-KINETRI_ALWAYS_INLINE void Kinetic_types<Traits>::Schedule::put(const Two_sided_edge& edge,
+KINETRI_ALWAYS_INLINE void Kinetic_types<Traits>::Schedule::put(const Edge_with_mirror& edge,
                                                                 Entry_kind kind,
                                                                 Certificate&& certificate) {
   if (certificate.kind == Certificate::Kind::never_fails)
@@ -186,13 +186,13 @@ KINETRI_ALWAYS_INLINE void Kinetic_types<Traits>::Schedule::put(const Two_sided_
 }
 
 template <class Traits>
-void Kinetic_types<Traits>::Schedule::schedule(std::span<const Two_sided_edge> edges,
+void Kinetic_types<Traits>::Schedule::schedule(std::span<const Edge_with_mirror> edges,
                                                const Time& after, Certificate_state state) {
   certification_.certify(edges, after, state, certificate_counters_, Put_certificate{*this});
 }
 
 template <class Traits>
-void Kinetic_types<Traits>::Schedule::schedule_after_flip(const Two_sided_edge& edge,
+void Kinetic_types<Traits>::Schedule::schedule_after_flip(const Edge_with_mirror& edge,
                                                           const Outer_edges& outer) {
   const auto now = [this]() -> const Time& { return current_time(); };
   certification_.certify_after_flip(edge, outer, current_bounds(), now, certificate_counters_,
@@ -201,7 +201,7 @@ void Kinetic_types<Traits>::Schedule::schedule_after_flip(const Two_sided_edge& 
 
 template <class Traits>
 KINETRI_ALWAYS_INLINE void Kinetic_types<Traits>::Schedule::unschedule(
-    const Two_sided_edge& edge, Triangulation_counters& counters) {
+    const Edge_with_mirror& edge, Triangulation_counters& counters) {
   const Queue_handle handle = edge.here.first->event(edge.here.second);
   if (handle == no_event) return;
   const Entry_kind kind = queue_.erase(handle).kind;
@@ -213,7 +213,7 @@ KINETRI_ALWAYS_INLINE void Kinetic_types<Traits>::Schedule::unschedule(
 template <class Traits>
 void Kinetic_types<Traits>::Schedule::unschedule_face(Face_handle face) {
   for (int i = 0; i < 3; ++i) {
-    const Two_sided_edge edge = topology_.two_sided(Edge(face, i));
+    const Edge_with_mirror edge = topology_.with_mirror(Edge(face, i));
     unschedule(edge);
     Topology::set_event(edge, no_event);
   }
@@ -226,7 +226,7 @@ void Kinetic_types<Traits>::Schedule::unschedule_around(Vertex_handle v) {
 
 template <class Traits>
 void Kinetic_types<Traits>::Schedule::unschedule_around(Vertex_handle v,
-                                                        std::vector<Two_sided_edge>& edges,
+                                                        std::vector<Edge_with_mirror>& edges,
                                                         Triangulation_counters& counters) {
   for_each_face_at(topology_.triangulation(), v, [&](Face_handle face, int at) {
     for (const int i : {at, Triangulation::cw(at)}) {
@@ -234,7 +234,7 @@ void Kinetic_types<Traits>::Schedule::unschedule_around(Vertex_handle v,
       // Constructed in place: copying what has just been written would stall the processor.
       const Face_handle neighbor = face->neighbor(i);
       const int right = index_in(neighbor, face->vertex(Triangulation::ccw(i)));
-      Two_sided_edge& edge = edges.emplace_back();
+      Edge_with_mirror& edge = edges.emplace_back();
       edge.here.first = face;
       edge.here.second = i;
       edge.there.first = neighbor;
@@ -248,12 +248,12 @@ void Kinetic_types<Traits>::Schedule::unschedule_around(Vertex_handle v,
 // Of two faces that share an edge at `v`, the first one adds it.
 template <class Traits>
 void Kinetic_types<Traits>::Schedule::schedule_around(Vertex_handle v, Certificate_state state) {
-  std::vector<Two_sided_edge> at_vertex;
-  std::vector<Two_sided_edge> opposite;
+  std::vector<Edge_with_mirror> at_vertex;
+  std::vector<Edge_with_mirror> opposite;
   for_each_face_at(topology_.triangulation(), v, [&](Face_handle face, int at) {
     const int left = Triangulation::cw(at);
-    if (face->event(at) == no_event) opposite.push_back(topology_.two_sided(Edge(face, at)));
-    if (face->event(left) == no_event) at_vertex.push_back(topology_.two_sided(Edge(face, left)));
+    if (face->event(at) == no_event) opposite.push_back(topology_.with_mirror(Edge(face, at)));
+    if (face->event(left) == no_event) at_vertex.push_back(topology_.with_mirror(Edge(face, left)));
   });
   if (state == Certificate_state::any) {
     opposite.insert(opposite.end(), at_vertex.begin(), at_vertex.end());
@@ -296,7 +296,7 @@ void Kinetic_types<Traits>::Schedule::schedule_all() {
 template <class Traits>
 template <class Put>
 void Kinetic_types<Traits>::Schedule::schedule_block(Block& block, const Put& put_entry) const {
-  const auto put_edge = [&](const Two_sided_edge& edge, Entry_kind kind,
+  const auto put_edge = [&](const Edge_with_mirror& edge, Entry_kind kind,
                             Certificate&& certificate) {
     const bool may_fail = certificate.kind != Certificate::Kind::never_fails;
     const Queue_handle handle = may_fail ? block.next_handle : no_event;
@@ -308,7 +308,7 @@ void Kinetic_types<Traits>::Schedule::schedule_block(Block& block, const Put& pu
   };
   // Some faces at a time, with prefetching.
   constexpr std::size_t edges_at_once = 64;
-  std::vector<Two_sided_edge> edges;
+  std::vector<Edge_with_mirror> edges;
   edges.reserve(edges_at_once + 3);
   const auto certify_edges = [&] {
     certification_.certify(edges, block.after, Certificate_state::any, block.counters, put_edge);
@@ -318,7 +318,7 @@ void Kinetic_types<Traits>::Schedule::schedule_block(Block& block, const Put& pu
     if (k + 6 < block.faces.size()) prefetch(block.faces[k + 6]);
     if (k + 3 < block.faces.size()) prefetch_around(block.faces[k + 3]);
     topology_.for_each_own_edge(block.faces[k], [&](const Edge& own) {
-      edges.push_back(Topology::chosen_side(topology_.two_sided(own)));
+      edges.push_back(Topology::chosen_side(topology_.with_mirror(own)));
     });
     if (edges.size() >= edges_at_once) certify_edges();
   }

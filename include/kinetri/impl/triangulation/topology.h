@@ -96,7 +96,7 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
                     edge.first->vertex(Triangulation::ccw(edge.second))->point().id());
   }
   std::vector<Edge_ids> finite_edge_ids() const;
-  Two_sided_edge two_sided(const Edge& edge) const;
+  Edge_with_mirror with_mirror(const Edge& edge) const;
   /// Whether this is the chosen side of an edge: a choice by ids, since addresses differ from run
   /// to run.
   static bool is_chosen_side(const Edge& edge) {
@@ -105,8 +105,8 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
            face->vertex(Triangulation::ccw(i))->point().id();
   }
   /// The edge from its chosen side: from the other side, certificates are rounded differently.
-  static Two_sided_edge chosen_side(const Two_sided_edge& edge) {
-    return is_chosen_side(edge.here) ? edge : Two_sided_edge{edge.there, edge.here};
+  static Edge_with_mirror chosen_side(const Edge_with_mirror& edge) {
+    return is_chosen_side(edge.here) ? edge : Edge_with_mirror{edge.there, edge.here};
   }
   /// All faces, infinite ones too; in dimension 1, one for each edge.
   std::vector<Face_handle> faces() const;
@@ -119,23 +119,23 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
     }
   }
   /// The outer edges of an edge's quadrilateral, from the corner ccw(i) of the face on.
-  Outer_edges outer_edges(const Two_sided_edge& edge) const;
+  Outer_edges outer_edges(const Edge_with_mirror& edge) const;
   /// For an infinite edge: the previous hull vertex, that of the edge, and the next one,
   /// counterclockwise.
-  std::array<Vertex_handle, 3> hull_turn(const Two_sided_edge& infinite_edge) const;
+  std::array<Vertex_handle, 3> hull_turn(const Edge_with_mirror& infinite_edge) const;
   /// The finite triangle at a hull edge, seen from that edge.
-  Edge hull_triangle(const Two_sided_edge& hull_edge) const {
+  Edge hull_triangle(const Edge_with_mirror& hull_edge) const {
     return triangulation_.is_infinite(hull_edge.here.first) ? hull_edge.there : hull_edge.here;
   }
   /// The edge that a flip removes and the one that it adds.
-  static std::pair<Edge_ids, Edge_ids> flipped_edges(const Two_sided_edge& edge) {
+  static std::pair<Edge_ids, Edge_ids> flipped_edges(const Edge_with_mirror& edge) {
     const auto& [face, i] = edge.here;
     const auto& [neighbor, j] = edge.there;
     return {ids_of(edge.here),
             edge_ids(face->vertex(i)->point().id(), neighbor->vertex(j)->point().id())};
   }
 
-  static void set_event(const Two_sided_edge& edge, Queue_handle handle) {
+  static void set_event(const Edge_with_mirror& edge, Queue_handle handle) {
     edge.here.first->set_event(edge.here.second, handle);
     edge.there.first->set_event(edge.there.second, handle);
   }
@@ -158,14 +158,14 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
 
   /// Flips an edge with the outer edges `before`. Returns the new edge; `before` are then the outer
   /// edges as seen from outside, the first two those of the face `here` of the new edge.
-  Two_sided_edge flip(const Two_sided_edge& edge, Outer_edges& before);
+  Edge_with_mirror flip(const Edge_with_mirror& edge, Outer_edges& before);
   /// Removes a vertex from its faces; the vertex stays, in no face. The new faces in the hole are
   /// Delaunay (regular) at the instant of the predicates, and are stored in `faces`. Returns the
   /// edges around and in the hole, with the handle `listed` until they are scheduled. If memory is
   /// missing, the faces at the vertex are left inconsistent.
   template <class Note>
-  std::vector<Two_sided_edge> remove_from_faces(Vertex_handle v, std::vector<Face_handle>& faces,
-                                                const Note& note);
+  std::vector<Edge_with_mirror> remove_from_faces(Vertex_handle v, std::vector<Face_handle>& faces,
+                                                  const Note& note);
   /// Inserts a vertex without faces into the triangle or edge of the location.
   void insert_in_faces(Vertex_handle v, const Location& location);
   /// Removes a vertex of degree 3 from its faces. The vertex stays, in no face. Returns the face
@@ -193,8 +193,9 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
 
  private:
   template <class Note>
-  std::vector<Two_sided_edge> list_inside(std::span<const Edge> polygon,
-                                          std::vector<Face_handle>& faces, const Note& note) const;
+  std::vector<Edge_with_mirror> list_inside(std::span<const Edge> polygon,
+                                            std::vector<Face_handle>& faces,
+                                            const Note& note) const;
   void replace_in_faces(Vertex_handle old, Vertex_handle replacement);
 
   Instant_clock clock_;

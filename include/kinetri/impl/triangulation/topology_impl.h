@@ -82,7 +82,8 @@ std::vector<Edge_ids> Kinetic_types<Traits>::Topology::finite_edge_ids() const {
 }
 
 template <class Traits>
-inline auto Kinetic_types<Traits>::Topology::two_sided(const Edge& edge) const -> Two_sided_edge {
+inline auto Kinetic_types<Traits>::Topology::with_mirror(const Edge& edge) const
+    -> Edge_with_mirror {
   if (triangulation_.dimension() < 2) return {edge, edge};
   // Without branches, which would be mispredicted.
   const auto& [face, i] = edge;
@@ -105,19 +106,19 @@ auto Kinetic_types<Traits>::Topology::faces() const -> std::vector<Face_handle> 
 }
 
 template <class Traits>
-inline auto Kinetic_types<Traits>::Topology::outer_edges(const Two_sided_edge& edge) const
+inline auto Kinetic_types<Traits>::Topology::outer_edges(const Edge_with_mirror& edge) const
     -> Outer_edges {
   const auto& [face, i] = edge.here;
   const auto& [neighbor, j] = edge.there;
-  return {two_sided(Edge(face, Triangulation::cw(i))),
-          two_sided(Edge(neighbor, Triangulation::ccw(j))),
-          two_sided(Edge(neighbor, Triangulation::cw(j))),
-          two_sided(Edge(face, Triangulation::ccw(i)))};
+  return {with_mirror(Edge(face, Triangulation::cw(i))),
+          with_mirror(Edge(neighbor, Triangulation::ccw(j))),
+          with_mirror(Edge(neighbor, Triangulation::cw(j))),
+          with_mirror(Edge(face, Triangulation::ccw(i)))};
 }
 
 // In a face that lists (infinite, b, a) counterclockwise the hull runs from a to b.
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::hull_turn(const Two_sided_edge& infinite_edge) const
+auto Kinetic_types<Traits>::Topology::hull_turn(const Edge_with_mirror& infinite_edge) const
     -> std::array<Vertex_handle, 3> {
   const auto& [face, i] = infinite_edge.here;
   const Vertex_handle here = face->vertex(i);
@@ -164,8 +165,8 @@ auto Kinetic_types<Traits>::Topology::vertex_near(const Point_2& point, double t
 //       \ | /              \   /
 //         d                  d
 template <class Traits>
-inline auto Kinetic_types<Traits>::Topology::flip(const Two_sided_edge& edge, Outer_edges& before)
-    -> Two_sided_edge {
+inline auto Kinetic_types<Traits>::Topology::flip(const Edge_with_mirror& edge, Outer_edges& before)
+    -> Edge_with_mirror {
   const auto [face, i] = edge.here;
   const auto [neighbor, j] = edge.there;
   triangulation_.tds().flip(face, i);
@@ -182,10 +183,10 @@ template <class Note>
 auto Kinetic_types<Traits>::Topology::remove_from_faces(Vertex_handle v,
                                                         std::vector<Face_handle>& faces,
                                                         const Note& note)
-    -> std::vector<Two_sided_edge> {
+    -> std::vector<Edge_with_mirror> {
   std::vector<Edge> link;  // from the side of the faces beyond it, which stay
   for_each_face_at(triangulation_, v, [&](Face_handle face) {
-    link.push_back(two_sided(Edge(face, face->index(v))).there);
+    link.push_back(with_mirror(Edge(face, face->index(v))).there);
   });
   note_edges_at(v, -1, note);
   const Vertex_handle stand_in = triangulation_.tds().create_vertex();
@@ -214,17 +215,17 @@ template <class Note>
 auto Kinetic_types<Traits>::Topology::list_inside(std::span<const Edge> polygon,
                                                   std::vector<Face_handle>& faces,
                                                   const Note& note) const
-    -> std::vector<Two_sided_edge> {
+    -> std::vector<Edge_with_mirror> {
   std::vector<Face_handle> beyond;
   for (const Edge& edge : polygon) beyond.push_back(edge.first);
   std::ranges::sort(beyond);
-  std::vector<Two_sided_edge> edges;
-  faces = {two_sided(polygon.front()).there.first};
+  std::vector<Edge_with_mirror> edges;
+  faces = {with_mirror(polygon.front()).there.first};
   for (std::size_t next = 0; next < faces.size(); ++next) {
     const Face_handle face = faces[next];
     for (int i = 0; i < 3; ++i) {
       if (face->event(i) == listed) continue;
-      const Two_sided_edge edge = edges.emplace_back(two_sided(Edge(face, i)));
+      const Edge_with_mirror edge = edges.emplace_back(with_mirror(Edge(face, i)));
       set_event(edge, listed);
       if (std::ranges::binary_search(beyond, edge.there.first)) continue;
       faces.push_back(edge.there.first);

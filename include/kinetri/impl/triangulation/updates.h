@@ -36,7 +36,7 @@ class Kinetic_types<Traits>::Updates {
   void show_current_time() { topology_.set_instant({schedule_.current_time(), Time_side::after}); }
 
   /// Flips an edge, finite or infinite, whose entry has left the queue, and reports the event.
-  void flip(const Two_sided_edge& edge, Event_kind kind);
+  void flip(const Edge_with_mirror& edge, Event_kind kind);
 
   /// Removes a vertex from the triangulation, which stays Delaunay at the instant of its
   /// predicates. The vertex stays, without faces. The points that its faces hid are hidden by

@@ -16,7 +16,7 @@ namespace kinetri::detail {
 
 // The entries of the outer edges leave the queue first, before their corners change.
 template <class Traits>
-void Kinetic_types<Traits>::Updates::flip(const Two_sided_edge& edge, Event_kind kind) {
+void Kinetic_types<Traits>::Updates::flip(const Edge_with_mirror& edge, Event_kind kind) {
   auto outer = topology_.outer_edges(edge);
   for (const auto& [here, there] : outer) {
     prefetch(there.first->vertex(there.second));
@@ -30,10 +30,10 @@ void Kinetic_types<Traits>::Updates::flip(const Two_sided_edge& edge, Event_kind
     if (!Topology::is_chosen_side(edge.here)) std::swap(faces[0], faces[1]);
   }
   const auto make = [&] {
-    for (const Two_sided_edge& side : outer) schedule_.unschedule(side);
+    for (const Edge_with_mirror& side : outer) schedule_.unschedule(side);
     std::vector<Vertex_handle> hidden;
     if constexpr (is_weighted) hidden = take_hidden(faces);
-    const Two_sided_edge added = topology_.flip(edge, outer);
+    const Edge_with_mirror added = topology_.flip(edge, outer);
     if (reporter_.is_noting()) {  // several changes: polynomials need not vanish now
       schedule_.schedule({&added, 1}, schedule_.current_time());
       schedule_.schedule(outer, schedule_.current_time());
@@ -69,7 +69,7 @@ void Kinetic_types<Traits>::Updates::take_out(Vertex_handle v) {
   }
   schedule_.unschedule_around(v);
   std::vector<Face_handle> faces;
-  const std::vector<Two_sided_edge> edges = topology_.remove_from_faces(v, faces, note());
+  const std::vector<Edge_with_mirror> edges = topology_.remove_from_faces(v, faces, note());
   if constexpr (is_weighted) {
     for (const Vertex_handle h : hidden) {
       if (!h->is_hidden()) reporter_.note_hidden(h->point().id(), false);
@@ -171,9 +171,9 @@ void Kinetic_types<Traits>::Updates::hide(Vertex_handle v) {
     for (const Face_handle face : faces) schedule_.unschedule_face(face);
     topology_.note_edges_at(v, -1, note());
     const Face_handle face = topology_.remove_degree_3(v);
-    const std::array<Two_sided_edge, 3> edges = {topology_.two_sided(Edge(face, 0)),
-                                                 topology_.two_sided(Edge(face, 1)),
-                                                 topology_.two_sided(Edge(face, 2))};
+    const std::array<Edge_with_mirror, 3> edges = {topology_.with_mirror(Edge(face, 0)),
+                                                   topology_.with_mirror(Edge(face, 1)),
+                                                   topology_.with_mirror(Edge(face, 2))};
     schedule_.schedule(edges, schedule_.current_time());
     put_hidden(hidden, {&face, 1});
     // Outside the hull its certificate has another sign.
