@@ -60,12 +60,12 @@ std::size_t Region_runs<Traits>::advance_to(Core& core, const Algebraic_number& 
 }
 
 template <class Traits>
-void Region_runs<Traits>::make_turns(
-    Core& core, std::span<const typename Kinetic_types<Traits>::Change> turns) {
+void Region_runs<Traits>::change_in_place(
+    Core& core, std::span<const typename Kinetic_types<Traits>::Change> changes) {
   if constexpr (Kinetic_types<Traits>::is_weighted) {
-    KINETRI_ASSERT(turns.empty(), "weighted points turn by regions");
+    KINETRI_ASSERT(changes.empty(), "weighted points change by regions");
   } else {
-    Region_run<Traits>(core, with_threads(core.threads)).make_turns(turns);
+    Region_run<Traits>(core, with_threads(core.threads)).change_in_place(changes);
   }
 }
 

@@ -45,7 +45,7 @@ class Region_run {
   /// does this for the points whose triangles it owns. Cost: proportional to the degrees of the
   /// points. Preconditions: the queue is partitioned; the triangles stay embedded; there are no
   /// contacts.
-  void make_turns(std::span<const Change> changes);
+  void change_in_place(std::span<const Change> changes);
 
   /// Merges the parts of the queues.
   void join();

@@ -306,7 +306,7 @@ bool Region_run<Traits, Contacts>::is_loop_next() {
 // edges, which have both ends in the region. All entries are removed before the first motion
 // changes, since they depend on motions, and made again after the last change.
 template <class Traits, class Contacts>
-void Region_run<Traits, Contacts>::make_turns(std::span<const Change> changes) {
+void Region_run<Traits, Contacts>::change_in_place(std::span<const Change> changes) {
   using Edge_with_mirror = typename Topology<Traits>::Edge_with_mirror;
   struct Share {
     Process* process = nullptr;

@@ -14,10 +14,10 @@
 
 namespace kinetri::detail {
 
-/// Plans and makes changes of points. A point *turns* if its triangles stay embedded, so that only
-/// certificates change; else it *jumps*: it is removed from its triangles and inserted elsewhere.
-/// Edges that a change leaves violated fail at the present time, and are flipped (docs/MATH.md,
-/// section 5).
+/// Plans and makes changes of points. A point changes *in place* if its triangles stay embedded, so
+/// that only certificates change; else it *jumps*: it is removed from its triangles and inserted
+/// elsewhere. Edges that a change leaves violated fail at the present time, and are flipped
+/// (docs/MATH.md, section 5).
 template <class Traits>
 class Kinetic_types<Traits>::Point_changes {
  public:
@@ -52,14 +52,14 @@ class Kinetic_types<Traits>::Point_changes {
   };
   /// How changes of points are made.
   struct Plan {
-    std::vector<Change> turns;
+    std::vector<Change> in_place;
     std::vector<Jump> jumps;
     std::optional<Triangulation> rebuilt;  // if everything is rebuilt
   };
 
   Plan plan(std::span<const Change> changes);
-  void find_turns(std::span<const Change> changes, Plan& plan);
-  void check_turns_are_new(std::span<const Change> changes, std::span<const Change> turns) const;
+  void find_changes_in_place(std::span<const Change> changes, Plan& plan);
+  void check_are_new(std::span<const Change> changes, std::span<const Change> in_place) const;
   void check_are_distinct(std::span<const Change> changes, std::vector<Jump>& jumps) const;
   void locate_jumps(std::span<const Change> changes, std::span<Jump> jumps) const;
   std::vector<Point_2> points_after(std::span<const Change> changes) const;
@@ -68,7 +68,7 @@ class Kinetic_types<Traits>::Point_changes {
 
   void note_weights(std::span<const Change> changes);
   void make(std::span<const Change> changes, Plan& plan);
-  void make_turns(std::span<const Change> turns);
+  void change_in_place(std::span<const Change> changes);
   bool make_jumps(std::span<const Jump> jumps, bool are_located);
   bool place(Vertex_handle v, const Location& location);
 

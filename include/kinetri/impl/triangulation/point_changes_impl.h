@@ -53,8 +53,8 @@ Changed_edges Kinetic_types<Traits>::Point_changes::perform(std::span<const Even
 template <class Traits>
 auto Kinetic_types<Traits>::Point_changes::plan(std::span<const Change> changes) -> Plan {
   Plan result;
-  find_turns(changes, result);
-  if constexpr (is_weighted) check_turns_are_new(changes, result.turns);
+  find_changes_in_place(changes, result);
+  if constexpr (is_weighted) check_are_new(changes, result.in_place);
   if (result.jumps.empty()) return result;
   constexpr std::size_t few = 8;
   if (triangulation_.dimension() < 2 ||
@@ -67,18 +67,18 @@ auto Kinetic_types<Traits>::Point_changes::plan(std::span<const Change> changes)
   return result;
 }
 
-// Throws if a point that turns would have the trajectory and weight of another point of which at
-// least one is hidden: two visible points have different positions.
+// Throws if a point that changes in place would have the trajectory and weight of another point of
+// which at least one is hidden: two visible points have different positions.
 template <class Traits>
-void Kinetic_types<Traits>::Point_changes::check_turns_are_new(
-    std::span<const Change> changes, std::span<const Change> turns) const {
+void Kinetic_types<Traits>::Point_changes::check_are_new(std::span<const Change> changes,
+                                                         std::span<const Change> in_place) const {
   if constexpr (is_weighted) {
-    if (topology_.number_of_hidden_points() == 0 || turns.empty()) return;
+    if (topology_.number_of_hidden_points() == 0 || in_place.empty()) return;
     std::vector<Point_id> changed;
     for (const Change& change : changes) changed.push_back(change.point);
     std::ranges::sort(changed);
     const Hidden_events hidden(topology_, schedule_, reporter_, updates_);
-    for (const Change& change : turns) {
+    for (const Change& change : in_place) {
       const Point_2 point(*change.motion, change.point);
       const Location location = topology_.locate(point, topology_.vertex(change.point)->face());
       hidden.check_is_new(point, location, changed);
@@ -88,45 +88,46 @@ void Kinetic_types<Traits>::Point_changes::check_turns_are_new(
   }
 }
 
-// Whether so many points turn that all certificates are computed anew.
+// Whether so many points change in place that all certificates are computed anew.
 template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::should_schedule_all(std::size_t points) const {
   constexpr std::size_t few = 16;
   return points > few && points > topology_.number_of_points() / 4;
 }
 
-// Separates points that turn from the others. Meanwhile points have their new motions, one after
-// the other.
+// Separates points that change in place from the others. Meanwhile points have their new motions,
+// one after the other.
 template <class Traits>
-void Kinetic_types<Traits>::Point_changes::find_turns(std::span<const Change> changes, Plan& plan) {
+void Kinetic_types<Traits>::Point_changes::find_changes_in_place(std::span<const Change> changes,
+                                                                 Plan& plan) {
   std::vector<Point_2> before;
-  const auto turn = [&](const Change& change) {
+  const auto set = [&](const Change& change) {
     const Vertex_handle v = topology_.vertex(change.point);
     before.push_back(v->point());
     v->set_point(Point_2(*change.motion, change.point));
-    plan.turns.push_back(change);
+    plan.in_place.push_back(change);
   };
   const auto undo_last = [&] {
-    topology_.vertex(plan.turns.back().point)->set_point(before.back());
-    plan.turns.pop_back();
+    topology_.vertex(plan.in_place.back().point)->set_point(before.back());
+    plan.in_place.pop_back();
     before.pop_back();
   };
-  const auto may_turn = [&](const Change& change) {
+  const auto may_stay = [&](const Change& change) {
     return change.motion && topology_.contains(change.point) && triangulation_.dimension() == 2;
   };
   before.reserve(changes.size());
-  plan.turns.reserve(changes.size());
-  if (should_schedule_all(changes.size()) && std::ranges::all_of(changes, may_turn)) {
-    for (const Change& change : changes) turn(change);
+  plan.in_place.reserve(changes.size());
+  if (should_schedule_all(changes.size()) && std::ranges::all_of(changes, may_stay)) {
+    for (const Change& change : changes) set(change);
     if (!Kinetic_types<Traits>::Static_construction::is_embedded(
             triangulation_, certification_.places(schedule_.current_time()))) {
       while (!before.empty()) undo_last();
     }
   }
-  if (plan.turns.empty()) {
+  if (plan.in_place.empty()) {
     for (const Change& change : changes) {
-      if (may_turn(change)) {
-        turn(change);
+      if (may_stay(change)) {
+        set(change);
         if (topology_.is_hidden(change.point) ||
             is_embedded_around(topology_.vertex(change.point))) {
           continue;
@@ -137,7 +138,7 @@ void Kinetic_types<Traits>::Point_changes::find_turns(std::span<const Change> ch
     }
   }
   for (std::size_t i = 0; i < before.size(); ++i) {
-    topology_.vertex(plan.turns[i].point)->set_point(before[i]);
+    topology_.vertex(plan.in_place[i].point)->set_point(before[i]);
   }
 }
 
@@ -264,34 +265,34 @@ void Kinetic_types<Traits>::Point_changes::make(std::span<const Change> changes,
     };
     return updates_.rebuild(set_points, std::move(plan.rebuilt));
   }
-  make_turns(plan.turns);
+  change_in_place(plan.in_place);
   if (plan.jumps.empty()) return;
   loop_.execute_due_events();  // removing a vertex requires a Delaunay triangulation
-  if (make_jumps(plan.jumps, plan.turns.empty())) return;
+  if (make_jumps(plan.jumps, plan.in_place.empty())) return;
   updates_.rebuild([&] {
     for (const Jump& jump : plan.jumps) topology_.set_point(jump.change);
   });
 }
 
 template <class Traits>
-void Kinetic_types<Traits>::Point_changes::make_turns(std::span<const Change> turns) {
-  if (should_schedule_all(turns.size())) {
+void Kinetic_types<Traits>::Point_changes::change_in_place(std::span<const Change> changes) {
+  if (should_schedule_all(changes.size())) {
     schedule_.queue().clear();
-    for (const Change& change : turns) topology_.set_point(change);
+    for (const Change& change : changes) topology_.set_point(change);
     return schedule_.schedule_all();
   }
   if constexpr (has_region_runs<Traits> && !is_weighted) {
-    constexpr std::size_t turns_per_region = 8;  // for fewer, one thread is as fast
+    constexpr std::size_t changes_per_region = 8;  // for fewer, one thread is as fast
     if (schedule_.queue().is_divided() &&
-        turns.size() >= turns_per_region * number_of_regions(schedule_.division())) {
-      return Region_runs<Traits>::make_turns(core_, turns);
+        changes.size() >= changes_per_region * number_of_regions(schedule_.division())) {
+      return Region_runs<Traits>::change_in_place(core_, changes);
     }
   }
   // Each edge once, even if it is at several of the points.
   std::vector<Edge_with_mirror> edges;
-  edges.reserve(16 * turns.size());
+  edges.reserve(16 * changes.size());
   std::vector<Vertex_handle> hidden;
-  for (const Change& change : turns) {
+  for (const Change& change : changes) {
     const Vertex_handle v = topology_.vertex(change.point);
     if constexpr (is_weighted) {
       const auto add = [&](Vertex_handle h) {
@@ -308,7 +309,7 @@ void Kinetic_types<Traits>::Point_changes::make_turns(std::span<const Change> tu
     }
     schedule_.unschedule_around(v, edges, reporter_.counters());
   }
-  for (const Change& change : turns) topology_.set_point(change);
+  for (const Change& change : changes) topology_.set_point(change);
   schedule_.schedule(edges, schedule_.current_time());
   if constexpr (is_weighted) {
     for (const Vertex_handle h : hidden) {

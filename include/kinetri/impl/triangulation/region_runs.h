@@ -35,7 +35,8 @@ struct Region_runs {
                                 const std::function<bool()>& may_go_on);
   /// Gives points new motions at the present time. Precondition: the queue is in parts, the
   /// triangles stay embedded, and points have no weights.
-  static void make_turns(Core& core, std::span<const typename Kinetic_types<Traits>::Change> turns);
+  static void change_in_place(Core& core,
+                              std::span<const typename Kinetic_types<Traits>::Change> changes);
   /// Merges the parts of the queue.
   static void join(Core& core);
 };
