@@ -18,6 +18,7 @@
 #ifndef KINETRI_SIMULATION_SIMULATION_2_H
 #define KINETRI_SIMULATION_SIMULATION_2_H
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -67,6 +68,15 @@ enum class Contact_kind : std::uint8_t;
 /// simulation, or restore a snapshot.
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Simulation_2 {
+  static_assert(std::same_as<Traits, Linear_kinetic_traits_2> ||
+                    std::same_as<Traits, Polynomial_kinetic_traits_2> ||
+                    std::same_as<Traits, Disc_kinetic_traits_2> ||
+                    std::same_as<Traits, Polynomial_disc_kinetic_traits_2>,
+                "Simulation_2 is compiled into the library for four traits: use one of "
+                "Linear_kinetic_traits_2, Polynomial_kinetic_traits_2, Disc_kinetic_traits_2 and "
+                "Polynomial_disc_kinetic_traits_2; or Kinetic_triangulation_2, which works with "
+                "traits of your own");
+
  public:
   using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what a simulation owns
   using Motion = typename Traits::Motion;                 ///< of the traits
