@@ -72,7 +72,7 @@ std::string Simulation_types<Traits>::Simulation_setup::problem() const {
     return "a radius for all discs, which have their own; leave it 0";
   }
   if (!has_radii && options_.response && options_.radius == 0) {
-    return "the radius is 0, and discs without one never touch";
+    return zero_radius_message;
   }
   for (Point_id id = 0; id < options_.masses.size(); ++id) {
     const std::string problem = mass_problem(id, options_.masses[id]);

@@ -33,7 +33,8 @@ TEST(Simulation_options, that_have_no_meaning_are_refused) {
   }
   refuses(discs(-1, log_contact), "the radius is negative, or the diameter is not finite");
   refuses(discs(infinity, log_contact), "the radius is negative, or the diameter is not finite");
-  refuses(discs(0, log_contact), "the radius is 0, and discs without one never touch");
+  refuses(discs(0, log_contact),
+          "the radius is 0, and such discs never touch; expected a radius greater than 0");
   Simulation_options rim = in_box({0, 0, 2, 10});
   rim.radius = 1;
   rim.rim_touches = true;

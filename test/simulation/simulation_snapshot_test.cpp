@@ -118,7 +118,7 @@ TEST(Simulation_snapshot, that_is_no_state_is_refused) {
   forged.options.radius = -1;
   expect("the radius is negative");
   forged.options.radius = 0;
-  expect("discs without one never touch");
+  expect("such discs never touch");
   forged.options.box->xmax = -10;
   expect("the box has no area");
   forged.options.rim_touches = true;

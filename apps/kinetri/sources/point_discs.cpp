@@ -12,6 +12,7 @@
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/base/error.h"
 #include "kinetri/impl/io/text.h"
+#include "kinetri/simulation/simulation_options.h"
 #include "sources/run_source.h"
 
 namespace kinetri::app {
@@ -103,7 +104,7 @@ class Disc_reader {
         !std::ranges::all_of(discs_.growths, is_nothing)) {
       return;
     }
-    fail(0, "the radius is 0, and such discs never touch; expected a radius greater than 0");
+    fail(0, detail::zero_radius_message);
   }
 
   [[noreturn]] void fail(std::size_t i, const std::string& problem) const {

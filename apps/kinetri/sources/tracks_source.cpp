@@ -16,6 +16,7 @@
 #include "kinetri/impl/io/text.h"
 #include "kinetri/impl/io/text_table.h"
 #include "kinetri/io/viewer_page.h"
+#include "kinetri/simulation/simulation_options.h"
 #include "kinetri/simulation/tracks.h"
 #include "sources/any_simulation.h"
 
@@ -211,9 +212,7 @@ void Tracks_source::check_radii() const {
   if (!file_.has_radii || file_.tracks.empty() || !std::ranges::all_of(file_.tracks, has_none)) {
     return;
   }
-  throw error(file_.tracks.front().observations.front().line,
-              "the radius is 0, and such discs never touch; expected a radius greater "
-              "than 0");
+  throw error(file_.tracks.front().observations.front().line, detail::zero_radius_message);
 }
 
 Input_error Tracks_source::coincidence(const Coincident_trajectories_error& coincident,

@@ -14,6 +14,12 @@
 
 namespace kinetri {
 
+namespace detail {
+/// What is wrong with discs that collide and have no radius.
+inline constexpr const char* zero_radius_message =
+    "the radius is 0, and such discs never touch; expected a radius greater than 0";
+}  // namespace detail
+
 /// The box and the discs of a simulation. By default there are none, and points move freely.
 struct Simulation_options {
   /// If set, a point that reaches a side of the box while moving outward is reflected: the
