@@ -379,7 +379,7 @@ Certificate_counters Simulation_2<Traits>::certificate_counters() const {
 
 template <ContactKineticTraits_2 Traits>
 Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
-  return detail::Simulation_auditor<Traits>(*core_).run(level);
+  return typename detail::Simulation_types<Traits>::Simulation_auditor(*core_).run(level);
 }
 
 }  // namespace kinetri

@@ -55,8 +55,6 @@ template <class Traits>
 using Contact_schedule = typename Simulation_types<Traits>::Contact_schedule;
 template <class Traits>
 using Overlap_tracker = typename Simulation_types<Traits>::Overlap_tracker;
-template <class Traits>
-using Simulation_auditor = typename Simulation_types<Traits>::Simulation_auditor;
 
 }  // namespace kinetri::detail
 

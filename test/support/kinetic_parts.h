@@ -174,8 +174,8 @@ template <class Traits = Linear_kinetic_traits_2>
 struct Updates_part : Reporter_part<Traits> {
   using Reporter_part<Traits>::Reporter_part;
 
-  detail::Updates<Traits> updates{this->topology, this->certification, this->schedule,
-                                  this->reporter};
+  typename detail::Kinetic_types<Traits>::Updates updates{this->topology, this->certification,
+                                                          this->schedule, this->reporter};
 };
 
 /// The same with a loop.
@@ -183,8 +183,8 @@ template <class Traits = Linear_kinetic_traits_2>
 struct Event_loop_part : Updates_part<Traits> {
   using Updates_part<Traits>::Updates_part;
 
-  detail::Event_loop<Traits> loop{this->topology, this->certification, this->schedule,
-                                  this->reporter, this->updates};
+  typename detail::Kinetic_types<Traits>::Event_loop loop{
+      this->topology, this->certification, this->schedule, this->reporter, this->updates};
 };
 
 }  // namespace kinetri::test

@@ -93,10 +93,6 @@ using Event_reporter = typename Kinetic_types<Traits>::Event_reporter;
 template <class Traits>
 using Decisions = typename Kinetic_types<Traits>::Decisions;
 template <class Traits>
-using Updates = typename Kinetic_types<Traits>::Updates;
-template <class Traits>
-using Event_loop = typename Kinetic_types<Traits>::Event_loop;
-template <class Traits>
 using Kinetic_core = typename Kinetic_types<Traits>::Kinetic_core;
 
 }  // namespace kinetri::detail
