@@ -41,7 +41,7 @@ static void print_balls(const Simulation& simulation) {
 
 int main() {
   // {position, velocity, acceleration} at time 0; what is omitted is zero. Two balls are thrown
-  // towards each other; two lanterns hang.
+  // toward each other; two lanterns hang.
   const Vector_2 gravity = {0, -2};
   const std::vector<kinetri::Polynomial_motion_2> motions = {
       {{0, 0}, {3, 4}, gravity}, {{7, 0}, {-3, 4}, gravity}, {{-2, 6}}, {{9, 7}}};

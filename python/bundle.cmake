@@ -37,7 +37,7 @@ foreach(library IN LISTS libraries)
   string(REGEX REPLACE "[.]so.*" "" short "${name}")
   if(NOT table MATCHES "`${short}`")
     message(FATAL_ERROR
-      "the Python package needs ${name}, which python/bundled_libraries.md does not name with its licence")
+      "the Python package needs ${name}, which python/bundled_libraries.md does not name with its license")
   endif()
   file(REAL_PATH "${library}" file)
   copy("${file}" ${name})

@@ -156,7 +156,7 @@ def block_problems(page, blocks, prose, shown):
 
 
 def readme_problems(root, blocks):
-    program = (root / README_PROGRAM).read_text(encoding="utf-8").splitlines()[1:]  # no licence
+    program = (root / README_PROGRAM).read_text(encoding="utf-8").splitlines()[1:]  # no license
     if program not in [block.lines for block in blocks if block.language == "cpp"]:
         yield 1, f"no block is the program {README_PROGRAM}"
 

@@ -9,7 +9,7 @@ usage: crowd.py > crowd.csv
 import numpy as np
 
 PEOPLE = 150
-RADIUS = 0.22  # metres, of a person
+RADIUS = 0.22  # meters, of a person
 ROOM = (10.0, 8.0)
 DOOR = 0.6  # half of its width; it is in the middle of the right wall
 STEP, STEPS_A_FRAME, FRAMES = 0.02, 10, 101  # seconds; five frames a second

@@ -52,7 +52,7 @@ def main():
 
     density = densities(tracks, range(10, 71, 10))
     density["where"] = pd.cut(density["x"], [0, 9, 15, 20], labels=["before", "bottleneck", "after"])
-    print("people a square metre, mean of the persons there:")
+    print("people a square meter, mean of the persons there:")
     means = density.groupby(["frame", "where"])["density"].mean().unstack()
     print(means.round(2).rename_axis(columns=None).reset_index().to_string(index=False))
     print("the most:")

@@ -29,7 +29,7 @@ def sums(birds, values, size):
 
 
 def steer(flock):
-    """The new velocities: as the neighbors fly, towards them, not too near, and towards the field."""
+    """The new velocities: as the neighbors fly, toward them, not too near, and toward the field."""
     a, b, vectors = seen(flock)
     places, velocities = flock.positions(), flock.velocities()
     size = len(places)

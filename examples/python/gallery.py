@@ -48,8 +48,8 @@ def crowd(ax):
     outline = ax.fill(*CORRIDOR.T, facecolor="none", edgecolor="0.3")[0]
     cells.set_clip_path(outline)
     ax.scatter(*walk.positions()[ids].T, s=8, color="0.2")
-    ax.set(aspect="equal", xlabel="metres", xlim=(-0.5, 20.5), ylim=(-0.5, 4.5))
-    ax.figure.colorbar(cells, ax=ax, label="people a square metre", shrink=0.6)
+    ax.set(aspect="equal", xlabel="meters", xlim=(-0.5, 20.5), ylim=(-0.5, 4.5))
+    ax.figure.colorbar(cells, ax=ax, label="people a square meter", shrink=0.6)
 
 
 def shock(ax):

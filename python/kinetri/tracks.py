@@ -128,7 +128,7 @@ class Tracks(TrackAnswers):
         <Tracks of 2 things, 4 observations, t = 0 to 1>
         >>> ships = kinetri.Tracks.from_arrays([0, 60], ["a", "a"], [12.0, 12.01], [55.0, 55.0], projection="utm")
         >>> ships.remarks
-        ['places are in metres of UTM, zone 33 north (EPSG:32633); distances are off by at most 0.0052 %']
+        ['places are in meters of UTM, zone 33 north (EPSG:32633); distances are off by at most 0.0052 %']
         """
         return cls._of_columns(t, id, x, y, radius, max_gap, projection, duplicates, coincident, "Tracks.from_arrays",
                                getattr(x, "name", None), getattr(y, "name", None))

@@ -153,7 +153,7 @@ TEST_F(Tracks, are_recognized_by_their_content) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "point,id,first,last\n0,7,0,1\n1,8,0,1\n");
   for (const char* remark : {"format ids", "4 frames a second, as the file says",
-                             "places are in metres; the file has centimetres"}) {
+                             "places are in meters; the file has centimeters"}) {
     EXPECT_NE(outcome.err.find(remark), std::string::npos) << outcome.err;
   }
 }

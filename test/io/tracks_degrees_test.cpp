@@ -414,7 +414,7 @@ TEST(Read_tracks_projection, goes_on_over_the_antimeridian) {
 TEST(Read_tracks_projection, preconditions_are_checked) {
   Tracks_file file;
   EXPECT_PRECONDITION_ERROR(project(file, "t.csv", Tracks_projection::none),
-                            "the projection makes no metres of degrees");
+                            "the projection makes no meters of degrees");
   EXPECT_PRECONDITION_ERROR(transverse_mercator(90, 0),
                             "a place is too far from the central meridian, or not on earth");
   EXPECT_PRECONDITION_ERROR(read_options("", {.date_format = "%m"}),

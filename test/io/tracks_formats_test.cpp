@@ -222,7 +222,7 @@ TEST(Read_tracks_ids, the_rate_of_the_option_must_be_that_of_the_file) {
             "t.csv:1: the comment gives 0 frames a second; expected a number greater than 0");
 }
 
-TEST(Read_tracks_ids, centimeters_and_millimetres_become_metres) {
+TEST(Read_tracks_ids, centimeters_and_millimeters_become_meters) {
   for (const auto& [comment, units] : {std::pair{"# id frame x/cm y/cm z/cm", 100.0},
                                        {"# id frame x [in cm] y [in cm]", 100.0},
                                        {"# x/mm y/mm", 1000.0},
@@ -245,18 +245,18 @@ TEST(Read_tracks_ids, centimeters_and_millimetres_become_metres) {
     EXPECT_EQ(file.remarks.size(), units == 1 ? 0U : 1U);
   }
   EXPECT_EQ(automatic("# id frame x/cm y/cm\n7 0 1 1\n", 25.0).remarks,
-            std::vector<std::string>{"places are in metres; the file has centimetres"});
+            std::vector<std::string>{"places are in meters; the file has centimeters"});
 }
 
 TEST(Read_tracks_ids, units_that_contradict_each_other_are_refused) {
   EXPECT_EQ(automatic_error("# id frame x/cm y/m\n7 0 1 1\n"),
-            "t.csv:1: the comment gives places in centimetres and in another unit; expected one "
+            "t.csv:1: the comment gives places in centimeters and in another unit; expected one "
             "unit, above the rows");
   EXPECT_EQ(automatic_error("# in cm\n# in m\n7 0 1 1\n"),
-            "t.csv:2: the comment gives places in metres, but the file is read in centimetres; "
+            "t.csv:2: the comment gives places in meters, but the file is read in centimeters; "
             "expected one unit, above the rows");
   EXPECT_EQ(automatic_error("# id frame x y\n7 0 1 1\n# in cm\n"),
-            "t.csv:3: the comment gives places in centimetres, but the file is read in metres; "
+            "t.csv:3: the comment gives places in centimeters, but the file is read in meters; "
             "expected one unit, above the rows");
 }
 

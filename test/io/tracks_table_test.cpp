@@ -188,7 +188,7 @@ TEST(Read_tracks, degrees_are_refused_unless_a_projection_is_chosen) {
   EXPECT_EQ(file.remarks,
             (std::vector<std::string>{
                 "places are degrees, as the columns 'lon' and 'lat' say",
-                "places are in metres from the longitude 8.25 and the latitude 50.03125 "
+                "places are in meters from the longitude 8.25 and the latitude 50.03125 "
                 "(equirectangular projection of the ellipsoid of WGS 84); distances are off by at "
                 "most 0.066 %"}));
   std::swap(options.columns.x, options.columns.y);

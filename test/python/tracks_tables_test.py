@@ -11,11 +11,11 @@ import pytest
 import kinetri
 from kinetri import Tracks
 
-#: Degrees of longitude and latitude in metres, at 55.01 degrees north on the ellipsoid of WGS 84.
+#: Degrees of longitude and latitude in meters, at 55.01 degrees north on the ellipsoid of WGS 84.
 DEGREES = np.array([63978.21, 111323.71])
 SHIPS = {"t": [0, 600, 0, 600], "id": ["a", "a", "b", "b"], "x": [12.0, 12.01, 12.02, 12.02],
          "y": [55.0, 55.0, 55.01, 55.02]}
-WAY_OUT = ("expected projection='local', which makes them metres about the middle of the data, projection='utm', which "
+WAY_OUT = ("expected projection='local', which makes them meters about the middle of the data, projection='utm', which "
            "makes them those of a zone of UTM, projection='none', which takes degrees as they are, or projected places")
 
 
@@ -49,7 +49,7 @@ def test_degrees_by_names(x, y):
 def test_a_projection_without_names_and_its_meters():
     for make in ways(projection="utm").values():
         tracks = make()
-        assert tracks.remarks == ["places are in metres of UTM, zone 33 north (EPSG:32633); distances are off by at most "
+        assert tracks.remarks == ["places are in meters of UTM, zone 33 north (EPSG:32633); distances are off by at most "
                                   "0.0052 %"]
         assert tracks.labels == ["a", "b"]
         # 1278.9 m along the parallel on the ellipsoid, and 1113.6 m along the meridian.

@@ -332,7 +332,7 @@ def test_files_of_other_formats(tmp_path):
     people = read("# framerate: 5\n# id frame x/cm y/cm\n1 0 0 0\n1 5 500 0\n2 0 900 900\n2 5 900 800\n")
     assert repr(people) == expected and people.frame_rate == 5 and people.origin is None
     assert people.remarks == ["5 frames a second, as the file says",
-                              "places are in metres; the file has centimetres"]
+                              "places are in meters; the file has centimeters"]
     table = read("when;who;E;N\n2024-05-01T00:00:00.25Z;1;0;0\n2024-05-01T00:00:01.25Z;1;5;0\n"
                  "2024-05-01T00:00:00.25Z;2;9;9\n2024-05-01T00:00:01.25Z;2;9;8\n",
                  columns={"t": "when", "id": "who", "x": "E", "y": "N"})

@@ -8,7 +8,7 @@
 // and refers to a Root_source, which its copies share. Const functions change the Root_source only:
 //   - The representation (polynomial and isolating interval) is made once, when it is first needed.
 //     A thread that reads or refines it holds its mutex.
-//   - Binary64 bounds of the number are atomic, read without a lock, and only ever move towards the
+//   - Binary64 bounds of the number are atomic, read without a lock, and only ever move toward the
 //     number. Hence a lower and an upper bound that were published at different times enclose it
 //     too.
 //   - Numbers that were found equal share an identity, an atomic number that is never reused. Hence
@@ -44,7 +44,7 @@ struct Root_representation;
 class Root_access;
 
 /// Binary64 bounds of one number, for several threads. Invariant: they enclose the number, and only
-/// ever move towards it.
+/// ever move toward it.
 class Shared_bounds {
  public:
   /// @{

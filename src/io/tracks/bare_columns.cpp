@@ -49,11 +49,11 @@ double units_in_meter(Length_unit unit) {
 std::string_view name_of(Length_unit unit) {
   switch (unit) {
     case Length_unit::centimeter:
-      return "centimetres";
+      return "centimeters";
     case Length_unit::millimeter:
-      return "millimetres";
+      return "millimeters";
     default:
-      return "metres";
+      return "meters";
   }
 }
 
@@ -369,7 +369,7 @@ class Bare_columns_reader {
     }
     if (!remark_.empty()) result.remarks.push_back(remark_);
     if (unit_ && *unit_ != Length_unit::meter) {
-      result.remarks.push_back(joined("places are in metres; the file has ", name_of(*unit_)));
+      result.remarks.push_back(joined("places are in meters; the file has ", name_of(*unit_)));
     }
     return result;
   }

@@ -207,7 +207,7 @@ void expect_projection(const std::string& name, std::size_t line, Tracks_project
       name, line,
       joined(what,
              " in degrees of longitude and latitude, between which distances mean nothing; "
-             "expected --projection local, which makes them metres about the middle of the data, "
+             "expected --projection local, which makes them meters about the middle of the data, "
              "--projection utm, which makes them those of a zone of UTM, --projection none, which "
              "takes degrees as they are, or projected places"));
 }

@@ -179,7 +179,7 @@ void project_locally(Tracks_file& file, const Extent& extent) {
                   of_latitude * (seen.place.y - middle.y)};
   });
   file.remarks.push_back(
-      joined("places are in metres from the longitude ", middle.x, " and the latitude ", middle.y,
+      joined("places are in meters from the longitude ", middle.x, " and the latitude ", middle.y,
              " (equirectangular projection of the ellipsoid of WGS 84); distances are off by at "
              "most ",
              percent(error_of_local(extent))));
@@ -192,7 +192,7 @@ void project_to_zone(Tracks_file& file, const Extent& extent) {
     const auto [x, y] = transverse_mercator(from_meridian(seen.place.x, zone), seen.place.y).place;
     seen.place = {500000 + x, is_south ? 10000000 + y : y};
   });
-  file.remarks.push_back(joined("places are in metres of UTM, zone ", zone,
+  file.remarks.push_back(joined("places are in meters of UTM, zone ", zone,
                                 is_south ? " south (EPSG:327" : " north (EPSG:326",
                                 zone < 10 ? "0" : "", zone, "); distances are off by at most ",
                                 percent(error_of_utm(extent))));
@@ -203,7 +203,7 @@ void project_to_zone(Tracks_file& file, const Extent& extent) {
 void project(Tracks_file& file, const std::string& name, Tracks_projection projection) {
   KINETRI_PRECONDITION(
       projection == Tracks_projection::local || projection == Tracks_projection::utm,
-      "the projection makes no metres of degrees");
+      "the projection makes no meters of degrees");
   if (file.tracks.empty()) return;
   const Extent extent = extent_of(file, name);
   expect_small_error(extent, name, projection);
