@@ -30,8 +30,8 @@ class Triangles {
     }
   }
 
-  /** How many sides of the i-th triangle of the recording have a triangle on that side: 0 to 3; -1
-   * if one of these is another triangle. */
+  /** How many edges of the i-th triangle of the recording have this triangle beside them now: 0 to
+   * 3; -1 if one of them has another triangle there. */
   sidesInUse({triangleCorners, triangleSides, edgeA}, i) {
     let count = 0;
     for (let k = 3 * i; k < 3 * i + 3; ++k) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`--threads N`: the outputs are the same for any N, byte by byte, and no thread but the first one takes
+"""`--threads N`: the outputs are the same for any N, byte for byte, and no thread but the first one takes
 signals.
 
 usage: threads_test.py PROGRAM

@@ -186,7 +186,7 @@ TEST(Read_tracks_degrees, are_suspected_where_nothing_says_what_places_are) {
                                           "2024-05-01T01:00:00Z,a,8.12445,50.12345\n",
                                           {}),
                        "they look like degrees"));
-  // One row in ten that says that there is no place does not hide it, and is no observation.
+  // A row without a position does not hide that the others look like degrees.
   std::string ships;
   for (int day = 10; day < 20; ++day) {
     ships +=

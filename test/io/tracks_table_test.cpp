@@ -56,7 +56,7 @@ TEST(Read_tracks_table, understands_quotation_marks) {
   // A line end belongs to the field; the row has the number of its first line.
   EXPECT_EQ(shown(table("time,name,E,N\r\n0,\"a\r\n\r\n#b\",1,2\r\n1,c,1,2\r\n")),
             "a\n\n#b: 0 (1, 2) line 2; c: 1 (1, 2) line 5");
-  // Blanks belong to a quoted field, and not to another.
+  // Blanks are part of a quoted field; around an unquoted one they are dropped.
   EXPECT_EQ(shown(table("time,name,E,N\n0,\" a\",1,2\n0, a ,1,2\n")),
             " a: 0 (1, 2) line 2; a: 0 (1, 2) line 3");
   // A mark within a field is nothing special.

@@ -302,7 +302,7 @@ TEST(Advance, that_may_not_go_on_at_all_changes_nothing) {
 
 // ---- observers that schedule changes ----
 
-// Has a point come at the time of each tenth flip, and some time later.
+// Schedules two insertions at each tenth flip: one at its time, and one later.
 class Scheduler : public Event_observer {
  public:
   Scheduler(Simulation& simulation, bool looks) : simulation_(simulation), looks_(looks) {

@@ -27,8 +27,8 @@ using test::options_of;
 
 enum class Failure { none, in_window, elsewhere };
 
-// Runs to `until`, and has one allocation fail, so many after the begin of the next window of time.
-// Where a window is cut the plain loop executes events, in which memory must not be missing.
+// Runs to `until`, and has one allocation fail, so many after the beginning of the next window of
+// time. Where a window is cut the plain loop executes events, in which memory must not be missing.
 template <class Run>
 Failure run_with_failure(Run& run, const Algebraic_number& until, std::int64_t allocations) {
   const auto before = run.counters();

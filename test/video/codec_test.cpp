@@ -72,7 +72,7 @@ double psnr(const Video_format& format, const std::vector<Frame>& source,
 }
 
 // The triangulation of the blocks, run by hand: each point has a motion of its own in each group,
-// the triangulation is built anew at the begin of each, and its events are counted.
+// the triangulation is built anew at the beginning of each, and its events are counted.
 std::uint64_t events_by_hand(const Stream_header& header, const std::vector<Block>& blocks) {
   std::uint64_t events = 0;
   Present_points present(header);

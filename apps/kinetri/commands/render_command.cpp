@@ -240,11 +240,11 @@ Command render_command() {
       "The pictures are those of the page, without a browser. They show what the page shows first "
       "(--html-view), unless --view says otherwise. Its words are those of --html-view; play, "
       "list, draw and the circle under the pointer have no effect.",
-      "PNG and films are drawn by rsvg-convert (Debian: librsvg2-bin), films encoded by ffmpeg. "
+      "rsvg-convert (Debian: librsvg2-bin) draws PNG and films, ffmpeg encodes films. "
       "SVG needs neither.",
       "A film has a frame at its first time and then one after each 1 / N seconds, up to its last "
       "time. Edges that an event removes are dashed and orange shortly before it, edges that it "
-      "adds are bold and blue shortly after it; in a picture, at its time.",
+      "adds are bold and blue shortly after it. A picture marks only those of events at its time.",
       "Exit codes: 0 done, 2 bad usage or input, or a tool is missing, 130 interrupted."};
   result.examples = {
       "kinetri render run.html --at 2.5 --output picture.svg",

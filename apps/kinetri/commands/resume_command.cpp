@@ -31,7 +31,7 @@ Command resume_command() {
                    Output::mean_areas, Output::encounters, Output::contact_plan});
   result.description = {
       "The run continues as if it had never stopped: the event log of the first part and that of "
-      "this one together are the log of one long run, byte for byte, and events keep counting. "
+      "this one together are the log of one long run, byte for byte, and event numbers continue. "
       "Box, discs and collisions are those of the checkpoint. Counts of events and instants in "
       "--stats "
       "include the first part.",

@@ -220,7 +220,7 @@ void add_run_options(Command& command, Run_options& options,
       .add(options.frames_per_time_option, &options.frames_per_time, "N",
            options.has_areas
                ? "Frames in a unit of time, for --frames, --vtu and --areas (default: 101 frames "
-                 "from start to end; for --areas, of tracks that consist of frames, these)"
+                 "from start to end; for --areas, if tracks consist of frames: each frame of them)"
                : "Frames in a unit of time, for --frames and --vtu (default: 101 frames from start "
                  "to end)")
       .heading = outputs_heading;

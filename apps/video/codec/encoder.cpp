@@ -33,7 +33,7 @@ constexpr double histogram_of_cut = 0.5;
 constexpr unsigned margin = 32;
 // Rounds of replacing points of a key by better ones.
 constexpr int key_rounds = 10;
-// The fraction of points that may be replaced at the begin of a group.
+// The fraction of points that may be replaced at the beginning of a group.
 constexpr double most_replaced = 1.0 / 16;
 // A point is moved to a triangle only if its error is this many times that of removing the point: a
 // new point costs more bits.

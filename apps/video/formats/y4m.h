@@ -25,7 +25,7 @@ std::unique_ptr<Frame_source> read_y4m(std::istream& in, const std::string& name
 std::unique_ptr<Frame_source> open_y4m(const std::string& path);
 
 /// @{
-/// The line at the begin of a video of the format, and the one before each frame.
+/// The line at the beginning of a video of the format, and the one before each frame.
 std::string y4m_header(const Video_format& format);
 inline constexpr std::string_view y4m_frame_line = "FRAME\n";
 /// The tag of color, as "420jpeg".

@@ -11,10 +11,10 @@
 //   segments  for each segment {begin, end, groups, initial, times, counts, changes}: begin, end:
 //   of
 //             what moves, in frames; groups: {begin, end, ids, places, colors}: ids of the points;
-//             places: x and y at the begin and at the end of the group; colors: red, green and blue
-//             at the begin and at the end; initial: the corners of the triangles at the begin;
-//             times: at which triangles change, rounded; counts: how many triangles are removed and
-//             added then; changes: the corners of these, the removed ones first
+//             places: x and y at the beginning and at the end of the group; colors: red, green and
+//             blue at the beginning and at the end; initial: the corners of the triangles at the
+//             beginning; times: at which triangles change, rounded; counts: how many triangles are
+//             removed and added then; changes: the corners of these, the removed ones first
 //
 // Lists of numbers are base64: int32 (ids, places, initial, counts, changes), int16 (colors) or
 // binary64 (times), the least significant byte first.

@@ -120,7 +120,7 @@ Command decode_command() {
   result.description = {
       "The triangulation of each frame is that at the frame's exact time. The same stream gives "
       "the "
-      "same frames, byte by byte, on every machine.",
+      "same frames, byte for byte, on every machine.",
       "A truncated or damaged stream is decoded up to the damage. The message says where it is, "
       "and the exit code is 2. Otherwise the output appears only when it is complete.",
       "Exit codes: see kinetri-video encode."};

@@ -107,7 +107,7 @@ Command encode_command() {
   result.add("--points", &options->points, "N",
              "Points at one time, at most; 4 or more (default 2000)");
   result.add("--key-every", &options->key_every, "S",
-             "Place all points anew after this many seconds (default: only at the begin)");
+             "Place all points anew after this many seconds (default: only at the beginning)");
   result.add_flag("--scene-cut", options->scene_cut, "Place them anew if a scene begins");
   result.add("--turn-every", &options->turn_every, "FRAMES",
              "Frames between changes of a point's velocity, a power of two (default 8)");

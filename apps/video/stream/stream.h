@@ -4,8 +4,8 @@
 //
 // Time is counted in frames of the source: frame n is at time n. A video is a sequence of segments.
 // Each begins with a key: points with places and colors. Then come groups of frames, one after the
-// other. At the begin of a group points are erased and inserted; within it each point moves on a
-// straight line at constant speed, and its color changes linearly. Between the last group of a
+// other. At the beginning of a group points are erased and inserted; within it each point moves on
+// a straight line at constant speed, and its color changes linearly. Between the last group of a
 // segment and the next key the picture stays as it is. The triangulation of the points is not
 // stored: it is the Delaunay triangulation, at every time.
 //

@@ -188,7 +188,7 @@ class Kinetic_types<Traits>::Schedule {
   /// Rechecks certificates until the first entry is a failure or later than `until` (if not null).
   /// Returns whether it is a failure at or before `until`.
   bool settle(const Time* until);
-  /// The same until the present time.
+  /// Calls `settle` with the present time.
   bool settle_now();
   /// Whether the first failure is before `time`. Rechecks certificates, but stores nothing.
   bool has_failure_before(const Time& time) const;
