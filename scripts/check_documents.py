@@ -3,6 +3,7 @@
 """Checks links and code in the documentation.
 
 - Every relative link in a Markdown file leads to a file and, if it names one, to a heading there.
+- So does every relative `href` and `src` in docs/index.html, the start page if docs is served.
 - The program in README.md is the one that test/install builds.
 - The lines of a block in a page of docs/guide are in an example that the page links: ```cpp or
   ```python in the program, ```text in its output, ```cmake and ```csv in a linked file. The block
@@ -25,6 +26,7 @@ sys.dont_write_bytecode = True
 import check_tree  # noqa: E402
 
 SKIPPED_FOLDERS = re.compile(r"^(build.*|out|__pycache__|\..*)$")
+START_PAGE = pathlib.PurePath("docs/index.html")
 README_PROGRAM = pathlib.PurePath("test/install/consumer/main.cpp")
 
 # By the language of a block of the guide: the ending of the linked file that must contain it. Output is in
@@ -41,6 +43,7 @@ HEADING = re.compile(r"^ {0,3}#{1,6}\s+(.*?)\s*#*\s*$")
 CODE_SPAN = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)")
 # The text of a link may begin on the line before.
 LINK = re.compile(r"\]\(\s*<?([^)\s>]+)>?(?:\s+\"[^\"]*\")?\s*\)|^\[[^\]]+\]:\s*<?(\S+?)>?\s*$")
+HTML_LINK = re.compile(r"\b(?:href|src)=\"([^\"#]+)")
 SCHEME = re.compile(r"^[a-zA-Z][a-zA-Z0-9+.-]*:")
 
 Block = collections.namedtuple("Block", "line language lines")
@@ -115,6 +118,16 @@ def link_problems(root, page, prose):
                 yield number, f"a link to {target}, but no heading there is called that"
 
 
+def start_page_problems(root):
+    page = root / START_PAGE
+    if not page.is_file():
+        return
+    for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1):
+        for target in HTML_LINK.findall(line):
+            if not SCHEME.match(target) and not split_target(page, target)[0].is_file():
+                yield f"{START_PAGE}:{number}: a link to {target}, which is not there"
+
+
 def occurs(lines, text):
     """Whether the lines are consecutive in the text, perhaps indented more."""
     there = text.splitlines()
@@ -177,6 +190,7 @@ def check(root):
         if path == pathlib.PurePath("README.md"):
             problems += readme_problems(root, blocks)
         violations += [f"{path}:{line}: {problem}" for line, problem in problems]
+    violations += start_page_problems(root)
     for program in sorted([*root.glob("examples/*.cpp"), *root.glob("examples/python/*.py")]):
         path = program.relative_to(root)
         output = program.with_suffix(".txt")

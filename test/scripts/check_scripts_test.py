@@ -248,6 +248,14 @@ class Documents(Tree):
                 found, ["README.md:1: no block is the program test/install/consumer/main.cpp"]
             )
 
+    def test_links_of_the_start_page_lead_to_files(self):
+        right = '<a href="guide/p.md#x"></a><a href="https://example.org/">\n'
+        self.assertEqual(self.problems("docs/index.html", right), [])
+        for missing in ('<a href="gone.html">', '<img src="gone.svg">'):
+            target = missing.split('"')[1]
+            self.assertEqual(self.problems("docs/index.html", right + missing),
+                             [f"docs/index.html:2: a link to {target}, which is not there"])
+
     def test_what_stands_there_passes(self):
         for language, text in (
             ("cpp", self.PROGRAM),
