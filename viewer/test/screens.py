@@ -123,43 +123,66 @@ class Screens(Page):
         edges = self.evaluate("kinetri.edges()")
         return "-".join(map(str, edges[len(edges) // 2]))
 
-    def test_viewports(self):
-        edge = self.edge()
-        for size in (*SMALL, *LARGE):
-            plain, beside = (0.45, 0.22) if size in UPRIGHT else (0.45, 0.22) if size in LOW else (0.36, 0.36)
-            for words, least in (("t=3", plain), ("t=3&point=12", beside), (f"t=3&edge={edge}", beside),
-                                 ("t=3&list=on", beside),
-                                 ("t=3&color=area&legend=on&show=axes,scale,heat,arrows,trails", 0.2)):
-                with self.subTest(size=size, words=words):
-                    self.open_on(size, "#" + words)
-                    self.assertEqual(self.evaluate(
-                        "[document.documentElement.scrollWidth, document.documentElement.scrollHeight]"), list(size))
-                    self.check_picture(size, least)
-                    self.check_texts()
-                    self.check_inside(self.box("button-play"), size, "play")
-
-    def test_what_opens_has_room(self):
-        """The list has two rows at least that are whole, each panel some lines, on every screen."""
-        edge = self.edge()
-        for size in (*SMALL, *LARGE):
-            for words, identifier, scrolls, least in (
-                    ("list=on", "events", "list", 88), ("point=12", "point", "point .panel-body", 110),
-                    (f"edge={edge}", "certificate", "certificate-body", 110),
-                    ("color=area&legend=on", "legend", "legend", 60)):
-                with self.subTest(size=size, words=words):
+    def on_each(self, sizes, words, check, key=None):
+        """Checks the page on these screens, after a key. It is loaded on the first and resized for the others, since
+        loading takes most of the time; test_the_hint loads it on each."""
+        for size in sizes:
+            with self.subTest(size=size, words=words, key=key):
+                if size == sizes[0]:
                     self.open_on(size, "#t=3&" + words)
-                    self.check_inside(self.box(identifier), size, identifier)
-                    room = self.evaluate(f"document.querySelector('#{scrolls}').clientHeight")
-                    self.assertGreaterEqual(room, least)
-                    if size in LARGE:  # The list is there, too.
-                        self.assertGreaterEqual(self.evaluate("document.getElementById('list').clientHeight"), 88)
-            for key, dialog in (("?", "help"), ("s", "export")):
-                with self.subTest(size=size, dialog=dialog):
-                    self.open_on(size, "#t=3")
-                    self.browser.key(key)
-                    box = self.box(dialog)
-                    self.check_inside(box, size, dialog)
-                    self.assertGreater(box["height"], 120)
+                    if key:
+                        self.browser.key(key)
+                else:
+                    self.browser.resize(*size)
+                    self.browser.settle()
+                check(size)
+
+    def test_views(self):
+        """The picture is large; what opens beside it has room: the list two whole rows at least, each panel some lines;
+        texts can be read; what a finger presses is large; what scrolls can be reached by keys."""
+        for words, part, scrolls, least in (
+                ("", None, None, 0), ("list=on", "events", "list", 88), ("point=12", "point", "point .panel-body", 110),
+                (f"edge={self.edge()}", "certificate", "certificate-body", 110),
+                ("color=area&legend=on", "legend", "legend", 60),
+                ("color=area&legend=on&show=axes,scale,heat,arrows,trails", "legend", "legend", 60)):
+            def check(size):
+                self.assertEqual(self.evaluate(
+                    "[document.documentElement.scrollWidth, document.documentElement.scrollHeight]"), list(size))
+                self.check_picture(size, 0.2 if part == "legend" else 0.36 if size in LARGE else 0.22 if part else 0.45)
+                self.check_texts()
+                self.check_inside(self.box("button-play"), size, "play")
+                rooms = [(scrolls, least)] if part else []
+                if part:
+                    self.check_inside(self.box(part), size, part)
+                if size in LARGE:  # The list is there, too.
+                    rooms.append(("list", 88))
+                for scrolling, room in rooms:
+                    self.assertGreaterEqual(
+                        self.evaluate(f"document.querySelector('#{scrolling}').clientHeight"), room, scrolling)
+                if size in SMALL:
+                    self.check_targets()
+                    self.assertEqual(self.evaluate(STUCK), [])
+
+            for sizes in (SMALL, LARGE):
+                self.on_each(sizes, words, check)
+
+    def check_targets(self):
+        for target in self.evaluate(TARGETS):
+            if target["isLink"]:
+                continue
+            least = 40 if target["id"] == "color" else LEAST_TARGET
+            self.assertGreaterEqual(round(target["height"]), least, target)
+            self.assertGreaterEqual(round(target["width"]), LEAST_TARGET, target)
+
+    def test_dialogs_have_room(self):
+        for key, dialog in (("?", "help"), ("s", "export")):
+            def check(size):
+                box = self.box(dialog)
+                self.check_inside(box, size, dialog)
+                self.assertGreater(box["height"], 120)
+
+            for sizes in (SMALL, LARGE):
+                self.on_each(sizes, "", check, key)
         self.assertEqual(self.evaluate("document.getElementById('export-title').textContent"), "Export")
 
     def test_the_button_opens_the_list(self):
@@ -213,42 +236,30 @@ class Screens(Page):
                     self.assertTrue(self.evaluate("document.getElementById('point').checkVisibility()"))
                     self.check_seen([point])
 
-    def test_touch_targets(self):
-        for size in SMALL:
-            for words in ("t=3", "t=3&point=12", "t=3&list=on"):
-                self.open_on(size, "#" + words)
-                for target in self.evaluate(TARGETS):
-                    if target["isLink"]:
-                        continue
-                    least = 40 if target["id"] == "color" else LEAST_TARGET
-                    self.assertGreaterEqual(round(target["height"]), least, (size, target))
-                    self.assertGreaterEqual(round(target["width"]), LEAST_TARGET, (size, target))
-
     def test_what_scrolls_across_shows_it(self):
         """The last item that is seen fades out, and those beyond are reached."""
-        for size, words, identifier in (*((size, "#t=3", "switches") for size in (*UPRIGHT, *LOW)),
-                                        ((320, 568), "#t=3&list=on", "kinds")):
-            with self.subTest(size=size, identifier=identifier):
-                self.open_on(size, words)
-                at_first = self.evaluate(ACROSS.replace("ID", identifier))
+        for sizes, words, identifier in ((SMALL, "", "switches"), (PHONES[:1], "list=on", "kinds")):
+            def scroll(left):
+                self.evaluate(f"void (document.getElementById('{identifier}').scrollLeft = {left})")
+                self.browser.settle()
+                return self.evaluate(ACROSS.replace("ID", identifier))
+
+            def check(size):
+                at_first = scroll(0)
                 self.assertGreater(at_first["more"], 20)
                 self.assertTrue(at_first["masks"])
                 self.assertEqual((at_first["before"], at_first["after"]), (0, min(32, at_first["more"])))
                 fade = at_first["right"] - at_first["after"]
                 self.assertTrue(any(left < at_first["right"] and right > fade for left, right in at_first["items"]))
-                self.evaluate(f"void (document.getElementById('{identifier}').scrollLeft = 1e4)")
-                self.browser.settle()
-                at_last = self.evaluate(ACROSS.replace("ID", identifier))
+                at_last = scroll(1e4)
                 self.assertEqual((at_last["before"], at_last["after"]), (32, 0))
                 self.assertLessEqual(at_last["items"][-1][1], at_last["right"])
+
+            self.on_each(sizes, words, check)
         self.open_on((1280, 800), "#t=3")
         self.assertEqual(self.evaluate(ACROSS.replace("ID", "switches"))["after"], 0)
 
-    def test_what_scrolls_can_be_reached_by_keys(self):
-        for size in SMALL:
-            for words in ("t=3&color=area&legend=on&show=heat,arrows,axes", "t=3&point=12", "t=3&list=on"):
-                self.open_on(size, "#" + words)
-                self.assertEqual(self.evaluate(STUCK), [], words)
+    def test_keys_scroll_the_legend(self):
         self.browser.open(self.run_.page, "#t=3&legend=on&show=heat,arrows,axes")
         self.evaluate("document.getElementById('legend').focus()")
         speed = self.evaluate("document.getElementById('speed').textContent")
@@ -274,6 +285,7 @@ class Screens(Page):
             for size in (*SMALL, *LARGE):
                 with self.subTest(size=size):
                     self.open_on(size, "", run)
+                    self.check_picture(size, 0.36 if size in LARGE else 0.45)
                     hint = self.box("hint")
                     self.check_inside(hint, size, "hint")
                     self.assertGreaterEqual(hint["height"], 20)
