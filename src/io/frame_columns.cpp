@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <tuple>
 
@@ -190,14 +189,6 @@ Steps steps(std::vector<Row>& rows, Key key, Other other) {
   return result;
 }
 
-// For a message.
-std::string three_digits(double number) {
-  std::array<char, 32> buffer;
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
-                                    std::chars_format::general, 3);
-  return std::string(buffer.data(), result.ptr);
-}
-
 }  // namespace
 
 Comment_signs signs_in_comment(std::string_view comment) {
@@ -229,9 +220,8 @@ std::optional<std::string> sign_in_rows(const std::vector<Track>& tracks) {
   }
   if (std::min(of_ids.number, in_frames.number) >= least_steps &&
       2 * in_frames.average < of_ids.average) {
-    return joined("successive rows of one id are ", three_digits(of_ids.average),
-                  " apart on average, but those of one frame only ",
-                  three_digits(in_frames.average));
+    return joined("successive rows of one id are ", rounded(of_ids.average, 3),
+                  " apart on average, but those of one frame only ", rounded(in_frames.average, 3));
   }
   return std::nullopt;
 }

@@ -91,4 +91,11 @@ std::string hexadecimal(std::uint64_t number, std::size_t digits) {
   return std::string(digits - std::min(digits, text.size()), '0').append(text);
 }
 
+std::string rounded(double number, int digits) {
+  std::array<char, 32> buffer;
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
+                                    std::chars_format::general, digits);
+  return std::string(buffer.data(), result.ptr);
+}
+
 }  // namespace kinetri

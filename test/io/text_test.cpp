@@ -63,6 +63,12 @@ TEST(Text, of_numbers_reads_back) {
   }
 }
 
+TEST(Text, rounded_numbers_have_few_digits) {
+  EXPECT_EQ(rounded(0.0009999999999994458, 3), "0.001");
+  EXPECT_EQ(rounded(90, 3), "90");
+  EXPECT_EQ(rounded(12345.6, 2), "1.2e+04");
+}
+
 TEST(Text, in_hexadecimal_digits_has_zeros_before_it) {
   EXPECT_EQ(hexadecimal(0x1b, 2), "1b");
   EXPECT_EQ(hexadecimal(0xabc, 8), "00000abc");

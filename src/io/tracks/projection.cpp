@@ -2,8 +2,6 @@
 #include "projection.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -133,10 +131,7 @@ double error_of_utm(const Extent& extent) {
 
 // As "0.034 %". Precondition: it is finite.
 std::string percent(double part) {
-  std::array<char, 32> buffer;
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), 100 * part,
-                                    std::chars_format::general, 2);
-  return joined(std::string_view(buffer.data(), result.ptr), " %");
+  return joined(rounded(100 * part, 2), " %");
 }
 
 // "from 8 to 12 degrees of longitude and from 0 to 60 of latitude".

@@ -132,12 +132,13 @@ class Sumo_reader : public Xml_tracks {
     std::string why;
     if (way_by_speed_ > 0) {
       if (!(way_with_speed_ < greatest_quotient * way_by_speed_)) return;
-      why = joined("things go ", way_with_speed_, " where their speeds make ", way_by_speed_);
+      why = joined("things go ", rounded(way_with_speed_, 3), " where their speeds make ",
+                   rounded(way_by_speed_, 3));
     } else if (has_configuration_) {
       return;
     } else if (way_ > 0) {
       if (!(way_ < greatest_speed * duration_)) return;
-      why = joined("things go ", way_ / duration_, " a second");
+      why = joined("things go ", rounded(way_ / duration_, 3), " a second");
     } else {
       if (rows_ == 0 || 2 * rows_of_many_decimals_ < rows_) return;
       why = "most have four decimals or more";

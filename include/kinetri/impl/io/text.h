@@ -68,6 +68,9 @@ std::string joined(const Pieces&... pieces) {
 /// The number in hexadecimal digits, padded with zeros to `digits` digits.
 std::string hexadecimal(std::uint64_t number, std::size_t digits);
 
+/// The number rounded to that many significant digits, for messages.
+std::string rounded(double number, int digits);
+
 }  // namespace kinetri
 
 #endif  // KINETRI_IMPL_IO_TEXT_H
