@@ -15,6 +15,7 @@
 
 #include "kinetri/observers/closest_approaches.h"
 #include "kinetri/simulation/tracks.h"
+#include "support/motions.h"
 #include "support/multiplier.h"
 #include "support/precondition_error.h"
 #include "support/random_walks.h"
@@ -85,30 +86,14 @@ struct Rational_approach {
   }
 };
 
-Rational linear(double value, double slope, double epoch, const Rational& t) {
-  return to_rational(value) + to_rational(slope) * (t - to_rational(epoch));
-}
-
-Rational squared_distance(const Linear_motion_2& p, const Linear_motion_2& q, const Rational& t) {
-  const Rational x = linear(p.position.x, p.velocity.x, p.epoch, t) -
-                     linear(q.position.x, q.velocity.x, q.epoch, t);
-  const Rational y = linear(p.position.y, p.velocity.y, p.epoch, t) -
-                     linear(q.position.y, q.velocity.y, q.epoch, t);
-  return x * x + y * y;
-}
-
 // Of discs that do not grow, where the distance is least.
 Rational_approach closest_approach(const Edge_ids& points, const Disc_motion_2& p,
                                    const Disc_motion_2& q, const Rational& from,
                                    const Rational& to) {
-  // The parabola through the squared distances at three times.
-  const Rational d0 = squared_distance(p, q, 0);
-  const Rational d1 = squared_distance(p, q, 1);
-  const Rational a = (squared_distance(p, q, 2) - 2 * d1 + d0) / 2;
-  const Rational b = d1 - d0 - a;
-  const Rational time = a == 0 ? from : std::clamp(Rational(-b / (2 * a)), from, to);
-  return {
-      {squared_distance(p, q, time), to_rational(p.radius) + to_rational(q.radius)}, time, points};
+  const Rational time = test::time_of_least_distance(p, q, from, to);
+  return {{test::squared_distance(p, q, time), to_rational(p.radius) + to_rational(q.radius)},
+          time,
+          points};
 }
 
 Rational_approach closest_of_all_pairs(const Discs& discs, const Rational& until) {

@@ -17,6 +17,7 @@
 
 #include "support/contact_region_runs.h"
 #include "support/disc_runs.h"
+#include "support/motions.h"
 #include "support/precondition_error.h"
 #include "support/random_walks.h"
 
@@ -39,29 +40,11 @@ struct Rational_approach {
   }
 };
 
-Rational coordinate(double position, double velocity, double epoch, const Rational& t) {
-  return to_rational(position) + to_rational(velocity) * (t - to_rational(epoch));
-}
-
-Rational squared_distance(const Linear_motion_2& p, const Linear_motion_2& q, const Rational& t) {
-  const Rational x = coordinate(p.position.x, p.velocity.x, p.epoch, t) -
-                     coordinate(q.position.x, q.velocity.x, q.epoch, t);
-  const Rational y = coordinate(p.position.y, p.velocity.y, p.epoch, t) -
-                     coordinate(q.position.y, q.velocity.y, q.epoch, t);
-  return x * x + y * y;
-}
-
 Rational_approach closest_approach(const Edge_ids& points, const Linear_motion_2& p,
                                    const Linear_motion_2& q, const Rational& from,
                                    const Rational& to) {
-  // The parabola through the squared distances at three times.
-  const Rational d0 = squared_distance(p, q, 0);
-  const Rational d1 = squared_distance(p, q, 1);
-  const Rational d2 = squared_distance(p, q, 2);
-  const Rational a = (d2 - 2 * d1 + d0) / 2;
-  const Rational b = d1 - d0 - a;
-  const Rational time = a == 0 ? from : std::clamp(Rational(-b / (2 * a)), from, to);
-  return {squared_distance(p, q, time), time, points};
+  const Rational time = test::time_of_least_distance(p, q, from, to);
+  return {test::squared_distance(p, q, time), time, points};
 }
 
 // Whether `distance` is the binary64 number nearest to the square root of `squared`.

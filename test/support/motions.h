@@ -47,6 +47,22 @@ inline Static_point place_at(const Polynomial_motion_2& m, const Rational& t) {
   return {coordinate(&Vector_2::x), coordinate(&Vector_2::y)};
 }
 
+inline Rational squared_distance(const Linear_motion_2& p, const Linear_motion_2& q,
+                                 const Rational& t) {
+  return (place_at(p, t) - place_at(q, t)).squared_length();
+}
+
+/// The time in [from, to] at which two points are closest; `from` if their distance is constant.
+inline Rational time_of_least_distance(const Linear_motion_2& p, const Linear_motion_2& q,
+                                       const Rational& from, const Rational& to) {
+  // The parabola through the squared distances at three times.
+  const Rational d0 = squared_distance(p, q, 0);
+  const Rational d1 = squared_distance(p, q, 1);
+  const Rational a = (squared_distance(p, q, 2) - 2 * d1 + d0) / 2;
+  const Rational b = d1 - d0 - a;
+  return a == 0 ? from : std::clamp(Rational(-b / (2 * a)), from, to);
+}
+
 /// n points in a square of side `side`, velocity components in [-speed, speed].
 inline std::vector<Linear_motion_2> random_motions(std::size_t n, double side, double speed,
                                                    unsigned seed) {

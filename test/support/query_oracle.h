@@ -459,6 +459,26 @@ inline std::optional<Rational> rational_value(const Algebraic_number& time) {
   return std::nullopt;
 }
 
+/// Asks at the present time, twice between it and the next event, and at the next event while it
+/// has not happened, instant by instant. Returns at how many events `ask`, called with a time,
+/// could ask.
+template <class Triangulation, class Ask>
+int ask_along(Triangulation& kinetic, int instants, Ask ask) {
+  int events = 0;
+  for (int i = 0; i < instants && !testing::Test::HasFatalFailure(); ++i) {
+    ask(kinetic.current_time());
+    const auto next = kinetic.next_event_time();
+    const Algebraic_number end = next ? *next : Rational(kinetic.current_time().upper() + 9);
+    const Algebraic_number between = simplest_between(kinetic.current_time(), end);
+    ask(between);
+    ask(simplest_between(between, end));
+    if (!next) break;
+    if (ask(*next)) ++events;
+    kinetic.step();
+  }
+  return events;
+}
+
 }  // namespace kinetri::test
 
 #endif  // KINETRI_TEST_SUPPORT_QUERY_ORACLE_H

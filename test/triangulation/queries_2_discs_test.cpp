@@ -160,30 +160,16 @@ void ask_all(const Triangulation& kinetic, const Algebraic_number& time, const R
   }
 }
 
-// At the present time, twice between it and the next event, and at the next event while it has not
-// happened, instant by instant. Returns at how many events it could ask.
+// test::ask_along with the oracles.
 template <class Triangulation>
 int ask_along(Triangulation& kinetic, int instants, unsigned seed, Shapes& shapes) {
   std::mt19937_64 random(seed);
-  const auto ask = [&](const Algebraic_number& time) {
+  return test::ask_along(kinetic, instants, [&](const Algebraic_number& time) {
     const auto t = test::rational_value(time);
     if (!t || *t > 30 || testing::Test::HasFatalFailure()) return false;
     ask_all(kinetic, time, *t, random, shapes);
     return true;
-  };
-  int events = 0;
-  for (int i = 0; i < instants && !testing::Test::HasFatalFailure(); ++i) {
-    ask(kinetic.current_time());
-    const auto next = kinetic.next_event_time();
-    const Algebraic_number end = next ? *next : Rational(kinetic.current_time().upper() + 9);
-    const Algebraic_number between = simplest_between(kinetic.current_time(), end);
-    ask(between);
-    ask(simplest_between(between, end));
-    if (!next) break;
-    if (ask(*next)) ++events;
-    kinetic.step();
-  }
-  return events;
+  });
 }
 
 int ask_discs(const Discs& discs, int instants, unsigned seed, Shapes& shapes) {

@@ -34,32 +34,18 @@ using Kind = Location_2::Kind;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Asks at the present time, between it and the next event, and at the next event while it has not
-// happened, instant by instant. Returns at how many events it could ask.
+// test::ask_along with the oracle.
 int ask_along(const std::vector<Linear_motion_2>& motions, int instants, unsigned seed) {
   SCOPED_TRACE(testing::Message() << "seed " << seed << '\n' << test::describe(motions));
   std::mt19937_64 random(seed);
   Kinetic_delaunay kinetic(motions);
-  const auto ask = [&](const Algebraic_number& time) {
+  return test::ask_along(kinetic, instants, [&](const Algebraic_number& time) {
     const auto t = test::rational_value(time);
     if (!t || testing::Test::HasFatalFailure()) return false;
     SCOPED_TRACE(testing::Message() << "at the time " << *t);
     expect_right_answers(kinetic, time, *t, random);
     return true;
-  };
-  int events = 0;
-  for (int i = 0; i < instants && !testing::Test::HasFatalFailure(); ++i) {
-    ask(kinetic.current_time());
-    const auto next = kinetic.next_event_time();
-    const Algebraic_number end = next ? *next : Rational(kinetic.current_time().upper() + 9);
-    const Algebraic_number between = simplest_between(kinetic.current_time(), end);
-    ask(between);
-    ask(simplest_between(between, end));
-    if (!next) break;
-    if (ask(*next)) ++events;
-    kinetic.step();
-  }
-  return events;
+  });
 }
 
 class Queries_on_grids : public testing::TestWithParam<std::tuple<int, int, int>> {};
