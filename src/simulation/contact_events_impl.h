@@ -176,7 +176,7 @@ bool Contact_events<Traits>::keeps(const Edge_with_mirror& edge, Moment& moment)
 template <class Traits>
 bool Contact_events<Traits>::execute(Process& process, Candidate& candidate) {
   Moment& moment = candidate.moment;
-  if (topology_.number_of_hidden_points() > 0) {
+  if (topology_.number_of_hidden_vertices() > 0) {
     bool hide_points = false;
     for_each_face_around(candidate.points(), [&](Face_handle face) {
       hide_points = hide_points || Edges::hides_points(face);

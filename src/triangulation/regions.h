@@ -69,7 +69,7 @@ class Region_run {
   void divide();
   void distribute(std::size_t parts);
   bool is_divided();
-  double number_of_points() const { return static_cast<double>(topology_.number_of_points()); }
+  double number_of_points() const { return static_cast<double>(topology_.number_of_vertices()); }
   double events_in_window() const;
   double cost_of_division() const { return 0.25 * number_of_points(); }
   double cost_of_window() const { return number_of_points() / (has_contacts ? 128 : 256); }

@@ -25,7 +25,7 @@ Region_run<Traits, Contacts>::Region_run(typename Contacts::Core& core,
       schedule_(core_.schedule),
       reporter_(core_.reporter),
       options_(options),
-      regions_(number_of_regions(options, topology_.number_of_points())),
+      regions_(number_of_regions(options, topology_.number_of_vertices())),
       window_(core, options_) {
   bool is_in_use = false;
   window_.for_each_kind([&](auto& events) { is_in_use |= events.queue().is_divided(); });
@@ -38,7 +38,7 @@ bool Region_run<Traits, Contacts>::can_run() const {
     if (!window_.contacts().can_run()) return false;
   }
   return HasRoundedPlace<typename Traits::Motion> && topology_.triangulation().dimension() == 2 &&
-         static_cast<double>(topology_.number_of_hidden_points()) *
+         static_cast<double>(topology_.number_of_hidden_vertices()) *
                  options_.points_per_hidden_one <=
              number_of_points() &&
          !reporter_.observers().any_of(
@@ -161,7 +161,7 @@ bool Region_run<Traits, Contacts>::begin_window([[maybe_unused]] double begin) {
   if constexpr (has_contacts) {
     if (!window_.contacts().begin_window(begin)) {
       division().effort.spend(cost_of_window());
-      pause_.lengthen(topology_.number_of_points());
+      pause_.lengthen(topology_.number_of_vertices());
       return false;
     }
   }
@@ -204,7 +204,7 @@ void Region_run<Traits, Contacts>::adapt_width(bool is_whole, bool is_full) {
     pause_.shorten();
   } else if (is_truncated) {
     width *= 0.5;
-    if (done < target / 8) pause_.lengthen(topology_.number_of_points());
+    if (done < target / 8) pause_.lengthen(topology_.number_of_vertices());
   }
 }
 
@@ -248,7 +248,7 @@ bool Region_run<Traits, Contacts>::is_divided() {
 template <class Traits, class Contacts>
 bool Region_run<Traits, Contacts>::run_loop(const Time& until, const Go_on& may_go_on) {
   constexpr std::size_t many = 16;
-  std::size_t left = std::min(many, topology_.number_of_points() / 1024 + 1);
+  std::size_t left = std::min(many, topology_.number_of_vertices() / 1024 + 1);
   if (!pause_.is_over() || is_loop_next()) left = pause_.take(left);
   while (run_loop_instant(until) > 0 && --left > 0) {
     if (may_go_on != nullptr && !may_go_on()) return false;

@@ -31,7 +31,7 @@ void choose_regions(Kinetic_core<Traits>& core, const Region_options& options,
   using Vertex_handle = typename Topology<Traits>::Vertex_handle;
   const Topology<Traits>& topology = core.topology;
   std::vector<Vertex_handle> vertices;
-  vertices.reserve(topology.number_of_points());
+  vertices.reserve(topology.number_of_vertices());
   for (const Vertex_handle v : topology.triangulation().finite_vertex_handles()) {
     vertices.push_back(v);
   }

@@ -50,7 +50,7 @@ TEST_F(Hidden_events, make_a_disc_that_grows_a_vertex) {
   start(disc(5, 3, 0, 0.5, 1));
   EXPECT_TRUE(execute_first());
   EXPECT_FALSE(part->topology.is_hidden(4));
-  EXPECT_EQ(part->topology.number_of_hidden_points(), 0u);
+  EXPECT_EQ(part->topology.number_of_hidden_vertices(), 0u);
   EXPECT_EQ(part->topology.triangulation().degree(part->topology.vertex(4)), 3u);
   EXPECT_EQ(part->counters.events[static_cast<std::size_t>(Event_kind::reveal)], 1u);
   const Algebraic_number now = part->schedule.current_time();
@@ -109,18 +109,20 @@ TEST_F(Hidden_events, ask_for_a_reconstruction_where_a_heavier_disc_comes) {
   EXPECT_FALSE(hidden->place(v, part->topology.locate(v->point(), {})));
 }
 
-TEST_F(Hidden_events, refuse_a_second_disc_with_the_trajectory_and_the_weight_of_a_first) {
+TEST_F(Hidden_events, find_a_disc_with_the_trajectory_and_the_weight_of_another) {
   start(disc(5, 4, 0, 0.5));
-  const auto refusal = [&](const Disc_motion_2& motion, std::vector<Point_id> changed) {
+  using Pairs = std::vector<Edge_ids>;
+  const auto found = [&](const Disc_motion_2& motion, std::vector<Point_id> changed) {
     const Part::Point_2 point(motion, 9);
-    return test::message_of<Coincident_trajectories_error>(
-        [&] { hidden->check_is_new(point, part->topology.locate(point, {}), changed); });
+    Pairs result;
+    hidden->find_coincident(point, part->topology.locate(point, {}), changed, result);
+    return result;
   };
-  EXPECT_NE(refusal(disc(5, 4, 0, 0.5), {}), "") << "that of a hidden one";
-  EXPECT_NE(refusal(disc(8, 0, 0, 5), {}), "") << "that of a vertex";
-  EXPECT_EQ(refusal(disc(5, 4, 0, 0.5), {4}), "") << "which gets another one";
-  EXPECT_EQ(refusal(disc(5, 4, 0, 0.25), {}), "") << "of another weight";
-  EXPECT_EQ(refusal(disc(5, 4, 1, 0.5), {}), "") << "of another velocity";
+  EXPECT_EQ(found(disc(5, 4, 0, 0.5), {}), (Pairs{{4, 9}})) << "a hidden one";
+  ASSERT_EQ(found(disc(8, 0, 0, 5), {}).size(), 1u) << "a vertex";
+  EXPECT_EQ(found(disc(5, 4, 0, 0.5), {4}), Pairs()) << "which gets another one";
+  EXPECT_EQ(found(disc(5, 4, 0, 0.25), {}), Pairs()) << "of another weight";
+  EXPECT_EQ(found(disc(5, 4, 1, 0.5), {}), Pairs()) << "of another velocity";
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST(Topology, has_a_vertex_for_each_point_and_the_edges_of_static_points) {
   for (unsigned seed = 1; seed <= 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
     const auto motions = test::grid_motions(9, 4, 2, seed);
     const Part part(motions, 0.5);
-    EXPECT_EQ(part.topology.number_of_points(), motions.size());
+    EXPECT_EQ(part.topology.number_of_vertices(), motions.size());
     for (Point_id id = 0; id < motions.size(); ++id) {
       EXPECT_EQ(part.topology.vertex(id)->point().id(), id);
       EXPECT_EQ(part.topology.points()[id].motion(), motions[id]);
@@ -49,7 +49,7 @@ TEST(Topology, gives_ids_out_once_and_takes_back_those_that_no_point_has) {
   EXPECT_FALSE(part.topology.contains(10));
   part.topology.take_back_ids(8);
   EXPECT_EQ(part.topology.give_ids(1), 8u);
-  EXPECT_EQ(part.topology.number_of_points(), 6u);
+  EXPECT_EQ(part.topology.number_of_vertices(), 6u);
   EXPECT_PRECONDITION_ERROR(part.topology.give_ids(no_point - 9),
                             "too many points; expected fewer than 2^32 - 1");
   EXPECT_EQ(part.topology.vertices().size(), 9u) << "a refused call gives no ids";
@@ -60,13 +60,13 @@ TEST(Topology, of_a_point_that_comes_turns_and_goes_keeps_its_vertex_until_then)
   const Point_id id = part.topology.give_ids(1);
   part.topology.set_point({id, resting(1, 1)});
   const Part::Vertex_handle v = part.topology.vertex(id);
-  EXPECT_EQ(part.topology.number_of_points(), 7u);
+  EXPECT_EQ(part.topology.number_of_vertices(), 7u);
   part.topology.set_point({id, Linear_motion_2{{2, 2}, {1, 0}}});
   EXPECT_EQ(part.topology.vertex(id), v);
   EXPECT_EQ(v->point().motion(), (Linear_motion_2{{2, 2}, {1, 0}}));
   part.topology.set_point({id, std::nullopt});
   EXPECT_FALSE(part.topology.contains(id));
-  EXPECT_EQ(part.topology.number_of_points(), 6u);
+  EXPECT_EQ(part.topology.number_of_vertices(), 6u);
 }
 
 TEST(Flip, exchanges_the_diagonal_and_keeps_the_edges_around_it) {

@@ -176,7 +176,7 @@ bool Auditor<Traits>::has_touch(const Time& time) const {
 template <class Traits>
 bool Auditor<Traits>::are_links_right() const {
   const auto& tds = triangulation_.tds();
-  if (topology_.number_of_hidden_points() == 0) return tds.is_valid();
+  if (topology_.number_of_hidden_vertices() == 0) return tds.is_valid();
   for (auto f = tds.faces().begin(); f != tds.faces().end(); ++f) {
     if (!f->is_valid()) return false;
   }
@@ -195,15 +195,23 @@ void Auditor<Traits>::check_links() {
   const auto& vertices = topology_.vertices();
   if (!are_links_right()) return fail("the triangulation's links are broken");
   const std::size_t vertices_there = triangulation_.tds().number_of_vertices() - 1;
-  if (vertices_there != topology_.number_of_points()) {
-    fail("there are " + std::to_string(topology_.number_of_points()) + " points but " +
+  if (vertices_there != topology_.number_of_vertices()) {
+    fail("there are " + std::to_string(topology_.number_of_vertices()) + " points but " +
          std::to_string(vertices_there) + " vertices");
   }
   for (std::size_t id = 0; id < vertices.size(); ++id) {
-    if (topology_.contains(static_cast<Point_id>(id)) && vertices[id]->point().id() != id) {
+    if (topology_.has_vertex(static_cast<Point_id>(id)) && vertices[id]->point().id() != id) {
       fail("the vertex of point " + std::to_string(id) + " holds point " +
            std::to_string(vertices[id]->point().id()));
     }
+  }
+  for (const auto& [id, twin] : topology_.twins().all()) {
+    if (topology_.has_vertex(twin.shown) && twin.shown < id && !topology_.has_vertex(id) &&
+        same_trajectory(topology_.motion(twin.shown), twin.motion)) {
+      continue;
+    }
+    fail("point " + std::to_string(id) + " is hidden by point " + std::to_string(twin.shown) +
+         ", which has another trajectory, or no vertex");
   }
   if (!queue_.is_valid()) fail("the queue is out of order");
   if (!queue_.empty() && queue_.time_of(queue_.top()) <= schedule_.current_time()) {

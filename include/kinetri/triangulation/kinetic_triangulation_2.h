@@ -24,6 +24,12 @@
 
 namespace kinetri {
 
+/// What happens to points with the same trajectory and, if they have weights, the same weight.
+enum class Coincident_points {
+  refuse,  ///< Coincident_trajectories_error
+  keep,    ///< the one with the least id hides the others
+};
+
 /// The Delaunay triangulation of moving points, exact at every time; or, if the traits are
 /// WeightedKineticTraits_2, the regular triangulation of points with weights, in which points with
 /// empty power cells are hidden. Then read "regular" for "Delaunay" and "power circle" for "circle"
@@ -36,6 +42,12 @@ namespace kinetri {
 ///
 /// A hidden point has an id, a motion and a vertex, but no edges. As in CGAL, `is_hidden()` of the
 /// vertex is true, and its `face()` is the triangle that hides it.
+///
+/// Points that have the same trajectory (and weight) from some time on are refused, or kept
+/// (Coincident_points). If they are kept, the one with the least id hides the others, which have no
+/// vertex of their own, until the motion of one of them changes: events `hide` and `reveal`, whose
+/// point_b is the point that hides point_a. Points that only meet and part are not concerned.
+/// Kept points cost nothing if there are none, else O(log k) for k hidden ones, in each change.
 ///
 /// A flip costs five certificates and as many changes of the queue; memory is O(n), with at most
 /// one queue entry for each edge and hidden point. Several threads may call const functions of one
@@ -65,28 +77,30 @@ class Kinetic_triangulation_2 {
   /// `start`. The input may be degenerate at `start` and at every other time: any number of points,
   /// collinear, cocircular, or at one position for a moment.
   ///
-  /// Throws Coincident_trajectories_error if two motions are the same trajectory, and
-  /// Precondition_error if a number is not finite or there are 2^32 - 1 points or more. Cost:
-  /// expected O(n log n) exact predicates and O(n) failure times, the latter on all threads of
-  /// oneTBB, with the same result for any number of threads.
+  /// Throws Coincident_trajectories_error if two motions are the same trajectory and such points
+  /// are refused, and Precondition_error if a number is not finite or there are 2^32 - 1 points or
+  /// more. Cost: expected O(n log n) exact predicates and O(n) failure times, the latter on all
+  /// threads of oneTBB, with the same result for any number of threads.
   template <class InputIterator>
   Kinetic_triangulation_2(InputIterator first, InputIterator last, const Time& start = Time(),
-                          const Traits& traits = Traits())
-      : Kinetic_triangulation_2(std::vector<Motion>(first, last), start, traits) {}
+                          const Traits& traits = Traits(),
+                          Coincident_points coincident = Coincident_points::refuse)
+      : Kinetic_triangulation_2(std::vector<Motion>(first, last), start, traits, coincident) {}
 
   /// The triangulation of all motions in the vector; otherwise as the constructor above.
   explicit Kinetic_triangulation_2(const std::vector<Motion>& motions, const Time& start = Time(),
-                                   const Traits& traits = Traits());
+                                   const Traits& traits = Traits(),
+                                   Coincident_points coincident = Coincident_points::refuse);
 
   /// The triangulation of the snapshot. It behaves from here on like the original: the same calls
   /// give the same events, with the same numbers. Counters continue, except those of the queue;
   /// certificates are recomputed, and counted. Observers are not part of a snapshot.
   ///
   /// Throws Snapshot_error if a number of the snapshot is not finite, or two points have the same
-  /// trajectory (and weight). Cost: as of the constructor.
-  static Kinetic_triangulation_2 restore(const Snapshot& snapshot,
-                                         const Traits& traits = Traits()) {
-    return Kinetic_triangulation_2(Restoration(), snapshot, traits);
+  /// trajectory (and weight) and such points are refused. Cost: as of the constructor.
+  static Kinetic_triangulation_2 restore(const Snapshot& snapshot, const Traits& traits = Traits(),
+                                         Coincident_points coincident = Coincident_points::refuse) {
+    return Kinetic_triangulation_2(Restoration(), snapshot, traits, coincident);
   }
 
   Kinetic_triangulation_2(const Kinetic_triangulation_2&) = delete;
@@ -106,7 +120,9 @@ class Kinetic_triangulation_2 {
   const Traits& traits() const { return core_.certification.traits(); }
 
   /// The present number of points, hidden ones included.
-  std::size_t number_of_points() const noexcept { return core_.topology.number_of_points(); }
+  std::size_t number_of_points() const noexcept {
+    return core_.topology.number_of_vertices() + core_.topology.twins().size();
+  }
 
   /// The id that is given next: one more than the greatest so far. Ids are not reused.
   Point_id next_id() const noexcept {
@@ -114,15 +130,23 @@ class Kinetic_triangulation_2 {
   }
 
   /// Whether the point `id` has been inserted, and not been erased.
-  bool contains(Point_id id) const noexcept { return core_.topology.contains(id); }
+  bool contains(Point_id id) const { return core_.topology.contains(id); }
 
-  /// Whether the point `id` is hidden. Never without weights. Precondition: contains(id).
+  /// Whether the point `id` is hidden: by a triangle, which happens only with weights, or by a
+  /// point with the same trajectory. Precondition: contains(id).
   bool is_hidden(Point_id id) const;
 
   /// The number of hidden points. O(1).
-  std::size_t number_of_hidden_points() const { return core_.topology.number_of_hidden_points(); }
+  std::size_t number_of_hidden_points() const {
+    return core_.topology.number_of_hidden_vertices() + core_.topology.twins().size();
+  }
 
-  /// The vertex of the point `id`, the same until the point is erased. Precondition: contains(id).
+  /// The other points with the trajectory (and weight) of the point `id`, sorted. Precondition:
+  /// contains(id).
+  std::vector<Point_id> coincident_points(Point_id id) const;
+
+  /// The vertex of the point `id`, the same until the point is erased, or is hidden by a point with
+  /// the same trajectory: then it is the vertex of that point. Precondition: contains(id).
   Vertex_handle vertex(Point_id id) const;
 
   /// The motion of the point `id`. Precondition: contains(id).
@@ -195,7 +219,8 @@ class Kinetic_triangulation_2 {
 
   /// Gives the point `id` another motion from now on: event `trajectory`. The point may jump, even
   /// to the position of another point if the two separate at once. Throws
-  /// Coincident_trajectories_error, and changes nothing, if another point has the same trajectory.
+  /// Coincident_trajectories_error, and changes nothing, if another point has the same trajectory
+  /// and such points are refused.
   /// Precondition: contains(id); the motion is finite.
   void set_motion(Point_id id, const Motion& motion);
 
@@ -216,8 +241,8 @@ class Kinetic_triangulation_2 {
 
   /// Gives the points `ids` these motions from now on, as set_motion does: an event `trajectory`
   /// for each point. Throws Coincident_trajectories_error if two points have the same trajectory
-  /// then. Precondition: as many motions as ids; each id is contained, and named once; the motions
-  /// are finite.
+  /// then and such points are refused. Precondition: as many motions as ids; each id is contained,
+  /// and named once; the motions are finite.
   void set_motions(std::span<const Point_id> ids, std::span<const Motion> motions);
 
   /// Gives the points `ids` these velocities from now on: as set_motions; each point continues from
@@ -288,7 +313,8 @@ class Kinetic_triangulation_2 {
   friend struct detail::Core_access;
 
   struct Restoration {};
-  Kinetic_triangulation_2(Restoration, const Snapshot& snapshot, const Traits& traits);
+  Kinetic_triangulation_2(Restoration, const Snapshot& snapshot, const Traits& traits,
+                          Coincident_points coincident);
 
   detail::Kinetic_core<Traits> core_;
 };

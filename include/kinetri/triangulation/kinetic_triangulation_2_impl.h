@@ -28,8 +28,10 @@ Audit_report audit(const Kinetic_core<Traits>& core, Audit_level level);
 
 template <KineticTraits_2 Traits>
 Kinetic_triangulation_2<Traits>::Kinetic_triangulation_2(const std::vector<Motion>& motions,
-                                                         const Time& start, const Traits& traits)
+                                                         const Time& start, const Traits& traits,
+                                                         Coincident_points coincident)
     : core_(traits, start) {
+  if (coincident == Coincident_points::refuse) core_.topology.refuse_twins();
   KINETRI_PRECONDITION(motions.size() < no_point, detail::too_many_points);
   std::vector<Point_2> points;
   points.reserve(motions.size());
@@ -43,8 +45,10 @@ Kinetic_triangulation_2<Traits>::Kinetic_triangulation_2(const std::vector<Motio
 template <KineticTraits_2 Traits>
 Kinetic_triangulation_2<Traits>::Kinetic_triangulation_2(Restoration /*restores*/,
                                                          const Snapshot& snapshot,
-                                                         const Traits& traits)
+                                                         const Traits& traits,
+                                                         Coincident_points coincident)
     : core_(traits, snapshot.time.detached()) {
+  if (coincident == Coincident_points::refuse) core_.topology.refuse_twins();
   if (snapshot.motions.size() >= no_point) {
     throw Snapshot_error(std::string("the snapshot has ") + detail::too_many_points);
   }
@@ -74,9 +78,8 @@ auto Kinetic_triangulation_2<Traits>::snapshot() const -> Snapshot {
   result.counters = core_.counters;
   result.certificates = core_.schedule.certificate_counters();
   result.motions.reserve(core_.topology.vertices().size());
-  for (const Vertex_handle v : core_.topology.vertices()) {
-    const bool is_there = v != Vertex_handle();
-    result.motions.push_back(is_there ? std::optional(v->point().motion()) : std::nullopt);
+  for (Point_id id = 0; id < next_id(); ++id) {
+    result.motions.push_back(contains(id) ? std::optional(motion(id)) : std::nullopt);
   }
   return result;
 }
@@ -86,18 +89,31 @@ auto Kinetic_triangulation_2<Traits>::snapshot() const -> Snapshot {
 template <KineticTraits_2 Traits>
 auto Kinetic_triangulation_2<Traits>::vertex(Point_id id) const -> Vertex_handle {
   KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
-  return core_.topology.vertex(id);
+  return core_.topology.vertex(core_.topology.shown(id));
+}
+
+template <KineticTraits_2 Traits>
+std::vector<Point_id> Kinetic_triangulation_2<Traits>::coincident_points(Point_id id) const {
+  KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
+  const Point_id shown = core_.topology.shown(id);
+  std::vector<Point_id> result = core_.topology.twins().hidden_by(shown);
+  if (id != shown) {
+    std::erase(result, id);
+    result.insert(result.begin(), shown);
+  }
+  return result;
 }
 
 template <KineticTraits_2 Traits>
 bool Kinetic_triangulation_2<Traits>::is_hidden(Point_id id) const {
   KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
-  return core_.topology.is_hidden(id);
+  return !core_.topology.has_vertex(id) || core_.topology.is_hidden(id);
 }
 
 template <KineticTraits_2 Traits>
 auto Kinetic_triangulation_2<Traits>::motion(Point_id id) const -> const Motion& {
-  return vertex(id)->point().motion();
+  KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
+  return core_.topology.motion(id);
 }
 
 template <KineticTraits_2 Traits>

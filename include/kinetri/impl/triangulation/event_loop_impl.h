@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
 #include "kinetri/impl/base/check.h"
@@ -138,33 +137,25 @@ template <class Traits>
 void Kinetic_types<Traits>::Event_loop::set_coincident_points_aside() {
   auto& queue = schedule_.queue();
   reporter_.start_noting();
-  // A union-find forest: by point, its parent; the root is the least id at the position.
-  std::map<Point_id, Point_id> parents;
-  const auto least = [&parents](Point_id id) {
-    while (parents.at(id) != id) id = parents.at(id);
-    return id;
-  };
+  Coincident_groups groups;
   while (schedule_.settle_now() && queue.top().kind == Entry_kind::coincidence) {
     const Edge edge = queue.pop().edge();
     Topology::set_event(topology_.with_mirror(edge), no_event);
     const auto [a, b] = Topology::ids_of(edge);
-    parents.emplace(a, a);
-    parents.emplace(b, b);
-    const std::array<Point_id, 2> merged = edge_ids(least(a), least(b));
-    parents[merged[1]] = merged[0];
+    groups.link(a, b);
   }
   // Locating each point again may take a long walk.
   constexpr std::size_t few = 8;
-  const bool are_many = parents.size() > std::max(few, topology_.number_of_points() / few);
+  const bool are_many =
+      groups.number_of_points() > std::max(few, topology_.number_of_vertices() / few);
   if (are_many || topology_.triangulation().dimension() < 2 || !topology_.are_weights_equal()) {
     return rebuild();
   }
   topology_.set_instant({schedule_.current_time(), Time_side::before});
-  for (const auto& [id, parent] : parents) {
-    if (id == parent) continue;
+  for (const auto& [least, id] : groups.others()) {
     if (topology_.triangulation().test_dim_down(topology_.vertex(id))) return rebuild();
     updates_.take_out(topology_.vertex(id));
-    points_set_aside_.push_back({topology_.vertex(id), topology_.vertex(least(id))});
+    points_set_aside_.push_back({topology_.vertex(id), topology_.vertex(least)});
     ++reporter_.counters().points_set_aside;
   }
   updates_.show_current_time();
@@ -193,6 +184,7 @@ void Kinetic_types<Traits>::Event_loop::reverse() {
     if (v == Vertex_handle()) continue;
     topology_.set_point({v->point().id(), mirrored(v->point().motion())});
   }
+  topology_.twins().for_each_motion([](const Motion& motion) { return mirrored(motion); });
   updates_.show_current_time();
   if (has_flat_triangle()) {
     rebuild();

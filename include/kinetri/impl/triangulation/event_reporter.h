@@ -158,8 +158,11 @@ class Kinetic_types<Traits>::Event_reporter {
   }
   /// An edge was added (1) or removed (-1). Precondition: is_noting().
   void note(const Edge_ids& edge, int change) { edges_->note(edge, change); }
-  /// A point has been hidden or revealed, while edges are noted.
-  void note_hidden(Point_id point, bool is_hidden) { points_.push_back({point, is_hidden}); }
+  /// A point has been hidden or revealed, while edges are noted; by another point, if that is
+  /// given.
+  void note_hidden(Point_id point, bool is_hidden, std::optional<Point_id> by = std::nullopt) {
+    points_.push_back({point, is_hidden, by});
+  }
   /// A hidden point may have another triangle.
   void note_moved_hidden(Point_id point) { moved_hidden_.push_back(point); }
 
@@ -176,8 +179,13 @@ class Kinetic_types<Traits>::Event_reporter {
   const Schedule& schedule_;
   Triangulation_counters& counters_;
   Observer_list<Event_observer> observers_;
-  std::optional<Edge_changes> edges_;              // while edges are noted
-  std::vector<std::pair<Point_id, bool>> points_;  // hidden (true) or revealed meanwhile
+  std::optional<Edge_changes> edges_;  // while edges are noted
+  struct Hiding {
+    Point_id point;
+    bool is_hidden;
+    std::optional<Point_id> by;
+  };
+  std::vector<Hiding> points_;  // hidden or revealed meanwhile
   std::vector<Point_id> moved_hidden_;
   Edge_trail trail_;
   bool keeps_trail_ = false;
@@ -189,15 +197,16 @@ class Kinetic_types<Traits>::Event_reporter {
 template <class Traits>
 void Kinetic_types<Traits>::Event_reporter::report_points() {
   auto points = std::exchange(points_, {});
-  std::ranges::stable_sort(points, {}, &std::pair<Point_id, bool>::first);
+  std::ranges::stable_sort(points, {}, &Hiding::point);
   for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
-    const auto [id, is_first_hidden] = points[first];
-    while (last < points.size() && points[last].first == id) ++last;
+    const auto& [id, is_hidden, by] = points[first];
+    while (last < points.size() && points[last].point == id) ++last;
     // Changes alternate.
     if ((last - first) % 2 == 0 || !topology_.contains(id)) continue;
     Event event;
-    event.kind = is_first_hidden ? Event_kind::hide : Event_kind::reveal;
+    event.kind = is_hidden ? Event_kind::hide : Event_kind::reveal;
     event.point_a = id;
+    event.point_b = is_hidden ? points[last - 1].by : by;
     report(event, [] {});
   }
 }

@@ -88,10 +88,10 @@ class Kinetic_types<Traits>::Hidden_events {
     return true;
   }
 
-  /// Throws if the point would have the trajectory and weight of another one that is not among
-  /// `changed`, which is sorted.
-  void check_is_new(const Point_2& point, const Location& location,
-                    std::span<const Point_id> changed) const {
+  /// Appends the pair of the point and another one with its trajectory and weight, if there is one
+  /// that is not among `changed`, which is sorted.
+  void find_coincident(const Point_2& point, const Location& location,
+                       std::span<const Point_id> changed, std::vector<Edge_ids>& coincident) const {
     const auto check = [&](Vertex_handle v) {
       if (triangulation_.is_infinite(v)) return;
       const Point_id other = v->point().id();
@@ -99,7 +99,7 @@ class Kinetic_types<Traits>::Hidden_events {
           !same_trajectory(v->point().motion(), point.motion())) {
         return;
       }
-      throw Coincident_trajectories_error(std::min(other, point.id()), std::max(other, point.id()));
+      coincident.push_back(edge_ids(other, point.id()));
     };
     const auto check_in = [&](Face_handle face) {
       for (const Vertex_handle v : face->vertex_list()) check(v);

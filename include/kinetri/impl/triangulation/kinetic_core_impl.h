@@ -15,10 +15,18 @@ void Kinetic_types<Traits>::Kinetic_core::start_with(std::span<const Point_2> po
                                                      std::size_t ids) {
   const auto started = std::chrono::steady_clock::now();
   topology.set_weights_equal(Kinetic_types<Traits>::Topology::have_equal_weights(points));
-  topology.start(Kinetic_types<Traits>::Static_construction::build(
-                     points, schedule.current_time(),
-                     certification.traits().instantaneous_traits(topology.clock())),
-                 ids);
+  std::vector<Edge_ids> coincident;
+  const auto build = [&](std::span<const Point_2> distinct) {
+    return Kinetic_types<Traits>::Static_construction::build(
+        distinct, schedule.current_time(),
+        certification.traits().instantaneous_traits(topology.clock()), coincident);
+  };
+  Triangulation made = build(points);
+  if (!coincident.empty()) {
+    topology.check_may_coincide(coincident);
+    made = build(topology.without_twins(points, coincident));
+  }
+  topology.start(std::move(made), ids);
   const auto built = std::chrono::steady_clock::now();
   schedule.schedule_all();
   const auto initialized = std::chrono::steady_clock::now();
@@ -30,7 +38,7 @@ template <class Traits>
 std::size_t Kinetic_types<Traits>::Kinetic_core::advance_to(
     const Time& time, const std::function<bool()>& may_go_on) {
   if constexpr (has_region_runs<Traits>) {
-    if (may_pay_by_regions(topology.number_of_points(), threads)) {
+    if (may_pay_by_regions(topology.number_of_vertices(), threads)) {
       return Region_runs<Traits>::advance_to(*this, time, may_go_on);
     }
   }

@@ -69,6 +69,7 @@ struct Kinetic_types {
   struct Entry;
 
   // The parts, each in the header of its name. A part uses those above it; Point_changes uses all.
+  class Twins;
   class Topology;
   class Static_construction;
   class Certification;

@@ -38,9 +38,9 @@ class Kinetic_types<Traits>::Point_changes {
   void change_all(Event_kind kind, std::vector<Change> changes);
 
   /// Makes the changes and the necessary flips, and reports the events, then the changed edges.
-  /// Throws Coincident_trajectories_error, before anything is reported or changed, if two points
-  /// would have one trajectory (and weight). Returns the changed edges. Precondition: each point is
-  /// named once.
+  /// Points that would have one trajectory (and weight) become twins; if the topology refuses that,
+  /// throws Coincident_trajectories_error before anything is reported or changed. Returns the
+  /// changed edges. Precondition: each point is named once.
   Changed_edges perform(std::span<const Event> events, std::span<const Change> changes);
 
  private:
@@ -57,16 +57,39 @@ class Kinetic_types<Traits>::Point_changes {
     std::optional<Triangulation> rebuilt;  // if everything is rebuilt
   };
 
-  Plan plan(std::span<const Change> changes);
+  struct Joined {
+    Point_id id;
+    Point_id shown;
+    Motion motion;
+  };
+  /// Changes of vertices and twins, to which changes of points lead.
+  struct Vertex_changes {
+    std::span<const Change> changes;  // those of the points, or in `storage`
+    std::vector<Change> storage;
+    Plan plan;
+    std::vector<Point_id> separated;  // twins that change, or are erased
+    std::vector<Point_id> heirs;      // twins that replace the point that hid them
+    std::vector<Joined> joined;       // points that become twins
+  };
+
+  Vertex_changes plan(std::span<const Change> changes);
+  void separate_twins(Vertex_changes& planned) const;
+  void join_twins(std::span<const Edge_ids> coincident, Vertex_changes& planned) const;
+  Plan plan_vertices(std::span<const Change> changes, std::vector<Edge_ids>& coincident);
   void find_changes_in_place(std::span<const Change> changes, Plan& plan);
-  void check_are_new(std::span<const Change> changes, std::span<const Change> in_place) const;
-  void check_are_distinct(std::span<const Change> changes, std::vector<Jump>& jumps) const;
-  void locate_jumps(std::span<const Change> changes, std::span<Jump> jumps) const;
+  void find_coincident_in_place(std::span<const Change> changes, std::span<const Change> in_place,
+                                std::vector<Edge_ids>& coincident) const;
+  void sort_jumps(std::span<const Change> changes, std::vector<Jump>& jumps,
+                  std::vector<Edge_ids>& coincident) const;
+  void locate_jumps(std::span<const Change> changes, std::span<Jump> jumps,
+                    std::vector<Edge_ids>& coincident) const;
   std::vector<Point_2> points_after(std::span<const Change> changes) const;
   bool should_schedule_all(std::size_t points) const;
   bool is_embedded_around(Vertex_handle v) const;
 
   void note_weights(std::span<const Change> changes);
+  void note_separated(const Vertex_changes& planned);
+  void set_twins(const Vertex_changes& planned);
   void make(std::span<const Change> changes, Plan& plan);
   void change_in_place(std::span<const Change> changes);
   bool make_jumps(std::span<const Jump> jumps, bool are_located);

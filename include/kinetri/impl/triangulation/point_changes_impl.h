@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,12 +36,14 @@ void Kinetic_types<Traits>::Point_changes::change_all(Event_kind kind,
 template <class Traits>
 Changed_edges Kinetic_types<Traits>::Point_changes::perform(std::span<const Event> events,
                                                             std::span<const Change> changes) {
-  Plan planned = plan(changes);
-  if constexpr (is_weighted) note_weights(changes);
+  Vertex_changes planned = plan(changes);
+  if constexpr (is_weighted) note_weights(planned.changes);
   reporter_.report(events.front(), [&] {
     reporter_.start_noting();
-    make(changes, planned);
+    note_separated(planned);
+    make(planned.changes, planned.plan);
     loop_.execute_due_events();
+    set_twins(planned);
   });
   reporter_.report_happened(events.subspan(1));
   Changed_edges result = reporter_.report_edges();
@@ -51,29 +54,105 @@ Changed_edges Kinetic_types<Traits>::Point_changes::perform(std::span<const Even
 // ---- the plan ----
 
 template <class Traits>
-auto Kinetic_types<Traits>::Point_changes::plan(std::span<const Change> changes) -> Plan {
+auto Kinetic_types<Traits>::Point_changes::plan(std::span<const Change> changes) -> Vertex_changes {
+  Vertex_changes result;
+  result.changes = changes;
+  if (!topology_.twins().empty()) separate_twins(result);
+  std::vector<Edge_ids> coincident;
+  result.plan = plan_vertices(result.changes, coincident);
+  if (coincident.empty()) return result;
+  topology_.check_may_coincide(coincident);
+  join_twins(coincident, result);
+  coincident.clear();
+  result.plan = plan_vertices(result.changes, coincident);
+  KINETRI_ASSERT(coincident.empty(), "of coincident points one has a vertex");
+  return result;
+}
+
+// Replaces changes of twins by those of vertices. A twin that changes leaves its group; if a point
+// that hides others changes, the one with the least id gets a vertex in its place.
+template <class Traits>
+void Kinetic_types<Traits>::Point_changes::separate_twins(Vertex_changes& planned) const {
+  const Twins& twins = topology_.twins();
+  std::vector<Point_id> changed;
+  for (const Change& change : planned.changes) changed.push_back(change.point);
+  std::ranges::sort(changed);
+  for (const Change& change : planned.changes) {
+    if (twins.contains(change.point)) {
+      planned.separated.push_back(change.point);
+      if (change.motion) planned.storage.push_back(change);
+      continue;
+    }
+    planned.storage.push_back(change);
+    for (const Point_id id : twins.hidden_by(change.point)) {
+      if (std::ranges::binary_search(changed, id)) continue;
+      planned.heirs.push_back(id);
+      planned.storage.push_back({id, twins.twin(id).motion});
+      break;
+    }
+  }
+  std::ranges::sort(planned.storage, {}, &Change::point);
+  planned.changes = planned.storage;
+}
+
+// Of the vertices that would coincide after the changes, keeps the one with the least id; the
+// others become twins.
+template <class Traits>
+void Kinetic_types<Traits>::Point_changes::join_twins(std::span<const Edge_ids> coincident,
+                                                      Vertex_changes& planned) const {
+  Coincident_groups groups;
+  for (const auto& [a, b] : coincident) groups.link(a, b);
+  std::map<Point_id, Point_id> shown;
+  for (const auto& [least, id] : groups.others()) shown.emplace(id, least);
+  std::vector<Change> changes;
+  for (const Change& change : planned.changes) {
+    const auto joined = shown.find(change.point);
+    if (joined == shown.end()) {
+      changes.push_back(change);
+    } else {
+      planned.joined.push_back({change.point, joined->second, *change.motion});
+      if (topology_.has_vertex(change.point)) changes.push_back({change.point, std::nullopt});
+      shown.erase(joined);
+    }
+  }
+  for (const auto& [id, least] : shown) {
+    planned.joined.push_back({id, least, topology_.vertex(id)->point().motion()});
+    changes.push_back({id, std::nullopt});
+  }
+  std::ranges::sort(changes, {}, &Change::point);
+  planned.storage = std::move(changes);
+  planned.changes = planned.storage;
+}
+
+// Plans changes of vertices. Appends pairs of points that would coincide to `coincident`, so that
+// they connect all of these; if there are any, the plan has no use.
+template <class Traits>
+auto Kinetic_types<Traits>::Point_changes::plan_vertices(std::span<const Change> changes,
+                                                         std::vector<Edge_ids>& coincident)
+    -> Plan {
   Plan result;
   find_changes_in_place(changes, result);
-  if constexpr (is_weighted) check_are_new(changes, result.in_place);
+  if constexpr (is_weighted) find_coincident_in_place(changes, result.in_place, coincident);
   if (result.jumps.empty()) return result;
   constexpr std::size_t few = 8;
   if (triangulation_.dimension() < 2 ||
-      result.jumps.size() > std::max(few, topology_.number_of_points() / few)) {
-    result.rebuilt = updates_.build_now(points_after(changes));
+      result.jumps.size() > std::max(few, topology_.number_of_vertices() / few)) {
+    result.rebuilt = updates_.build_now(points_after(changes), coincident);
   } else {
-    check_are_distinct(changes, result.jumps);
-    locate_jumps(changes, result.jumps);
+    sort_jumps(changes, result.jumps, coincident);
+    locate_jumps(changes, result.jumps, coincident);
   }
   return result;
 }
 
-// Throws if a point that changes in place would have the trajectory and weight of another point of
-// which at least one is hidden: two visible points have different positions.
+// Finds points that change in place and get the trajectory and weight of another point, of which at
+// least one is hidden: two visible points have different positions.
 template <class Traits>
-void Kinetic_types<Traits>::Point_changes::check_are_new(std::span<const Change> changes,
-                                                         std::span<const Change> in_place) const {
+void Kinetic_types<Traits>::Point_changes::find_coincident_in_place(
+    std::span<const Change> changes, std::span<const Change> in_place,
+    std::vector<Edge_ids>& coincident) const {
   if constexpr (is_weighted) {
-    if (topology_.number_of_hidden_points() == 0 || in_place.empty()) return;
+    if (topology_.number_of_hidden_vertices() == 0 || in_place.empty()) return;
     std::vector<Point_id> changed;
     for (const Change& change : changes) changed.push_back(change.point);
     std::ranges::sort(changed);
@@ -81,10 +160,10 @@ void Kinetic_types<Traits>::Point_changes::check_are_new(std::span<const Change>
     for (const Change& change : in_place) {
       const Point_2 point(*change.motion, change.point);
       const Location location = topology_.locate(point, topology_.vertex(change.point)->face());
-      hidden.check_is_new(point, location, changed);
+      hidden.find_coincident(point, location, changed, coincident);
     }
     std::vector<Jump> none;
-    check_are_distinct(changes, none);
+    sort_jumps(changes, none, coincident);
   }
 }
 
@@ -92,7 +171,7 @@ void Kinetic_types<Traits>::Point_changes::check_are_new(std::span<const Change>
 template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::should_schedule_all(std::size_t points) const {
   constexpr std::size_t few = 16;
-  return points > few && points > topology_.number_of_points() / 4;
+  return points > few && points > topology_.number_of_vertices() / 4;
 }
 
 // Separates points that change in place from the others. Meanwhile points have their new motions,
@@ -113,7 +192,7 @@ void Kinetic_types<Traits>::Point_changes::find_changes_in_place(std::span<const
     before.pop_back();
   };
   const auto may_stay = [&](const Change& change) {
-    return change.motion && topology_.contains(change.point) && triangulation_.dimension() == 2;
+    return change.motion && topology_.has_vertex(change.point) && triangulation_.dimension() == 2;
   };
   before.reserve(changes.size());
   plan.in_place.reserve(changes.size());
@@ -151,17 +230,18 @@ bool Kinetic_types<Traits>::Point_changes::is_embedded_around(Vertex_handle v) c
       });
 }
 
-// Throws if two of the changed points would have one trajectory. Sorts the jumps so that near ones
-// follow each other, as the vertices of a triangulation of the points.
+// Finds changed points that would have one trajectory. Sorts the jumps so that near ones follow
+// each other, as the vertices of a triangulation of the points.
 template <class Traits>
-void Kinetic_types<Traits>::Point_changes::check_are_distinct(std::span<const Change> changes,
-                                                              std::vector<Jump>& jumps) const {
+void Kinetic_types<Traits>::Point_changes::sort_jumps(std::span<const Change> changes,
+                                                      std::vector<Jump>& jumps,
+                                                      std::vector<Edge_ids>& coincident) const {
   std::vector<Point_2> changed;
   for (const Change& change : changes) {
     if (change.motion) changed.emplace_back(*change.motion, change.point);
   }
   if (changed.size() < 2) return;
-  const Triangulation of_changed = updates_.build_now(changed);
+  const Triangulation of_changed = updates_.build_now(changed, coincident);
   const auto id = [](const Jump& jump) { return jump.change.point; };
   std::ranges::sort(jumps, {}, id);
   std::vector<Jump> in_order;
@@ -183,11 +263,12 @@ void Kinetic_types<Traits>::Point_changes::check_are_distinct(std::span<const Ch
   jumps = std::move(in_order);
 }
 
-// Locates points that jump or are inserted. Throws if one would have the trajectory of an unchanged
-// point. Precondition: dimension 2.
+// Locates points that jump or are inserted, and finds those that would have the trajectory of an
+// unchanged point. Precondition: dimension 2.
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::locate_jumps(std::span<const Change> changes,
-                                                        std::span<Jump> jumps) const {
+                                                        std::span<Jump> jumps,
+                                                        std::vector<Edge_ids>& coincident) const {
   std::vector<Point_id> changed;
   for (const Change& change : changes) changed.push_back(change.point);
   std::ranges::sort(changed);
@@ -207,10 +288,9 @@ void Kinetic_types<Traits>::Point_changes::locate_jumps(std::span<const Change> 
     const auto& [face, locus, i] = jump.location;
     if constexpr (is_weighted) {
       Hidden_events(topology_, schedule_, reporter_, updates_)
-          .check_is_new(point, jump.location, changed);
+          .find_coincident(point, jump.location, changed, coincident);
     } else if (locus == Triangulation::VERTEX && !changes_itself(face->vertex(i))) {
-      const Point_id other = face->vertex(i)->point().id();
-      throw Coincident_trajectories_error(std::min(id, other), std::max(id, other));
+      coincident.push_back(edge_ids(id, face->vertex(i)->point().id()));
     }
     for (int k = 0; k < 3; ++k) {
       const Vertex_handle v = face->vertex(k);
@@ -257,11 +337,48 @@ void Kinetic_types<Traits>::Point_changes::note_weights(std::span<const Change> 
   topology_.set_weights_equal(Topology::have_equal_weights(points));
 }
 
+// Notes that twins which leave their group are not hidden by it any more.
+template <class Traits>
+void Kinetic_types<Traits>::Point_changes::note_separated(const Vertex_changes& planned) {
+  for (const auto& list : {planned.separated, planned.heirs}) {
+    for (const Point_id id : list) {
+      reporter_.note_hidden(id, false, topology_.twins().twin(id).shown);
+    }
+  }
+}
+
+// Updates the groups of twins, when the vertices have been changed.
+template <class Traits>
+void Kinetic_types<Traits>::Point_changes::set_twins(const Vertex_changes& planned) {
+  Twins& twins = topology_.twins();
+  for (const Point_id id : planned.separated) {
+    twins.take_out(id);
+    reporter_.note_moved_hidden(id);
+  }
+  for (const Point_id id : planned.heirs) {
+    reporter_.note_moved_hidden(id);
+    twins.show(id);
+    for (const Point_id other : twins.hidden_by(id)) reporter_.note_moved_hidden(other);
+  }
+  for (const auto& [id, shown, motion] : planned.joined) {
+    reporter_.note_hidden(id, true, shown);
+    reporter_.note_moved_hidden(id);
+    for (const Point_id other : twins.hidden_by(id)) reporter_.note_moved_hidden(other);
+    twins.hide(id, shown, motion);
+  }
+}
+
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::make(std::span<const Change> changes, Plan& plan) {
   if (plan.rebuilt) {
     const auto set_points = [&] {
-      for (const Change& change : changes) topology_.set_point(change);
+      for (const Change& change : changes) {
+        if (!change.motion && topology_.has_vertex(change.point) &&
+            topology_.is_hidden(change.point)) {
+          reporter_.note_hidden(change.point, false);
+        }
+        topology_.set_point(change);
+      }
     };
     return updates_.rebuild(set_points, std::move(plan.rebuilt));
   }

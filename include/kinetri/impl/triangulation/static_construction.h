@@ -25,11 +25,11 @@ namespace kinetri::detail {
 template <class Traits>
 class Kinetic_types<Traits>::Static_construction {
  public:
-  /// The triangulation at the instant of `now`, which is just after `time`. Throws
-  /// Coincident_trajectories_error if two points have the same trajectory (and weight). Expected
-  /// O(n log n).
+  /// The triangulation at the instant of `now`, which is just after `time`. Appends pairs of points
+  /// that have the same trajectory (and weight) to `coincident`, so many that they connect all
+  /// such points; if there are any, the result has no use. Expected O(n log n).
   static Triangulation build(std::span<const Point_2> points, const Time& time,
-                             const Instantaneous_traits& now);
+                             const Instantaneous_traits& now, std::vector<Edge_ids>& coincident);
 
   /// Whether all triangles turn left, and the hull is convex, at the instant of the triangulation's
   /// traits, to which the positions are near.
@@ -37,7 +37,8 @@ class Kinetic_types<Traits>::Static_construction {
 
  private:
   static Triangulation build_regular(std::span<const Point_2> points,
-                                     const Instantaneous_traits& traits);
+                                     const Instantaneous_traits& traits,
+                                     std::vector<Edge_ids>& coincident);
   static bool build_from_places(std::span<const Point_2> points, const Rounded_places& places,
                                 Triangulation& result);
   static bool is_left_turn(const Triangulation& triangulation, const Rounded_places& places,
@@ -52,7 +53,8 @@ class Kinetic_types<Traits>::Static_construction {
 template <class Traits>
 auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> points,
                                                        const Time& time,
-                                                       const Instantaneous_traits& traits)
+                                                       const Instantaneous_traits& traits,
+                                                       std::vector<Edge_ids>& coincident)
     -> Triangulation {
   Triangulation result(traits);
   if constexpr (HasRoundedPlace<Motion>) {
@@ -65,22 +67,18 @@ auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> 
   }
   if constexpr (is_weighted) {
     if (!Kinetic_types<Traits>::Topology::have_equal_weights(points))
-      return build_regular(points, traits);
+      return build_regular(points, traits, coincident);
   }
   const auto insert_all = [&](auto& triangulation) {
     std::vector<Point_2> in_order(points.begin(), points.end());
     sort_for_insertion(in_order, traits);
     // CGAL keeps one vertex for points at one position. Points that coincide just after a time
     // coincide at all times.
-    Edge_ids coincident = {no_point, no_point};  // of all such pairs, that of the least second id
     const auto note = [&coincident](Vertex_handle v, const Point_2& point) {
       const Point_id kept = v->point().id();
-      if (kept != point.id() && point.id() < coincident[1]) coincident = {kept, point.id()};
+      if (kept != point.id()) coincident.push_back(edge_ids(kept, point.id()));
     };
     insert_in_order(triangulation, in_order, std::identity(), note);
-    const auto [a, b] = coincident;
-    if (b != no_point) throw Coincident_trajectories_error(std::min(a, b), std::max(a, b));
-    KINETRI_ASSERT(triangulation.number_of_vertices() == points.size(), "every point has a vertex");
   };
   if constexpr (is_weighted) {
     result.as_delaunay(insert_all);
@@ -90,11 +88,12 @@ auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> 
   return result;
 }
 
-// The regular triangulation at the instant of the traits. Throws if two points have the same
-// trajectory and weight; CGAL keeps one vertex for these if one of them is not hidden.
+// The regular triangulation at the instant of the traits. CGAL keeps one vertex for points with the
+// same trajectory and weight if one of them is not hidden.
 template <class Traits>
 auto Kinetic_types<Traits>::Static_construction::build_regular(std::span<const Point_2> points,
-                                                               const Instantaneous_traits& traits)
+                                                               const Instantaneous_traits& traits,
+                                                               std::vector<Edge_ids>& coincident)
     -> Triangulation {
   Triangulation result(traits);
   if constexpr (is_weighted) {
@@ -115,14 +114,19 @@ auto Kinetic_types<Traits>::Static_construction::build_regular(std::span<const P
       const auto order = compare(*p, *q);
       return order == CGAL::SMALLER || (order == CGAL::EQUAL && p->id() < q->id());
     });
-    for (auto first = in_order.begin(); first != in_order.end(); ++first) {
-      for (auto other = first + 1; other != in_order.end(); ++other) {
-        if (compare(**first, **other) != CGAL::EQUAL) break;
-        if (!same_trajectory((*first)->motion(), (*other)->motion())) continue;
-        throw Coincident_trajectories_error((*first)->id(), (*other)->id());
+    std::vector<const Point_2*> here;  // at the present position, one for each weight
+    for (const Point_2* const point : in_order) {
+      if (!here.empty() && compare(*here.front(), *point) != CGAL::EQUAL) here.clear();
+      const auto same = std::ranges::find_if(here, [&](const Point_2* other) {
+        return same_trajectory(other->motion(), point->motion());
+      });
+      if (same == here.end()) {
+        here.push_back(point);
+      } else {
+        coincident.push_back(edge_ids((*same)->id(), point->id()));
       }
     }
-    KINETRI_ASSERT(are_all_there, "every point has a vertex");
+    KINETRI_ASSERT(are_all_there || !coincident.empty(), "every point has a vertex");
   }
   return result;
 }

@@ -17,6 +17,7 @@
 #include "kinetri/impl/events/queue_handle.h"
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/impl/triangulation/kinetic_types.h"
+#include "kinetri/impl/triangulation/twins.h"
 #include "kinetri/kinetic/instant.h"
 
 namespace kinetri::detail {
@@ -32,7 +33,8 @@ struct Kinetic_types<Traits>::Location {
 /// Vertices, faces, and the points at the vertices.
 ///
 /// Invariant: each point has one vertex, which is in faces, or hidden in the list of one face, or
-/// temporarily removed within an event. Its handle stays valid until the point is erased.
+/// temporarily removed within an event; or it is a twin, hidden by a point with a vertex. The
+/// handle of a vertex stays valid until its point is erased or becomes a twin.
 ///
 /// Derives from Kinetic_types, so that users of the topology alone have the types of the
 /// triangulation.
@@ -51,21 +53,40 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   const Triangulation& triangulation() const { return triangulation_; }
   Triangulation& triangulation() { return triangulation_; }
 
-  std::size_t number_of_points() const noexcept { return number_of_points_; }
-  /// By point id; null if the point has been erased or not yet inserted.
+  /// Of points with a vertex of their own.
+  std::size_t number_of_vertices() const noexcept { return number_of_vertices_; }
+  /// By point id; null for twins, and if the point has been erased or not yet inserted.
   const std::vector<Vertex_handle>& vertices() const noexcept { return vertices_; }
   Vertex_handle vertex(Point_id id) const { return vertices_[id]; }
-  bool contains(Point_id id) const noexcept {
+  bool has_vertex(Point_id id) const noexcept {
     return id < vertices_.size() && vertices_[id] != Vertex_handle();
   }
+  /// Whether the point, which has a vertex, is hidden in a face.
   bool is_hidden(Point_id id) const {
     if constexpr (is_weighted) return vertices_[id]->is_hidden();
     return false;
   }
-  std::size_t number_of_hidden_points() const {
+  std::size_t number_of_hidden_vertices() const {
     if constexpr (is_weighted) return triangulation_.number_of_hidden_vertices();
     return 0;
   }
+  /// The points without a vertex.
+  const Twins& twins() const noexcept { return twins_; }
+  Twins& twins() noexcept { return twins_; }
+  const Motion& motion(Point_id id) const {
+    return has_vertex(id) ? vertices_[id]->point().motion() : twins_.twin(id).motion;
+  }
+  /// From now on, no two points may have the same trajectory (and weight).
+  void refuse_twins() noexcept { refuses_twins_ = true; }
+  /// Makes points twins that coincide with others, and returns the other points. Precondition:
+  /// there are no points yet.
+  std::vector<Point_2> without_twins(std::span<const Point_2> points,
+                                     std::span<const Edge_ids> coincident);
+  /// Throws Coincident_trajectories_error, which names one of the pairs, if twins are refused.
+  void check_may_coincide(std::span<const Edge_ids> pairs) const;
+  bool contains(Point_id id) const { return has_vertex(id) || twins_.contains(id); }
+  /// The point that has the vertex of the point: itself, unless it is a twin.
+  Point_id shown(Point_id id) const { return has_vertex(id) ? id : twins_.twin(id).shown; }
   /// Reserves ids for `count` points, and returns the first one. Precondition: there are as many
   /// left.
   Point_id give_ids(std::size_t count);
@@ -81,6 +102,7 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   void set_weights_equal(bool are_equal) { are_weights_equal_ = are_equal; }
   static bool have_equal_weights(std::span<const Point_2> points);
 
+  /// Those with a vertex.
   std::vector<Point_2> points() const;
 
   // ---- the instant of the predicates ----
@@ -201,7 +223,9 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   Instant_clock clock_;
   Triangulation triangulation_;
   std::vector<Vertex_handle> vertices_;
-  std::size_t number_of_points_ = 0;
+  Twins twins_;
+  bool refuses_twins_ = false;
+  std::size_t number_of_vertices_ = 0;
   bool are_weights_equal_ = true;
 };
 

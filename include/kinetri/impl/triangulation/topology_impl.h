@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kinetri/base/error.h"
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/triangulation/point_problems.h"
 #include "kinetri/impl/triangulation/topology.h"
@@ -22,7 +23,7 @@ void Kinetic_types<Traits>::Topology::start(Triangulation made, std::size_t ids)
   for (Vertex_handle v = vertices.begin(); v != vertices.end(); ++v) {
     if (triangulation_.is_infinite(v)) continue;
     vertices_[v->point().id()] = v;
-    ++number_of_points_;
+    ++number_of_vertices_;
   }
 }
 
@@ -41,14 +42,43 @@ void Kinetic_types<Traits>::Topology::set_point(const Change& change) {
     if (v == Vertex_handle()) return;
     triangulation_.tds().delete_vertex(v);
     v = Vertex_handle();
-    --number_of_points_;
+    --number_of_vertices_;
     return;
   }
   if (v == Vertex_handle()) {
     v = triangulation_.tds().create_vertex();
-    ++number_of_points_;
+    ++number_of_vertices_;
   }
   v->set_point(Point_2(*change.motion, change.point));
+}
+
+template <class Traits>
+auto Kinetic_types<Traits>::Topology::without_twins(std::span<const Point_2> points,
+                                                    std::span<const Edge_ids> coincident)
+    -> std::vector<Point_2> {
+  Coincident_groups groups;
+  for (const auto& [a, b] : coincident) groups.link(a, b);
+  const std::vector<Edge_ids> others = groups.others();
+  std::vector<Point_2> result;
+  auto next = others.begin();
+  for (const Point_2& point : points) {
+    if (next == others.end() || (*next)[1] != point.id()) {
+      result.push_back(point);
+    } else {
+      twins_.hide(point.id(), (*next)[0], point.motion());
+      ++next;
+    }
+  }
+  return result;
+}
+
+// Of the pairs it names the one with the least greater id.
+template <class Traits>
+void Kinetic_types<Traits>::Topology::check_may_coincide(std::span<const Edge_ids> pairs) const {
+  if (!refuses_twins_ || pairs.empty()) return;
+  const auto [a, b] =
+      *std::ranges::min_element(pairs, {}, [](const Edge_ids& pair) { return pair[1]; });
+  throw Coincident_trajectories_error(a, b);
 }
 
 template <class Traits>
@@ -64,7 +94,7 @@ bool Kinetic_types<Traits>::Topology::have_equal_weights(std::span<const Point_2
 template <class Traits>
 auto Kinetic_types<Traits>::Topology::points() const -> std::vector<Point_2> {
   std::vector<Point_2> result;
-  result.reserve(number_of_points_);
+  result.reserve(number_of_vertices_);
   for (const Vertex_handle v : vertices_) {
     if (v != Vertex_handle()) result.push_back(v->point());
   }
@@ -100,7 +130,7 @@ auto Kinetic_types<Traits>::Topology::faces() const -> std::vector<Face_handle> 
     for (const Edge& edge : triangulation_.all_edges()) result.push_back(edge.first);
     return result;
   }
-  result.reserve(2 * number_of_points_);
+  result.reserve(2 * number_of_vertices_);
   for (const Face_handle face : triangulation_.all_face_handles()) result.push_back(face);
   return result;
 }
@@ -139,7 +169,7 @@ auto Kinetic_types<Traits>::Topology::vertex_near(const Point_2& point, double t
   Vertex_handle nearest;
   if constexpr (HasRoundedPlace<Motion>) {
     const Vector_2 place = rounded_place(point.motion(), time);
-    const auto tries = static_cast<std::size_t>(2 * std::cbrt(number_of_points_));
+    const auto tries = static_cast<std::size_t>(2 * std::cbrt(number_of_vertices_));
     const std::size_t step = std::max<std::size_t>(1, vertices_.size() / tries);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t id = point.id() % step; id < vertices_.size(); id += step) {

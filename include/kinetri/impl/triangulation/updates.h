@@ -72,8 +72,8 @@ class Kinetic_types<Traits>::Updates {
   template <class Change_vertices>
   void rebuild(const Change_vertices& change_vertices,
                std::optional<Triangulation> rebuilt = std::nullopt);
-  /// The triangulation of points just after the present time.
-  Triangulation build_now(std::span<const Point_2> points) const;
+  /// The triangulation of points just after the present time; see Static_construction::build.
+  Triangulation build_now(std::span<const Point_2> points, std::vector<Edge_ids>& coincident) const;
 
   std::uint64_t number_of_changes() const { return changes_; }
 

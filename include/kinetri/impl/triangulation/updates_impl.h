@@ -226,11 +226,13 @@ bool Kinetic_types<Traits>::Updates::is_inside(const Point_2& point, Face_handle
 // ---- reconstruction ----
 
 template <class Traits>
-auto Kinetic_types<Traits>::Updates::build_now(std::span<const Point_2> points) const
+auto Kinetic_types<Traits>::Updates::build_now(std::span<const Point_2> points,
+                                               std::vector<Edge_ids>& coincident) const
     -> Triangulation {
   const auto& now = schedule_.current_time();
   return Kinetic_types<Traits>::Static_construction::build(
-      points, now, certification_.traits().instantaneous_traits({now, Time_side::after}));
+      points, now, certification_.traits().instantaneous_traits({now, Time_side::after}),
+      coincident);
 }
 
 template <class Traits>
@@ -243,11 +245,13 @@ void Kinetic_types<Traits>::Updates::rebuild(const Change_vertices& change_verti
   schedule_.queue().clear();
   change_vertices();
   const std::vector<Point_2> points = topology_.points();
-  topology_.adopt(rebuilt ? std::move(*rebuilt) : build_now(points),
-                  [this](Point_id hidden, bool was_hidden, bool is_hidden) {
-                    if (was_hidden != is_hidden) reporter_.note_hidden(hidden, is_hidden);
-                    reporter_.note_moved_hidden(hidden);
-                  });
+  std::vector<Edge_ids> coincident;
+  if (!rebuilt) rebuilt = build_now(points, coincident);
+  KINETRI_ASSERT(coincident.empty(), "vertices have different trajectories");
+  topology_.adopt(std::move(*rebuilt), [this](Point_id hidden, bool was_hidden, bool is_hidden) {
+    if (was_hidden != is_hidden) reporter_.note_hidden(hidden, is_hidden);
+    reporter_.note_moved_hidden(hidden);
+  });
   topology_.set_weights_equal(Topology::have_equal_weights(points));
   schedule_.schedule_all();
   for (const Edge_ids& edge : topology_.finite_edge_ids()) reporter_.note(edge, 1);
