@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kinetri/impl/triangulation/twins.h"
-#include "kinetri/kinetri.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 #include "support/kinetic_parts.h"
 
 namespace kinetri::twins_test {
