@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -79,9 +80,14 @@ double nanoseconds(const std::vector<Motion>& motions) {
 }  // namespace
 
 json measure_lines(const Setup& setup) {
+  constexpr std::size_t least = 4096;
+  if (setup.options.points < least) {
+    throw std::runtime_error("there are starts of " + std::to_string(least) +
+                             " points, 4 times as many, and so on; expected as many --points");
+  }
   json result;
   for (const auto& [name, motion_of] : kinds()) {
-    for (std::size_t n = 4096; n <= setup.options.points; n *= 4) {
+    for (std::size_t n = least; n <= setup.options.points; n *= 4) {
       Motions motions;
       for (std::size_t k = 0; k < n; ++k) {
         motions.push_back(motion_of(static_cast<double>(k), static_cast<double>(n)));
