@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/point_problems.h"
+
 namespace kinetri {
 namespace {
 
@@ -49,6 +52,8 @@ template <ContactKineticTraits_2 Traits>
 Edge_follower<Traits>::Edge_follower(Triangulation& triangulation)
     : triangulation_(&triangulation),
       stop_observing_([this, &triangulation] { triangulation.remove_observer(*this); }) {
+  KINETRI_PRECONDITION(!triangulation.keeps_coincident_points(),
+                       detail::coincident_points_are_kept);
   start();
   triangulation.add_observer(*this);
 }

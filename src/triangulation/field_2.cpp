@@ -9,6 +9,7 @@
 
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/kinetic/rounded_places.h"
+#include "kinetri/impl/triangulation/point_problems.h"
 #include "triangulation/field_present.h"
 #include "triangulation/field_raster.h"
 #include "triangulation/field_weights.h"
@@ -133,6 +134,8 @@ requires(!WeightedKineticTraits_2<Traits>) Kinetic_field_2<Traits>::Kinetic_fiel
     const Triangulation& triangulation, std::size_t channels)
     : triangulation_(triangulation), channels_(channels) {
   KINETRI_PRECONDITION(channels > 0, "a field needs at least one channel");
+  KINETRI_PRECONDITION(!triangulation.keeps_coincident_points(),
+                       detail::coincident_points_are_kept);
 }
 
 template <KineticTraits_2 Traits>

@@ -48,6 +48,8 @@ enum class Coincident_points {
 /// vertex of their own, until the motion of one of them changes: events `hide` and `reveal`, whose
 /// point_b is the point that hides point_a. Points that only meet and part are not concerned.
 /// Kept points cost nothing if there are none, else O(log k) for k hidden ones, in each change.
+/// Queries, fields and the observers of distances do not yet know such points, and take only
+/// triangulations that refuse them (checked).
 ///
 /// A flip costs five certificates and as many changes of the queue; memory is O(n), with at most
 /// one queue entry for each edge and hidden point. Several threads may call const functions of one
@@ -140,6 +142,9 @@ class Kinetic_triangulation_2 {
   std::size_t number_of_hidden_points() const {
     return core_.topology.number_of_hidden_vertices() + core_.topology.twins().size();
   }
+
+  /// Whether points with the same trajectory (and weight) are kept, as given to the constructor.
+  bool keeps_coincident_points() const noexcept { return !core_.topology.refuses_twins(); }
 
   /// The other points with the trajectory (and weight) of the point `id`, sorted. Precondition:
   /// contains(id).

@@ -16,15 +16,18 @@ void Kinetic_types<Traits>::Kinetic_core::start_with(std::span<const Point_2> po
   const auto started = std::chrono::steady_clock::now();
   topology.set_weights_equal(Kinetic_types<Traits>::Topology::have_equal_weights(points));
   std::vector<Edge_ids> coincident;
-  const auto build = [&](std::span<const Point_2> distinct) {
+  const auto build = [&](std::span<const Point_2> some) {
     return Kinetic_types<Traits>::Static_construction::build(
-        distinct, schedule.current_time(),
+        some, schedule.current_time(),
         certification.traits().instantaneous_traits(topology.clock()), coincident);
   };
   Triangulation made = build(points);
-  if (!coincident.empty()) {
+  std::vector<Point_2> distinct(coincident.empty() ? points.end() : points.begin(), points.end());
+  while (!coincident.empty()) {
     topology.check_may_coincide(coincident);
-    made = build(topology.without_twins(points, coincident));
+    topology.take_twins(distinct, coincident);
+    coincident.clear();
+    made = build(distinct);
   }
   topology.start(std::move(made), ids);
   const auto built = std::chrono::steady_clock::now();

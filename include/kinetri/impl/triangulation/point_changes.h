@@ -91,6 +91,7 @@ class Kinetic_types<Traits>::Point_changes {
   void note_separated(const Vertex_changes& planned);
   void set_twins(const Vertex_changes& planned);
   void make(std::span<const Change> changes, Plan& plan);
+  void set_point(const Change& change);
   void change_in_place(std::span<const Change> changes);
   bool make_jumps(std::span<const Jump> jumps, bool are_located);
   bool place(Vertex_handle v, const Location& location);

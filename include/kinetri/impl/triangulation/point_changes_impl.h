@@ -58,15 +58,13 @@ auto Kinetic_types<Traits>::Point_changes::plan(std::span<const Change> changes)
   Vertex_changes result;
   result.changes = changes;
   if (!topology_.twins().empty()) separate_twins(result);
-  std::vector<Edge_ids> coincident;
-  result.plan = plan_vertices(result.changes, coincident);
-  if (coincident.empty()) return result;
-  topology_.check_may_coincide(coincident);
-  join_twins(coincident, result);
-  coincident.clear();
-  result.plan = plan_vertices(result.changes, coincident);
-  KINETRI_ASSERT(coincident.empty(), "of coincident points one has a vertex");
-  return result;
+  for (;;) {
+    std::vector<Edge_ids> coincident;
+    result.plan = plan_vertices(result.changes, coincident);
+    if (coincident.empty()) return result;
+    topology_.check_may_coincide(coincident);
+    join_twins(coincident, result);
+  }
 }
 
 // Replaces changes of twins by those of vertices. A twin that changes leaves its group; if a point
@@ -124,8 +122,8 @@ void Kinetic_types<Traits>::Point_changes::join_twins(std::span<const Edge_ids> 
   planned.changes = planned.storage;
 }
 
-// Plans changes of vertices. Appends pairs of points that would coincide to `coincident`, so that
-// they connect all of these; if there are any, the plan has no use.
+// Plans changes of vertices. If points would coincide, appends some pairs of them to `coincident`,
+// at least one; then the plan has no use.
 template <class Traits>
 auto Kinetic_types<Traits>::Point_changes::plan_vertices(std::span<const Change> changes,
                                                          std::vector<Edge_ids>& coincident)
@@ -372,13 +370,7 @@ template <class Traits>
 void Kinetic_types<Traits>::Point_changes::make(std::span<const Change> changes, Plan& plan) {
   if (plan.rebuilt) {
     const auto set_points = [&] {
-      for (const Change& change : changes) {
-        if (!change.motion && topology_.has_vertex(change.point) &&
-            topology_.is_hidden(change.point)) {
-          reporter_.note_hidden(change.point, false);
-        }
-        topology_.set_point(change);
-      }
+      for (const Change& change : changes) set_point(change);
     };
     return updates_.rebuild(set_points, std::move(plan.rebuilt));
   }
@@ -387,8 +379,18 @@ void Kinetic_types<Traits>::Point_changes::make(std::span<const Change> changes,
   loop_.execute_due_events();  // removing a vertex requires a Delaunay triangulation
   if (make_jumps(plan.jumps, plan.in_place.empty())) return;
   updates_.rebuild([&] {
-    for (const Jump& jump : plan.jumps) topology_.set_point(jump.change);
+    for (const Jump& jump : plan.jumps) set_point(jump.change);
   });
+}
+
+// Changes the vertex of a point before a reconstruction.
+template <class Traits>
+void Kinetic_types<Traits>::Point_changes::set_point(const Change& change) {
+  const Point_id id = change.point;
+  if (!change.motion && topology_.has_vertex(id) && topology_.is_hidden(id)) {
+    reporter_.note_hidden(id, false);
+  }
+  topology_.set_point(change);
 }
 
 template <class Traits>

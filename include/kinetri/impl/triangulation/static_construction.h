@@ -5,10 +5,14 @@
 #define KINETRI_IMPL_TRIANGULATION_STATIC_CONSTRUCTION_H
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kinetri/base/error.h"
@@ -25,9 +29,9 @@ namespace kinetri::detail {
 template <class Traits>
 class Kinetic_types<Traits>::Static_construction {
  public:
-  /// The triangulation at the instant of `now`, which is just after `time`. Appends pairs of points
-  /// that have the same trajectory (and weight) to `coincident`, so many that they connect all
-  /// such points; if there are any, the result has no use. Expected O(n log n).
+  /// The triangulation at the instant of `now`, which is just after `time`. If points have the same
+  /// trajectory (and weight), appends some pairs of them to `coincident`, at least one; then the
+  /// result has no use. Expected O(n log n).
   static Triangulation build(std::span<const Point_2> points, const Time& time,
                              const Instantaneous_traits& now, std::vector<Edge_ids>& coincident);
 
@@ -36,6 +40,8 @@ class Kinetic_types<Traits>::Static_construction {
   static bool is_embedded(const Triangulation& triangulation, const Rounded_places& places);
 
  private:
+  static void find_coincident(std::span<const Point_2> points, const Time& time,
+                              std::vector<Edge_ids>& coincident);
   static Triangulation build_regular(std::span<const Point_2> points,
                                      const Instantaneous_traits& traits,
                                      std::vector<Edge_ids>& coincident);
@@ -63,6 +69,8 @@ auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> 
     if (points.size() >= few && places.are_finite()) {
       if (build_from_places(points, places, result)) return result;
       result.clear();
+      find_coincident(points, time, coincident);
+      if (!coincident.empty()) return result;
     }
   }
   if constexpr (is_weighted) {
@@ -86,6 +94,35 @@ auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> 
     insert_all(result);
   }
   return result;
+}
+
+// Appends pairs of points with the same trajectory, mostly all that there are, but for some whose
+// motions are represented differently: those next to each other in the order of rounded positions
+// at two times.
+template <class Traits>
+void Kinetic_types<Traits>::Static_construction::find_coincident(
+    std::span<const Point_2> points, const Time& time, std::vector<Edge_ids>& coincident) {
+  struct Place {
+    std::array<std::uint64_t, 4> key;  // bits, which are in order also if one is not a number
+    const Point_2* point;
+  };
+  std::vector<Place> places;
+  places.reserve(points.size());
+  const double now = time.to_double();
+  for (const Point_2& point : points) {
+    const Vector_2 here = rounded_place(point.motion(), now);
+    const Vector_2 later = rounded_place(point.motion(), now + 1);
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    places.push_back({{bits(here.x), bits(here.y), bits(later.x), bits(later.y)}, &point});
+  }
+  std::ranges::sort(places, {}, [](const Place& p) { return std::pair(p.key, p.point->id()); });
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const Point_2& p = *places[k - 1].point;
+    const Point_2& q = *places[k].point;
+    if (places[k - 1].key == places[k].key && same_trajectory(p.motion(), q.motion())) {
+      coincident.push_back(edge_ids(p.id(), q.id()));
+    }
+  }
 }
 
 // The regular triangulation at the instant of the traits. CGAL keeps one vertex for points with the

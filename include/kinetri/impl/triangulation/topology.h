@@ -78,10 +78,10 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   }
   /// From now on, no two points may have the same trajectory (and weight).
   void refuse_twins() noexcept { refuses_twins_ = true; }
-  /// Makes points twins that coincide with others, and returns the other points. Precondition:
-  /// there are no points yet.
-  std::vector<Point_2> without_twins(std::span<const Point_2> points,
-                                     std::span<const Edge_ids> coincident);
+  bool refuses_twins() const noexcept { return refuses_twins_; }
+  /// Makes points twins that coincide with others, and takes them out of `points`, which is sorted
+  /// by id. Precondition: there are no vertices yet.
+  void take_twins(std::vector<Point_2>& points, std::span<const Edge_ids> coincident);
   /// Throws Coincident_trajectories_error, which names one of the pairs, if twins are refused.
   void check_may_coincide(std::span<const Edge_ids> pairs) const;
   bool contains(Point_id id) const { return has_vertex(id) || twins_.contains(id); }

@@ -53,23 +53,22 @@ void Kinetic_types<Traits>::Topology::set_point(const Change& change) {
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::without_twins(std::span<const Point_2> points,
-                                                    std::span<const Edge_ids> coincident)
-    -> std::vector<Point_2> {
+void Kinetic_types<Traits>::Topology::take_twins(std::vector<Point_2>& points,
+                                                 std::span<const Edge_ids> coincident) {
   Coincident_groups groups;
   for (const auto& [a, b] : coincident) groups.link(a, b);
   const std::vector<Edge_ids> others = groups.others();
-  std::vector<Point_2> result;
   auto next = others.begin();
+  std::vector<Point_2> distinct;
   for (const Point_2& point : points) {
     if (next == others.end() || (*next)[1] != point.id()) {
-      result.push_back(point);
+      distinct.push_back(point);
     } else {
       twins_.hide(point.id(), (*next)[0], point.motion());
       ++next;
     }
   }
-  return result;
+  points = std::move(distinct);
 }
 
 // Of the pairs it names the one with the least greater id.
