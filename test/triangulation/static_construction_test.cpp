@@ -129,12 +129,24 @@ TEST(Static_construction, finds_points_with_one_trajectory) {
     const auto a = static_cast<Point_id>(n - 2);
     expect_coincident<Linear_kinetic_traits_2>(motions, {{3, 4}, {2, a}, {2, a + 1}});
     std::vector<Disc_motion_2> discs;
-    for (std::size_t k = 0; k < n; ++k) discs.push_back({motions[k], 0, 0, k == n - 2 ? 3.0 : 0.0});
+    for (std::size_t k = 0; k < n; ++k) {
+      discs.push_back({motions[k], 0, 0, 0.125 * static_cast<double>(k)});
+    }
     expect_coincident<Disc_kinetic_traits_2>(discs, {});
     discs[2].weight = discs[n - 1].weight;
     discs[4].weight = discs[3].weight;
     expect_coincident<Disc_kinetic_traits_2>(discs, {{3, 4}, {2, a + 1}});
   }
+}
+
+TEST(Static_construction, finds_hidden_points_with_one_trajectory) {
+  std::vector<Disc_motion_2> discs;
+  for (const Linear_motion_2& m : test::random_motions(40, 10, 0, 1)) discs.push_back({m, 0, 0, 0});
+  discs[0].weight = 0.5;  // so that not all weights are equal but for those of the hidden ones
+  const Disc_motion_2 hidden = {discs[20], 0, 0, -1000};
+  for (int k = 0; k < 3; ++k) discs.push_back(hidden);
+  discs[20].position.x += 0.125;
+  expect_coincident<Disc_kinetic_traits_2>(discs, {{40, 41}, {40, 42}});
 }
 
 TEST(Embedding, is_that_of_faces_that_turn_left_and_a_convex_hull) {

@@ -42,6 +42,11 @@ class Kinetic_types<Traits>::Static_construction {
  private:
   static void find_coincident(std::span<const Point_2> points, const Time& time,
                               std::vector<Edge_ids>& coincident);
+  static void find_coincident_in_faces(const Triangulation& triangulation,
+                                       std::vector<Edge_ids>& coincident);
+  static void find_all_coincident(std::vector<const Point_2*> points,
+                                  const Instantaneous_traits& traits,
+                                  std::vector<Edge_ids>& coincident);
   static Triangulation build_regular(std::span<const Point_2> points,
                                      const Instantaneous_traits& traits,
                                      std::vector<Edge_ids>& coincident);
@@ -67,7 +72,10 @@ auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> 
     constexpr std::size_t few = 16;  // for so few, insertion is as fast
     const Rounded_places places(points, time);
     if (points.size() >= few && places.are_finite()) {
-      if (build_from_places(points, places, result)) return result;
+      if (build_from_places(points, places, result)) {
+        find_coincident_in_faces(result, coincident);
+        return result;
+      }
       result.clear();
       find_coincident(points, time, coincident);
       if (!coincident.empty()) return result;
@@ -94,6 +102,46 @@ auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> 
     insert_all(result);
   }
   return result;
+}
+
+// Finds points with the same trajectory and weight among those that are certainly inside of faces:
+// these are in one face.
+template <class Traits>
+void Kinetic_types<Traits>::Static_construction::find_coincident_in_faces(
+    const Triangulation& triangulation, std::vector<Edge_ids>& coincident) {
+  if constexpr (is_weighted) {
+    if (triangulation.number_of_hidden_vertices() < 2) return;
+    for (const Face_handle face : triangulation.finite_face_handles()) {
+      std::vector<const Point_2*> inside;
+      for (const Vertex_handle v : face->vertex_list()) inside.push_back(&v->point());
+      find_all_coincident(std::move(inside), triangulation.geom_traits(), coincident);
+    }
+  }
+}
+
+// Appends pairs that connect all points with the same trajectory and weight. Points that coincide
+// just after a time coincide at all times, and so are next to each other in the order by position.
+template <class Traits>
+void Kinetic_types<Traits>::Static_construction::find_all_coincident(
+    std::vector<const Point_2*> points, const Instantaneous_traits& traits,
+    std::vector<Edge_ids>& coincident) {
+  const auto compare = traits.compare_xy_2_object();
+  std::ranges::sort(points, [&](const Point_2* p, const Point_2* q) {
+    const auto order = compare(*p, *q);
+    return order == CGAL::SMALLER || (order == CGAL::EQUAL && p->id() < q->id());
+  });
+  std::vector<const Point_2*> here;  // at the present position, one for each weight
+  for (const Point_2* const point : points) {
+    if (!here.empty() && compare(*here.front(), *point) != CGAL::EQUAL) here.clear();
+    const auto same = std::ranges::find_if(here, [&](const Point_2* other) {
+      return same_trajectory(other->motion(), point->motion());
+    });
+    if (same == here.end()) {
+      here.push_back(point);
+    } else {
+      coincident.push_back(edge_ids((*same)->id(), point->id()));
+    }
+  }
 }
 
 // Appends pairs of points with the same trajectory, mostly all that there are, but for some whose
@@ -137,32 +185,14 @@ auto Kinetic_types<Traits>::Static_construction::build_regular(std::span<const P
     std::vector<Point_2> sorted(points.begin(), points.end());
     sort_for_insertion(sorted, traits);
     insert_in_order(result, sorted, std::identity(), [](Vertex_handle, const Point_2&) {});
-    // Points that coincide just after a time coincide at all times, and so are next to each other
-    // in this order.
-    std::vector<const Point_2*> in_order;
-    for (const Point_2& point : points) in_order.push_back(&point);
+    std::vector<const Point_2*> suspects;
     const bool are_all_there = result.tds().number_of_vertices() - 1 == points.size();
     if (are_all_there) {
-      in_order.clear();
-      for (const Vertex_handle v : result.hidden_vertex_handles()) in_order.push_back(&v->point());
+      for (const Vertex_handle v : result.hidden_vertex_handles()) suspects.push_back(&v->point());
+    } else {
+      for (const Point_2& point : points) suspects.push_back(&point);
     }
-    const auto compare = traits.compare_xy_2_object();
-    std::ranges::sort(in_order, [&](const Point_2* p, const Point_2* q) {
-      const auto order = compare(*p, *q);
-      return order == CGAL::SMALLER || (order == CGAL::EQUAL && p->id() < q->id());
-    });
-    std::vector<const Point_2*> here;  // at the present position, one for each weight
-    for (const Point_2* const point : in_order) {
-      if (!here.empty() && compare(*here.front(), *point) != CGAL::EQUAL) here.clear();
-      const auto same = std::ranges::find_if(here, [&](const Point_2* other) {
-        return same_trajectory(other->motion(), point->motion());
-      });
-      if (same == here.end()) {
-        here.push_back(point);
-      } else {
-        coincident.push_back(edge_ids((*same)->id(), point->id()));
-      }
-    }
+    find_all_coincident(std::move(suspects), traits, coincident);
     KINETRI_ASSERT(are_all_there || !coincident.empty(), "every point has a vertex");
   }
   return result;
