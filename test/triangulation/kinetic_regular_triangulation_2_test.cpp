@@ -383,6 +383,19 @@ TEST(Kinetic_regular_triangulation, hides_a_point_in_the_place_of_one_of_two_tha
   EXPECT_TRUE(kinetic.is_hidden(1));
 }
 
+// CGAL, when it removes a vertex, inserts hidden points anew: none may be like a vertex.
+TEST(Kinetic_regular_triangulation, gives_a_hidden_point_the_motion_of_one_that_jumps) {
+  Kinetic kinetic(std::vector<Disc_motion_2>{disc(2, 0, -1, 1, 0), disc(1, 1, 1, -1, 0),
+                                             disc(2, 2, 0, 0, 0), disc(0, 0, -1, 0, 0),
+                                             disc(2, 0, -1, 1, 1), disc(1, 0, 0, 0, 0)});
+  ASSERT_TRUE(kinetic.is_hidden(0));
+  const std::array<Point_id, 3> ids = {0, 1, 2};
+  kinetic.set_motions(ids, std::array<Disc_motion_2, 3>{disc(2, 2, 0, 0, 0), disc(4, 9, 0, 0, 0),
+                                                        disc(1, 1, 1, -1, 0)});
+  EXPECT_FALSE(kinetic.is_hidden(0));
+  EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
+}
+
 TEST(Kinetic_regular_triangulation, goes_on_from_a_snapshot_as_it_would_have) {
   std::mt19937_64 random(5);
   for (int run = 0; run < 20 * multiplier(); ++run) {

@@ -93,7 +93,8 @@ class Kinetic_types<Traits>::Point_changes {
   void make(std::span<const Change> changes, Plan& plan);
   void set_point(const Change& change);
   void change_in_place(std::span<const Change> changes);
-  bool make_jumps(std::span<const Jump> jumps, bool are_located);
+  bool take_out(std::span<const Jump> jumps);
+  void put_in(std::span<const Jump> jumps, bool are_located);
   bool place(Vertex_handle v, const Location& location);
 
   Kinetic_core& core_;

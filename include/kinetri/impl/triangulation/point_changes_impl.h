@@ -173,7 +173,7 @@ bool Kinetic_types<Traits>::Point_changes::should_schedule_all(std::size_t point
 }
 
 // Separates points that change in place from the others. Meanwhile points have their new motions,
-// one after the other.
+// one after the other. A hidden point jumps if a vertex does.
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::find_changes_in_place(std::span<const Change> changes,
                                                                  Plan& plan) {
@@ -216,6 +216,17 @@ void Kinetic_types<Traits>::Point_changes::find_changes_in_place(std::span<const
   }
   for (std::size_t i = 0; i < before.size(); ++i) {
     topology_.vertex(plan.in_place[i].point)->set_point(before[i]);
+  }
+  if constexpr (is_weighted) {
+    // Otherwise it might get the motion and weight of a vertex that is still there.
+    const auto is_visible = [&](const Jump& jump) {
+      return topology_.has_vertex(jump.change.point) && !topology_.is_hidden(jump.change.point);
+    };
+    if (std::ranges::none_of(plan.jumps, is_visible)) return;
+    const auto hidden = std::ranges::stable_partition(
+        plan.in_place, [&](const Change& change) { return !topology_.is_hidden(change.point); });
+    for (const Change& change : hidden) plan.jumps.push_back({change});
+    plan.in_place.erase(hidden.begin(), hidden.end());
   }
 }
 
@@ -359,28 +370,36 @@ void Kinetic_types<Traits>::Point_changes::set_twins(const Vertex_changes& plann
     for (const Point_id other : twins.hidden_by(id)) reporter_.note_moved_hidden(other);
   }
   for (const auto& [id, shown, motion] : planned.joined) {
-    reporter_.note_hidden(id, true, shown);
     reporter_.note_moved_hidden(id);
     for (const Point_id other : twins.hidden_by(id)) reporter_.note_moved_hidden(other);
     twins.hide(id, shown, motion);
+  }
+  // Only now: the point that hides one may have become a twin itself.
+  for (const Joined& joined : planned.joined) {
+    reporter_.note_hidden(joined.id, true, twins.twin(joined.id).shown);
   }
 }
 
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::make(std::span<const Change> changes, Plan& plan) {
-  if (plan.rebuilt) {
-    const auto set_points = [&] {
-      for (const Change& change : changes) set_point(change);
-    };
-    return updates_.rebuild(set_points, std::move(plan.rebuilt));
-  }
+  const auto set_points = [&] {
+    for (const Change& change : changes) set_point(change);
+  };
+  if (plan.rebuilt) return updates_.rebuild(set_points, std::move(plan.rebuilt));
+  // Hidden points leave first: a point that changes in place may get the motion and weight of one.
+  const auto is_hidden = [&](const Jump& jump) {
+    return topology_.has_vertex(jump.change.point) && topology_.is_hidden(jump.change.point);
+  };
+  const std::span<const Jump> jumps = plan.jumps;
+  const auto others = is_weighted ? std::ranges::stable_partition(plan.jumps, is_hidden).begin()
+                                  : plan.jumps.begin();
+  const auto hidden = static_cast<std::size_t>(others - plan.jumps.begin());
+  take_out(jumps.first(hidden));
   change_in_place(plan.in_place);
-  if (plan.jumps.empty()) return;
+  if (jumps.empty()) return;
   loop_.execute_due_events();  // removing a vertex requires a Delaunay triangulation
-  if (make_jumps(plan.jumps, plan.in_place.empty())) return;
-  updates_.rebuild([&] {
-    for (const Jump& jump : plan.jumps) set_point(jump.change);
-  });
+  if (!take_out(jumps.subspan(hidden))) return updates_.rebuild(set_points);
+  put_in(jumps, plan.in_place.empty());
 }
 
 // Changes the vertex of a point before a reconstruction.
@@ -437,21 +456,26 @@ void Kinetic_types<Traits>::Point_changes::change_in_place(std::span<const Chang
   }
 }
 
-// Removes the points that jump or are erased, then inserts those that jump or are new. Returns
-// false if only collinear points would be left: then the caller sets the points and rebuilds.
-// `are_located`: nothing has changed since the points were located.
+// Removes the points that jump or are erased. Returns false if only collinear points would be left:
+// then the caller sets the points and rebuilds.
 template <class Traits>
-bool Kinetic_types<Traits>::Point_changes::make_jumps(std::span<const Jump> jumps,
-                                                      bool are_located) {
+bool Kinetic_types<Traits>::Point_changes::take_out(std::span<const Jump> jumps) {
   for (const auto& [change, location, near] : jumps) {
     const Vertex_handle v = topology_.vertex(change.point);
     if (v == Vertex_handle()) continue;
     if (!topology_.is_hidden(change.point) && triangulation_.test_dim_down(v)) return false;
     updates_.take_out(v);
-    are_located = false;
     if (!change.motion) topology_.set_point(change);
   }
+  return true;
+}
+
+// Inserts the points that jump or are new. `are_located`: nothing has changed since the points were
+// located, unless points have been removed.
+template <class Traits>
+void Kinetic_types<Traits>::Point_changes::put_in(std::span<const Jump> jumps, bool are_located) {
   for (const Jump& jump : jumps) {
+    if (topology_.has_vertex(jump.change.point) || !jump.change.motion) are_located = false;
     if (jump.change.motion) topology_.set_point(jump.change);
   }
   const std::uint64_t reconstructions = reporter_.counters().reconstructions;
@@ -464,10 +488,9 @@ bool Kinetic_types<Traits>::Point_changes::make_jumps(std::span<const Jump> jump
     loop_.execute_due_events();
     // A rebuilt triangulation has all points; it is rebuilt, for example, if a point hides a
     // lighter one at its position.
-    if (reporter_.counters().reconstructions != reconstructions) return true;
+    if (reporter_.counters().reconstructions != reconstructions) return;
     are_located = false;
   }
-  return true;
 }
 
 // Inserts a vertex without faces. Returns false if the triangulation must be rebuilt.
