@@ -147,7 +147,7 @@ void Auditor<Traits>::place_points() {
     weights_.clear();
     for (const Vertex_handle v : topology_.vertices()) {
       if (v == Vertex_handle()) {
-        places_.emplace_back();  // unused: there is no such point
+        places_.emplace_back();  // unused: there is no such vertex
         weights_.emplace_back();
         continue;
       }

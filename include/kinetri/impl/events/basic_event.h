@@ -63,9 +63,12 @@ struct Changed_edges {
 /// | `hull_insert` | `removed`; `apex`, the new hull vertex |
 /// | `hull_remove` | `added`; `apex`, the former hull vertex |
 /// | `rebuild` | `removed` or `added`: each edge has an event of its own |
-/// | `hide`, `reveal` | `point_a`; its edges have `rebuild` events after it |
+/// | `hide`, `reveal` | `point_a`; its edges have `rebuild` events after it; `point_b`: see below |
 /// | `wall`, `insert`, `erase`, `trajectory` | `point_a` |
 /// | `collision` | `point_a`, `point_b`, the smaller id first |
+///
+/// If a point with the trajectory of point_a hides it, or hid it (Coincident_points), that is
+/// point_b of `hide` or `reveal`. It may be erased at that time.
 template <class Time>
 struct Basic_event {
   std::uint64_t number = 0;            ///< 0 for the first event of a run, then one more each

@@ -114,7 +114,7 @@ bool Kinetic_types<Traits>::Event_loop::retry_postponed() {
   }
   for (const auto& [a, b] : std::exchange(postponed_, {})) {
     Edge edge;
-    if (!topology_.contains(a) || !topology_.contains(b) || topology_.is_hidden(a) ||
+    if (!topology_.has_vertex(a) || !topology_.has_vertex(b) || topology_.is_hidden(a) ||
         topology_.is_hidden(b) ||
         !topology_.triangulation().is_edge(topology_.vertex(a), topology_.vertex(b), edge.first,
                                            edge.second) ||
