@@ -48,7 +48,7 @@ class Snapshot_error : public Error {
 };
 
 /// Two points would have the same trajectory (and, with weights, the same weight): no triangulation
-/// has both as vertices.
+/// has both as vertices. Thrown if such points are refused (Coincident_points).
 class Coincident_trajectories_error : public Error {
  public:
   /// Of the points with these ids, which the message names.

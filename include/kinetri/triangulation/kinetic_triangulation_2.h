@@ -47,7 +47,8 @@ enum class Coincident_points {
 /// (Coincident_points). If they are kept, the one with the least id hides the others, which have no
 /// vertex of their own, until the motion of one of them changes: events `hide` and `reveal`, whose
 /// point_b is the point that hides point_a. Points that only meet and part are not concerned.
-/// Kept points cost nothing if there are none, else O(log k) for k hidden ones, in each change.
+/// Kept points cost nothing if there are none, else in each change O(log k) for k hidden ones and,
+/// if the point has the trajectory of others, as much as there are such points.
 /// Queries, fields and the observers of distances do not yet know such points, and take only
 /// triangulations that refuse them (checked).
 ///

@@ -50,8 +50,8 @@ class Coincident_groups {
 /// id is on the lower hull: docs/MATH.md, section 4, takes heights by id where nothing else
 /// decides.
 ///
-/// Invariant: a point that hides others is hidden by none. Costs O(log k) for k twins, and nothing
-/// if there are none.
+/// Invariant: a point that hides others is hidden by none. A change costs O(log k) for k twins and,
+/// if the point belongs to a group, as much as the group has points; nothing if there are none.
 template <class Traits>
 class Kinetic_types<Traits>::Twins {
  public:
