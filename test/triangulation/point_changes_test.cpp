@@ -97,6 +97,7 @@ TEST_F(Point_changes, are_one_event_each_in_the_order_of_ids) {
 }
 
 TEST_F(Point_changes, that_are_refused_change_nothing) {
+  core.topology.refuse_twins();
   struct Observer : Event_observer {
     void before_event(const Event&) override { ADD_FAILURE() << "an event"; }
   } observer;
