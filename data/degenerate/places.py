@@ -68,7 +68,7 @@ def polygons():
               "points together, and a vertex of each leaves and enters the hull."], outer + inner),
         Case("turning_octagon_touch", "Points of a circle that move along tangents at different speeds.",
              ["At t = 1 all eight are cocircular, and every in-circle certificate has a double root: the",
-              "distances from the centre are of second order. Nothing happens then."],
+              "distances from the center are of second order. Nothing happens then."],
              at(1, [(x, y, -y * w, x * w) for (x, y), w in
                     zip(RING[:8], [1, 0.5, -0.25, 2, 1, -1, 0.5, 0.25])])),
         Case("octagon_through_circle", "Eight points that go through one circle at t = 1, turning.",
