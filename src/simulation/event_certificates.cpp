@@ -8,6 +8,7 @@
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/triangulation/incident.h"
+#include "kinetri/impl/triangulation/point_problems.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
 
 namespace kinetri {
@@ -58,6 +59,8 @@ Event_certificates<Traits>::Event_certificates(const Triangulation& triangulatio
       diameter_(2 * options.radius),
       start_{0, triangulation.current_time()},
       now_(start_) {
+  KINETRI_PRECONDITION(!triangulation.keeps_coincident_points(),
+                       detail::coincident_points_are_kept);
   constexpr bool has_radii = HasWeight<typename Traits::Motion>;
   if (options.box) {
     for (Wall_2 wall : options.box->walls(options.rim_touches ? options.radius : 0)) {
