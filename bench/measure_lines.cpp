@@ -82,8 +82,8 @@ double nanoseconds(const std::vector<Motion>& motions) {
 json measure_lines(const Setup& setup) {
   constexpr std::size_t least = 4096;
   if (setup.options.points < least) {
-    throw std::runtime_error("there are starts of " + std::to_string(least) +
-                             " points, 4 times as many, and so on; expected as many --points");
+    throw std::runtime_error("the smallest start that is measured has " + std::to_string(least) +
+                             " points; expected at least as many --points");
   }
   json result;
   for (const auto& [name, motion_of] : kinds()) {

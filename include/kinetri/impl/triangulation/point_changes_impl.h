@@ -165,7 +165,7 @@ void Kinetic_types<Traits>::Point_changes::find_coincident_in_place(
   }
 }
 
-// Whether so many points change in place that all certificates are computed anew.
+// Whether so many points change in place that all certificates are recomputed.
 template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::should_schedule_all(std::size_t points) const {
   constexpr std::size_t few = 16;
