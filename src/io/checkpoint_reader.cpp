@@ -117,6 +117,9 @@ Simulation_options options(const Json_value& state) {
   result.rim_touches = state.member("rim_touches").truth();
   result.radius = state.member("radius").number();
   result.refuses_overlaps = state.member("refuses_overlaps").truth();
+  if (state.member("refuses_coincident_points").truth()) {
+    result.coincident = Coincident_points::refuse;
+  }
   state.member("masses").for_each(
       [&](const Json_value& mass) { result.masses.push_back(mass.number()); });
   result.max_contacts_per_instant = count(state.member("max_contacts_per_instant"));

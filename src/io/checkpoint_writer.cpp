@@ -116,6 +116,7 @@ class Checkpoint_writer {
     add("rim_touches", options.rim_touches);
     add("radius", options.radius);
     add("refuses_overlaps", options.refuses_overlaps);
+    add("refuses_coincident_points", options.coincident == Coincident_points::refuse);
     add("has_response", snapshot.has_response);
     add("max_contacts_per_instant", options.max_contacts_per_instant);
   }

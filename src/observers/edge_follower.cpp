@@ -3,13 +3,20 @@
 
 #include <utility>
 
-#include "kinetri/impl/base/check.h"
-#include "kinetri/impl/triangulation/point_problems.h"
 
 namespace kinetri {
 namespace {
 
 constexpr auto first_of = [](const auto& pair) { return pair.first; };
+
+// Keeps the last event of each point, and sorts them.
+template <class Event>
+void keep_last(std::vector<std::pair<Point_id, Event>>& events) {
+  std::ranges::reverse(events);
+  std::ranges::stable_sort(events, {}, first_of);
+  const auto same_point = [](const auto& a, const auto& b) { return a.first == b.first; };
+  events.erase(std::unique(events.begin(), events.end(), same_point), events.end());
+}
 
 }  // namespace
 
@@ -52,8 +59,6 @@ template <ContactKineticTraits_2 Traits>
 Edge_follower<Traits>::Edge_follower(Triangulation& triangulation)
     : triangulation_(&triangulation),
       stop_observing_([this, &triangulation] { triangulation.remove_observer(*this); }) {
-  KINETRI_PRECONDITION(!triangulation.keeps_coincident_points(),
-                       detail::coincident_points_are_kept);
   start();
   triangulation.add_observer(*this);
 }
@@ -68,9 +73,20 @@ void Edge_follower<Traits>::start() {
   instant_ = triangulation_->current_time();
   graph_.nodes_.resize(triangulation_->next_id());
   for (Point_id id = 0; id < triangulation_->next_id(); ++id) {
-    if (triangulation_->contains(id)) graph_.set_point(id, triangulation_->vertex(id)->point());
+    if (!triangulation_->contains(id)) continue;
+    graph_.set_point(id, triangulation_->point(id));
+    if (const auto shown = hidden_by(id)) graph_.hidden_by_.emplace(id, *shown);
   }
   for (const Edge_ids& edge : triangulation_->finite_edge_ids()) graph_.add(edge);
+  for (const auto& [id, shown] : graph_.hidden_by_) graph_.add({shown, id});
+}
+
+// The point that hides a point with the same motion now, if it exists.
+template <ContactKineticTraits_2 Traits>
+std::optional<Point_id> Edge_follower<Traits>::hidden_by(Point_id id) const {
+  if (!triangulation_->contains(id)) return std::nullopt;
+  const Point_id shown = triangulation_->vertex(id)->point().id();
+  return shown == id ? std::nullopt : std::optional(shown);
 }
 
 template <ContactKineticTraits_2 Traits>
@@ -89,7 +105,9 @@ void Edge_follower<Traits>::begin_instant(const Time& time) {
 
 template <ContactKineticTraits_2 Traits>
 void Edge_follower<Traits>::finish_instant() {
-  if (!edge_events_.empty() || !point_events_.empty()) finish_changes();
+  if (!edge_events_.empty() || !point_events_.empty() || !hiding_events_.empty()) {
+    finish_changes();
+  }
   if (rebuilt_edges_.empty()) return;
   std::ranges::sort(rebuilt_edges_);
   const auto again = std::ranges::unique(rebuilt_edges_);
@@ -100,6 +118,7 @@ void Edge_follower<Traits>::finish_instant() {
 
 template <ContactKineticTraits_2 Traits>
 void Edge_follower<Traits>::finish_changes() {
+  sum_up_hiding();
   sum_up_edges();
   sum_up_points();
   before_change(removed_, points_);
@@ -108,7 +127,12 @@ void Edge_follower<Traits>::finish_changes() {
     const auto last = std::ranges::lower_bound(point_events_, changed.id, {}, first_of);
     graph_.set_point(changed.id, last->second);
   }
+  for (const auto& [id, shown] : hiding_events_) {
+    graph_.hidden_by_.erase(id);
+    if (shown) graph_.hidden_by_.emplace(id, *shown);
+  }
   for (const Edge_ids& edge : added_) graph_.add(edge);
+  hiding_events_.clear();
   edge_events_.clear();
   point_events_.clear();
   change(instant_, removed_, added_, points_);
@@ -128,15 +152,22 @@ void Edge_follower<Traits>::sum_up_edges() {
   }
 }
 
-// Keeps the last event of each point.
+// The edges of coincident points with the points that hide them.
+template <ContactKineticTraits_2 Traits>
+void Edge_follower<Traits>::sum_up_hiding() {
+  keep_last(hiding_events_);
+  for (const auto& [id, shown] : hiding_events_) {
+    if (const auto before = graph_.hidden_by(id)) {
+      edge_events_.emplace_back(Edge_ids{*before, id}, -1);
+    }
+    if (shown) edge_events_.emplace_back(Edge_ids{*shown, id}, 1);
+  }
+}
+
 template <ContactKineticTraits_2 Traits>
 void Edge_follower<Traits>::sum_up_points() {
   points_.clear();
-  std::ranges::reverse(point_events_);
-  std::ranges::stable_sort(point_events_, {}, first_of);
-  const auto same_point = [](const auto& a, const auto& b) { return a.first == b.first; };
-  point_events_.erase(std::unique(point_events_.begin(), point_events_.end(), same_point),
-                      point_events_.end());
+  keep_last(point_events_);
   for (const auto& [id, point] : point_events_) {
     const auto before = graph_.contains(id) ? std::optional(graph_.point(id)) : std::nullopt;
     if (!before && !point) continue;  // it has been inserted and erased
@@ -158,7 +189,7 @@ void Edge_follower<Traits>::after_event(const Event& event) {
   for (const std::optional<Point_id>& id : {event.point_a, event.point_b}) {
     if (!id) continue;
     point_events_.emplace_back(*id, triangulation_->contains(*id)
-                                        ? std::optional(triangulation_->vertex(*id)->point())
+                                        ? std::optional(triangulation_->point(*id))
                                         : std::nullopt);
   }
 }
@@ -167,6 +198,17 @@ template <ContactKineticTraits_2 Traits>
 void Edge_follower<Traits>::after_rebuild(const Time& time, std::span<const Edge_ids> edges) {
   begin_instant(time);
   rebuilt_edges_.insert(rebuilt_edges_.end(), edges.begin(), edges.end());
+}
+
+template <ContactKineticTraits_2 Traits>
+void Edge_follower<Traits>::after_hiding(const Time& time, std::span<const Point_id> points) {
+  begin_instant(time);
+  for (const Point_id id : points) {
+    const auto shown = hidden_by(id);
+    if (shown || graph_.hidden_by(id) || !hiding_events_.empty()) {
+      hiding_events_.emplace_back(id, shown);
+    }
+  }
 }
 
 #define KINETRI_INSTANTIATE(Traits)      \

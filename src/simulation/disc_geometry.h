@@ -14,10 +14,10 @@ namespace kinetri::detail {
 
 /// The discs at the present time of the triangulation.
 ///
-/// A *neighbor* of a point is one with which it has an edge or a link. A hidden point of radius 0
-/// is *linked* with the corners of the triangle that hides it: when it enters a disc, no third disc
-/// need overlap both, but one of these corners contains the point as well (docs/MATH.md, section
-/// 8).
+/// A *neighbor* of a point is one with which it has an edge or a link. A point that coincides with
+/// others for a while is *linked* with the one that hides it, which has the edges. A point of radius
+/// 0 that a triangle hides is linked with its corners: when it enters a disc, no third disc need
+/// overlap both, but one of these corners contains the point as well (docs/MATH.md, section 8).
 template <class Traits>
 class Simulation_types<Traits>::Disc_geometry {
  public:
@@ -31,10 +31,12 @@ class Simulation_types<Traits>::Disc_geometry {
 
   // ---- points ----
 
-  const Point_2& point(Point_id id) const { return triangulation_.vertex(id)->point(); }
+  const Point_2& point(Point_id id) const { return triangulation_.point(id); }
   const Motion& motion(Point_id id) const { return point(id).motion(); }
   bool contains(Point_id id) const { return triangulation_.contains(id); }
   bool is_hidden(Point_id id) const { return triangulation_.is_hidden(id); }
+  /// The point that has the vertex of a point: another one if that has the same motion.
+  Point_id shown(Point_id id) const { return triangulation_.vertex(id)->point().id(); }
   Point_id number_of_ids() const { return triangulation_.next_id(); }
   /// The ids of the points, sorted. O(n).
   std::vector<Point_id> present_points() const;
@@ -66,8 +68,8 @@ class Simulation_types<Traits>::Disc_geometry {
   void for_each_neighbor(Point_id id, Function function) const;
   /// Whether both points exist, and are neighbors. O(degree).
   bool is_edge(const Edge_ids& pair) const;
-  /// Calls `function` with the corners that a point is linked with, which exist if it is hidden and
-  /// its radius is 0. In dimensions below 2 an edge or a vertex hides it.
+  /// Calls `function` with the corners that a point is linked with, which exist if a triangle hides
+  /// it and its radius is 0. In dimensions below 2 it is an edge or a vertex.
   template <class Function>
   void for_each_corner(Point_id id, Function function) const;
   std::vector<Point_id> corners_of(Point_id id) const;
@@ -95,6 +97,8 @@ class Simulation_types<Traits>::Disc_geometry {
   void for_each_exact_overlap(const Traits& exact, Function function) const;
 
  private:
+  template <class Function>
+  void for_each_coincident_link(Point_id id, Function function) const;
   template <class Function>
   void for_each_hidden_link(Point_id id, Function function) const;
   std::vector<Point_id> owners_in(Point_id id) const;

@@ -53,10 +53,22 @@ template <class Traits>
 template <class Function>
 void Simulation_types<Traits>::Disc_geometry::for_each_neighbor(Point_id id,
                                                                 Function function) const {
+  for_each_coincident_link(id, function);
   if (is_hidden(id)) return for_each_corner(id, function);
   detail::for_each_neighbor(triangulation_.triangulation(), triangulation_.vertex(id),
                             [&](auto neighbor) { function(neighbor->point().id()); });
   for_each_hidden_link(id, function);
+}
+
+// Calls `function` with the point that hides the point, or with those that it hides, because their
+// motions are the same.
+template <class Traits>
+template <class Function>
+void Simulation_types<Traits>::Disc_geometry::for_each_coincident_link(Point_id id,
+                                                                       Function function) const {
+  if (triangulation_.number_of_hidden_points() == 0) return;
+  if (shown(id) != id) return function(shown(id));
+  for (const Point_id other : triangulation_.coincident_points(id)) function(other);
 }
 
 // Entries and overlaps store this too, and are faster to read.
@@ -72,7 +84,7 @@ template <class Traits>
 template <class Function>
 void Simulation_types<Traits>::Disc_geometry::for_each_corner(Point_id id,
                                                               Function function) const {
-  if (!is_hidden(id) || !is_without_area(id)) return;
+  if (!is_hidden(id) || shown(id) != id || !is_without_area(id)) return;
   const auto& triangulation = triangulation_.triangulation();
   const int dimension = triangulation.dimension();
   if (dimension == 0) return function(triangulation.finite_vertex()->point().id());
@@ -119,8 +131,13 @@ template <class Made, class Make>
 std::vector<Made> Simulation_types<Traits>::Disc_geometry::make_for_edges(const Make& make) const {
   const auto& triangulation = triangulation_.triangulation();
   std::vector<Made> result;
+  result.emplace_back();
+  if (triangulation_.number_of_hidden_points() > 0) {
+    for (const Point_id id : present_points()) {
+      if (shown(id) != id) make({shown(id), id}, current_time(), result.back());
+    }
+  }
   if (triangulation.dimension() < 2) {
-    result.emplace_back();
     for (const Edge_ids& edge : triangulation_.finite_edge_ids()) {
       make(edge, current_time(), result.back());
     }

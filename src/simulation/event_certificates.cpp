@@ -59,8 +59,6 @@ Event_certificates<Traits>::Event_certificates(const Triangulation& triangulatio
       diameter_(2 * options.radius),
       start_{0, triangulation.current_time()},
       now_(start_) {
-  KINETRI_PRECONDITION(!triangulation.keeps_coincident_points(),
-                       detail::coincident_points_are_kept);
   constexpr bool has_radii = HasWeight<typename Traits::Motion>;
   if (options.box) {
     for (Wall_2 wall : options.box->walls(options.rim_touches ? options.radius : 0)) {

@@ -130,6 +130,7 @@ Audit_report Simulation_types<Traits>::Simulation_auditor::run(Audit_level level
   if (level < Audit_level::certificates) return report;
   std::vector<Edge_ids> watched = core_.triangulation.finite_edge_ids();
   for (const Point_id id : geometry.present_points()) {
+    if (geometry.shown(id) != id) watched.push_back({geometry.shown(id), id});
     geometry.for_each_corner(id, [&](Point_id corner) { watched.push_back(edge_ids(id, corner)); });
     if (records.find(id) != nullptr && contacts(id).corners != geometry.corners_of(id)) {
       fail("the simulation does not know which triangle hides point " + std::to_string(id));

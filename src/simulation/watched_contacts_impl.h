@@ -198,6 +198,8 @@ template <class Traits>
 bool Watched_contacts<Traits>::begin_window(double begin) {
   scheduled_ = schedule_.number_of_changes();
   records_.make_room(geometry_.number_of_ids());
+  // Points that coincide for a while have no vertex that a region could own.
+  if (!core_.kinetic().topology.twins().empty()) return false;
   if (!has_pairs()) return true;
   if (has_radii && (core_.triangulation.number_of_hidden_points() > 0 || !have_areas())) {
     return false;

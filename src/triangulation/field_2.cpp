@@ -134,8 +134,6 @@ requires(!WeightedKineticTraits_2<Traits>) Kinetic_field_2<Traits>::Kinetic_fiel
     const Triangulation& triangulation, std::size_t channels)
     : triangulation_(triangulation), channels_(channels) {
   KINETRI_PRECONDITION(channels > 0, "a field needs at least one channel");
-  KINETRI_PRECONDITION(!triangulation.keeps_coincident_points(),
-                       detail::coincident_points_are_kept);
 }
 
 template <KineticTraits_2 Traits>

@@ -17,7 +17,7 @@ def checkpoint_cases():
 
     good = checkpoint()
     body = good[: good.rindex("checksum")]
-    first = "kinetri checkpoint 6"
+    first = "kinetri checkpoint 7"
     yield resume("")
     yield resume(ONE_FLIP, text="x,y,vx,vy")
     yield resume(good.replace(first, "kinetri checkpoint 9", 1), text="9")

@@ -41,7 +41,7 @@ const std::vector<Linear_motion_2> square = {resting(0, 0), resting(4, 0), resti
                                              resting(0, 4)};
 
 TEST(Coincident_points, share_the_vertex_of_the_least_until_it_leaves) {
-  Kinetic kinetic(square, {}, {}, Coincident_points::keep);
+  Kinetic kinetic(square, {}, {}, Coincident_points::hide);
   Texts events;
   kinetic.add_observer(events);
   EXPECT_EQ(kinetic.insert(resting(4, 4)), 4u);
@@ -75,7 +75,7 @@ TEST(Coincident_points, that_all_leave_at_once_are_all_revealed) {
   motions.push_back(resting(4, 4));
   motions.push_back({{3, 4}, {1, 0}, -1});  // another one at (4, 4) at time 0, and gone then
   motions.push_back(resting(4, 4));
-  Kinetic kinetic(motions, {}, {}, Coincident_points::keep);
+  Kinetic kinetic(motions, {}, {}, Coincident_points::hide);
   EXPECT_EQ(kinetic.coincident_points(2), (Ids{4, 6}));
   Texts events;
   kinetic.add_observer(events);
@@ -93,7 +93,7 @@ TEST(Coincident_points, with_weights_are_hidden_by_one_of_the_same_weight) {
   };
   const std::vector<Disc_motion_2> discs = {disc(0, 0, 0), disc(8, 0, 0), disc(0, 8, 0),
                                             disc(2, 2, 1), disc(2, 2, 3), disc(2, 2, 1)};
-  Kinetic_regular_triangulation_2<> kinetic(discs, {}, {}, Coincident_points::keep);
+  Kinetic_regular_triangulation_2<> kinetic(discs, {}, {}, Coincident_points::hide);
   EXPECT_TRUE(kinetic.is_hidden(3)) << "by the face beside the heavier point 4";
   EXPECT_TRUE(kinetic.is_hidden(5));
   EXPECT_EQ(kinetic.coincident_points(5), Ids{3});
@@ -108,19 +108,20 @@ TEST(Coincident_points, with_weights_are_hidden_by_one_of_the_same_weight) {
   EXPECT_TRUE(kinetic.audit(Audit_level::certificates).passed());
 }
 
-TEST(Coincident_points, are_refused_without_any_change_by_default) {
-  Kinetic kinetic(square);
-  EXPECT_FALSE(kinetic.keeps_coincident_points());
+TEST(Coincident_points, are_refused_on_request_without_any_change) {
+  Kinetic kinetic(square, {}, {}, Coincident_points::refuse);
+  EXPECT_EQ(kinetic.coincident(), Coincident_points::refuse);
   EXPECT_THROW(kinetic.insert(resting(4, 4)), Coincident_trajectories_error);
   EXPECT_EQ(kinetic.next_id(), 4u);
   EXPECT_THROW(kinetic.set_motion(0, resting(4, 0)), Coincident_trajectories_error);
   EXPECT_EQ(kinetic.motion(0), square[0]);
-  const Kinetic keeps({resting(1, 1), resting(1, 1)}, {}, {}, Coincident_points::keep);
-  EXPECT_THROW(Kinetic::restore(keeps.snapshot()), Snapshot_error);
+  const Kinetic hides({resting(1, 1), resting(1, 1)});
+  EXPECT_EQ(hides.coincident(), Coincident_points::hide);
+  EXPECT_THROW(Kinetic::restore(hides.snapshot(), {}, Coincident_points::refuse), Snapshot_error);
 }
 
 TEST(Coincident_points, are_not_taken_by_queries_and_fields) {
-  const Kinetic kinetic(square, {}, {}, Coincident_points::keep);
+  const Kinetic kinetic(square, {}, {}, Coincident_points::hide);
   const auto ask = [&] { Kinetic_queries_2 queries(kinetic); };
   const auto interpolate = [&] { Kinetic_field_2 field(kinetic, 1); };
   EXPECT_NE(test::message_of<Precondition_error>(ask).find("Coincident_points::refuse"),

@@ -62,8 +62,8 @@ class Event_certificates : public Event_observer {
 
   /// Calls `function` with the certificate of each event from now on, after the event. `options`
   /// are those of the simulation that owns the triangulation. The triangulation must outlive this
-  /// object, and must not be reversed while it is observed;
-  /// it refuses coincident points (checked). O(n log n).
+  /// object, and must not be reversed while it is observed.
+  /// O(n log n).
   Event_certificates(const Triangulation& triangulation, const Simulation_options& options,
                      Function function);
 

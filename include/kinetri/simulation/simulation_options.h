@@ -11,6 +11,7 @@
 #include "kinetri/impl/events/indexed_queue.h"
 #include "kinetri/simulation/box_2.h"
 #include "kinetri/simulation/collision_response.h"
+#include "kinetri/triangulation/coincident_points.h"
 
 namespace kinetri {
 
@@ -41,6 +42,8 @@ struct Simulation_options {
   /// Whether discs that overlap at the start, or when one is inserted, are refused; touching is
   /// allowed. For responses that assume discs without overlaps, such as elastic collisions.
   bool refuses_overlaps = false;
+  /// What happens to points with the same trajectory and, if they have radii, the same radius.
+  Coincident_points coincident = Coincident_points::hide;
   /// The masses by point id, each positive and finite: one for each point at the start, or none.
   /// Points without one have the mass 1.
   std::vector<double> masses = {};

@@ -207,7 +207,7 @@ void Auditor<Traits>::check_links() {
   }
   for (const auto& [id, twin] : topology_.twins().all()) {
     if (topology_.has_vertex(twin.shown) && twin.shown < id && !topology_.has_vertex(id) &&
-        same_trajectory(topology_.motion(twin.shown), twin.motion)) {
+        same_trajectory(topology_.point(twin.shown).motion(), twin.point.motion())) {
       continue;
     }
     fail("point " + std::to_string(id) + " is hidden by point " + std::to_string(twin.shown) +

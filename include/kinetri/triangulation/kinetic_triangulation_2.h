@@ -19,16 +19,11 @@
 #include "kinetri/impl/triangulation/kinetic_core.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/triangulation/audit.h"
+#include "kinetri/triangulation/coincident_points.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 #include "kinetri/triangulation/triangulation_snapshot.h"
 
 namespace kinetri {
-
-/// What happens to points with the same trajectory and, if they have weights, the same weight.
-enum class Coincident_points {
-  refuse,  ///< Coincident_trajectories_error
-  keep,    ///< the one with the least id hides the others
-};
 
 /// The Delaunay triangulation of moving points, exact at every time; or, if the traits are
 /// WeightedKineticTraits_2, the regular triangulation of points with weights, in which points with
@@ -43,14 +38,12 @@ enum class Coincident_points {
 /// A hidden point has an id, a motion and a vertex, but no edges. As in CGAL, `is_hidden()` of the
 /// vertex is true, and its `face()` is the triangle that hides it.
 ///
-/// Points that have the same trajectory (and weight) from some time on are refused, or kept
-/// (Coincident_points). If they are kept, the one with the least id hides the others, which have no
-/// vertex of their own, until the motion of one of them changes: events `hide` and `reveal`, whose
-/// point_b is the point that hides point_a. Points that only meet and part are not concerned.
-/// Kept points cost nothing if there are none, else in each change O(log k) for k hidden ones and,
-/// if the point has the trajectory of others, as much as there are such points.
-/// Queries, fields and the observers of distances do not yet know such points, and take only
-/// triangulations that refuse them (checked).
+/// Of points that have the same trajectory (and weight) from some time on, the one with the least
+/// id hides the others, which have no vertex of their own, until the motion of one of them changes:
+/// events `hide` and `reveal`, whose point_b is the point that hides point_a. Points that only meet
+/// and part are not concerned. Such points cost nothing if there are none, else in each change
+/// O(log k) for k hidden ones and, if the point has the trajectory of others, as much as there are
+/// such points. They may also be refused (Coincident_points).
 ///
 /// A flip costs five certificates and as many changes of the queue; memory is O(n), with at most
 /// one queue entry for each edge and hidden point. Several threads may call const functions of one
@@ -87,13 +80,13 @@ class Kinetic_triangulation_2 {
   template <class InputIterator>
   Kinetic_triangulation_2(InputIterator first, InputIterator last, const Time& start = Time(),
                           const Traits& traits = Traits(),
-                          Coincident_points coincident = Coincident_points::refuse)
+                          Coincident_points coincident = Coincident_points::hide)
       : Kinetic_triangulation_2(std::vector<Motion>(first, last), start, traits, coincident) {}
 
   /// The triangulation of all motions in the vector; otherwise as the constructor above.
   explicit Kinetic_triangulation_2(const std::vector<Motion>& motions, const Time& start = Time(),
                                    const Traits& traits = Traits(),
-                                   Coincident_points coincident = Coincident_points::refuse);
+                                   Coincident_points coincident = Coincident_points::hide);
 
   /// The triangulation of the snapshot. It behaves from here on like the original: the same calls
   /// give the same events, with the same numbers. Counters continue, except those of the queue;
@@ -102,7 +95,7 @@ class Kinetic_triangulation_2 {
   /// Throws Snapshot_error if a number of the snapshot is not finite, or two points have the same
   /// trajectory (and weight) and such points are refused. Cost: as of the constructor.
   static Kinetic_triangulation_2 restore(const Snapshot& snapshot, const Traits& traits = Traits(),
-                                         Coincident_points coincident = Coincident_points::refuse) {
+                                         Coincident_points coincident = Coincident_points::hide) {
     return Kinetic_triangulation_2(Restoration(), snapshot, traits, coincident);
   }
 
@@ -144,8 +137,10 @@ class Kinetic_triangulation_2 {
     return core_.topology.number_of_hidden_vertices() + core_.topology.twins().size();
   }
 
-  /// Whether points with the same trajectory (and weight) are kept, as given to the constructor.
-  bool keeps_coincident_points() const noexcept { return !core_.topology.refuses_twins(); }
+  /// What happens to points with the same trajectory (and weight), as given to the constructor.
+  Coincident_points coincident() const noexcept {
+    return core_.topology.refuses_twins() ? Coincident_points::refuse : Coincident_points::hide;
+  }
 
   /// The other points with the trajectory (and weight) of the point `id`, sorted. Precondition:
   /// contains(id).
@@ -155,8 +150,12 @@ class Kinetic_triangulation_2 {
   /// the same trajectory: then it is the vertex of that point. Precondition: contains(id).
   Vertex_handle vertex(Point_id id) const;
 
+  /// The point `id` with its motion. The reference is valid until the next change of a point.
+  /// Precondition: contains(id).
+  const Point_2& point(Point_id id) const;
+
   /// The motion of the point `id`. Precondition: contains(id).
-  const Motion& motion(Point_id id) const;
+  const Motion& motion(Point_id id) const { return point(id).motion(); }
 
   /// The ids of the ends of all finite edges, sorted. O(n log n).
   std::vector<Edge_ids> finite_edge_ids() const;

@@ -111,9 +111,9 @@ bool Kinetic_triangulation_2<Traits>::is_hidden(Point_id id) const {
 }
 
 template <KineticTraits_2 Traits>
-auto Kinetic_triangulation_2<Traits>::motion(Point_id id) const -> const Motion& {
+auto Kinetic_triangulation_2<Traits>::point(Point_id id) const -> const Point_2& {
   KINETRI_PRECONDITION(contains(id), detail::unknown_id_problem(id));
-  return core_.topology.motion(id);
+  return core_.topology.point(id);
 }
 
 template <KineticTraits_2 Traits>

@@ -112,8 +112,7 @@ class Kinetic_queries_2 {
   /// Queries at `time`. If it is the time of the next event, the answers hold for the triangulation
   /// before the event. Precondition: `time` is neither before triangulation.current_time() nor
   /// after the next event (checked exactly, see has_event_before). The contacts of a Simulation_2
-  /// do not count: after the next contact the answers still assume the current motions. The
-  /// triangulation refuses coincident points (checked).
+  /// do not count: after the next contact the answers still assume the current motions.
   Kinetic_queries_2(const Kinetic_triangulation_2<Traits>& triangulation, const Time& time);
 
   /// The time of the queries.

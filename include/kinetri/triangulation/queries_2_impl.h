@@ -25,8 +25,6 @@ template <KineticTraits_2 Traits>
 Kinetic_queries_2<Traits>::Kinetic_queries_2(const Kinetic_triangulation_2<Traits>& triangulation,
                                              const Time& time)
     : at_(triangulation, time), changes_(number_of_changes()) {
-  KINETRI_PRECONDITION(!triangulation.keeps_coincident_points(),
-                       detail::coincident_points_are_kept);
   KINETRI_PRECONDITION(time >= triangulation.current_time(),
                        "a query about the past; query a time before the triangulation advances "
                        "beyond it");

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -27,12 +28,15 @@
 namespace kinetri {
 
 /// A copy of the moving points and finite edges of a triangulation, updated once for each instant.
+/// A point that coincides with others for a while has an edge with the one that hides it: so of
+/// points in range of each other, and of a shortest spanning tree, the same is true as without such
+/// points (docs/MATH.md, section 14).
 template <class Traits>
 class Neighbor_graph {
  public:
   using Point_2 = typename Traits::Point_2;  ///< of the traits
 
-  /// Whether there is a point with the id. Hidden points have no neighbors.
+  /// Whether there is a point with the id. Points that triangles hide have no neighbors.
   bool contains(Point_id id) const { return id < nodes_.size() && nodes_[id].point.has_value(); }
   /// The point, with its motion. Precondition: contains(id).
   const Point_2& point(Point_id id) const { return *nodes_[id].point; }
@@ -45,6 +49,11 @@ class Neighbor_graph {
   bool is_edge(const Edge_ids& edge) const {
     return edge[0] < nodes_.size() &&
            std::ranges::find(neighbors(edge[0]), edge[1]) != neighbors(edge[0]).end();
+  }
+  /// The point that hides a point with the same motion; none if it has a vertex of its own.
+  std::optional<Point_id> hidden_by(Point_id id) const {
+    const auto found = hidden_by_.find(id);
+    return found == hidden_by_.end() ? std::nullopt : std::optional(found->second);
   }
   /// More than any id so far.
   Point_id next_id() const { return static_cast<Point_id>(nodes_.size()); }
@@ -65,7 +74,8 @@ class Neighbor_graph {
   void add(const Edge_ids& edge);
   void remove(const Edge_ids& edge);
 
-  std::vector<Node> nodes_;  // by id
+  std::vector<Node> nodes_;                 // by id
+  std::map<Point_id, Point_id> hidden_by_;  // of coincident points
 };
 
 /// The base of such observers. Derived classes read the graph in their constructors and in
@@ -139,21 +149,25 @@ class Edge_follower : private Event_observer {
   void begin_instant(const Time& time);
   void finish_instant();
   void finish_changes();
+  std::optional<Point_id> hidden_by(Point_id id) const;
+  void sum_up_hiding();
   void sum_up_edges();
   void sum_up_points();
   bool looks_at_triangulation() const override { return false; }
   void before_event(const Event& event) override;
   void after_event(const Event& event) override;
   void after_rebuild(const Time& time, std::span<const Edge_ids> edges) override;
+  void after_hiding(const Time& time, std::span<const Point_id> points) override;
 
   const Triangulation* triangulation_;
   std::function<void()> stop_observing_;
   Neighbor_graph<Traits> graph_;
   Time instant_;  // advance() has been called up to here
   // The changes at that time, in order: an edge has been added (+1) or removed (-1); a point has
-  // got a motion, or has been erased.
+  // got a motion, or has been erased; another point, or none, hides a coincident one.
   std::vector<std::pair<Edge_ids, int>> edge_events_;
   std::vector<std::pair<Point_id, std::optional<Point_2>>> point_events_;
+  std::vector<std::pair<Point_id, std::optional<Point_id>>> hiding_events_;
   std::vector<Edge_ids> rebuilt_edges_;  // of after_rebuild
   // The arguments of change(). Members, to reuse their memory.
   std::vector<Edge_ids> removed_;

@@ -38,7 +38,8 @@ inline Event flip_event(Event_kind kind, const std::pair<Edge_ids, Edge_ids>& re
   return event;
 }
 
-/// Edges added and removed, in that order, and hidden points that may have other triangles now.
+/// Edges, and links of twins with the points that hide them, added and removed in that order; and
+/// hidden points that may have other triangles now.
 struct Edge_trail {
   struct Step {
     std::optional<Edge_ids> removed;
@@ -92,9 +93,12 @@ class Kinetic_types<Traits>::Event_reporter {
   /// Whether events or edges must be reported or noted; else counting is enough.
   bool has_listeners() const { return edges_ || keeps_trail_ || !observers_.empty(); }
 
-  /// From now on keeps added and removed edges for the owner of the triangulation.
+  /// From now on keeps added and removed edges and links for the owner of the triangulation.
   void keep_trail() { keeps_trail_ = true; }
   Edge_trail take_trail() { return std::exchange(trail_, {}); }
+  void trail(const Edge_trail::Step& step) {
+    if (keeps_trail_) trail_.edges.push_back(step);
+  }
 
   /// Calls change(), which executes the event, and observers before and after it. While edges are
   /// noted, only notes the edges of the event.
@@ -111,9 +115,7 @@ class Kinetic_types<Traits>::Event_reporter {
     observers_.call([&](Event_observer& observer) { observer.before_event(event); });
     change();
     count_event(event.kind);
-    if (keeps_trail_ && (event.removed || event.added)) {
-      trail_.edges.push_back({event.removed, event.added});
-    }
+    if (event.removed || event.added) trail({event.removed, event.added});
     observers_.call([&](Event_observer& observer) { observer.after_event(event); });
     is_in_event_ = false;
   }

@@ -58,9 +58,8 @@ class Kinetic_types<Traits>::Point_changes {
   };
 
   struct Joined {
-    Point_id id;
+    Point_2 point;
     Point_id shown;
-    Motion motion;
   };
   /// Changes of vertices and twins, to which changes of points lead.
   struct Vertex_changes {
@@ -89,7 +88,7 @@ class Kinetic_types<Traits>::Point_changes {
 
   void note_weights(std::span<const Change> changes);
   void note_separated(const Vertex_changes& planned);
-  void set_twins(const Vertex_changes& planned);
+  Changed_edges set_twins(const Vertex_changes& planned);
   void make(std::span<const Change> changes, Plan& plan);
   void set_point(const Change& change);
   void change_in_place(std::span<const Change> changes);

@@ -38,15 +38,19 @@ Changed_edges Kinetic_types<Traits>::Point_changes::perform(std::span<const Even
                                                             std::span<const Change> changes) {
   Vertex_changes planned = plan(changes);
   if constexpr (is_weighted) note_weights(planned.changes);
+  Changed_edges links;
   reporter_.report(events.front(), [&] {
     reporter_.start_noting();
     note_separated(planned);
     make(planned.changes, planned.plan);
     loop_.execute_due_events();
-    set_twins(planned);
+    links = set_twins(planned);
   });
   reporter_.report_happened(events.subspan(1));
+  // A link may have the ends of an edge that is added or removed.
+  for (const Edge_ids& link : links.removed) reporter_.trail({link, std::nullopt});
   Changed_edges result = reporter_.report_edges();
+  for (const Edge_ids& link : links.added) reporter_.trail({std::nullopt, link});
   reporter_.report_hiding();
   return result;
 }
@@ -85,7 +89,7 @@ void Kinetic_types<Traits>::Point_changes::separate_twins(Vertex_changes& planne
     for (const Point_id id : twins.hidden_by(change.point)) {
       if (std::ranges::binary_search(changed, id)) continue;
       planned.heirs.push_back(id);
-      planned.storage.push_back({id, twins.twin(id).motion});
+      planned.storage.push_back({id, twins.twin(id).point.motion()});
       break;
     }
   }
@@ -108,13 +112,13 @@ void Kinetic_types<Traits>::Point_changes::join_twins(std::span<const Edge_ids> 
     if (joined == shown.end()) {
       changes.push_back(change);
     } else {
-      planned.joined.push_back({change.point, joined->second, *change.motion});
+      planned.joined.push_back({Point_2(*change.motion, change.point), joined->second});
       if (topology_.has_vertex(change.point)) changes.push_back({change.point, std::nullopt});
       shown.erase(joined);
     }
   }
   for (const auto& [id, least] : shown) {
-    planned.joined.push_back({id, least, topology_.vertex(id)->point().motion()});
+    planned.joined.push_back({topology_.point(id), least});
     changes.push_back({id, std::nullopt});
   }
   std::ranges::sort(changes, {}, &Change::point);
@@ -356,28 +360,40 @@ void Kinetic_types<Traits>::Point_changes::note_separated(const Vertex_changes& 
   }
 }
 
-// Updates the groups of twins, when the vertices have been changed.
+// Updates the groups of twins, when the vertices have been changed. Returns the changes of the
+// links between twins and the points that hide them.
 template <class Traits>
-void Kinetic_types<Traits>::Point_changes::set_twins(const Vertex_changes& planned) {
+Changed_edges Kinetic_types<Traits>::Point_changes::set_twins(const Vertex_changes& planned) {
   Twins& twins = topology_.twins();
-  for (const Point_id id : planned.separated) {
-    twins.take_out(id);
-    reporter_.note_moved_hidden(id);
-  }
+  std::map<Point_id, std::optional<Point_id>> shown_before;  // of points whose groups may change
+  const auto note = [&](Point_id id) {
+    shown_before[id] = twins.contains(id) ? std::optional(twins.twin(id).shown) : std::nullopt;
+  };
+  for (const Point_id id : planned.separated) note(id);
   for (const Point_id id : planned.heirs) {
-    reporter_.note_moved_hidden(id);
-    twins.show(id);
-    for (const Point_id other : twins.hidden_by(id)) reporter_.note_moved_hidden(other);
+    for (const Point_id other : twins.hidden_by(twins.twin(id).shown)) note(other);
   }
-  for (const auto& [id, shown, motion] : planned.joined) {
-    reporter_.note_moved_hidden(id);
-    for (const Point_id other : twins.hidden_by(id)) reporter_.note_moved_hidden(other);
-    twins.hide(id, shown, motion);
+  for (const Joined& joined : planned.joined) {
+    note(joined.point.id());
+    for (const Point_id other : twins.hidden_by(joined.point.id())) note(other);
   }
+  for (const Point_id id : planned.separated) twins.take_out(id);
+  for (const Point_id id : planned.heirs) twins.show(id);
+  for (const Joined& joined : planned.joined) twins.hide(joined.point, joined.shown);
   // Only now: the point that hides one may have become a twin itself.
   for (const Joined& joined : planned.joined) {
-    reporter_.note_hidden(joined.id, true, twins.twin(joined.id).shown);
+    const Point_id id = joined.point.id();
+    reporter_.note_hidden(id, true, twins.twin(id).shown);
   }
+  Changed_edges links;
+  for (const auto& [id, before] : shown_before) {
+    reporter_.note_moved_hidden(id);
+    const auto now = twins.contains(id) ? std::optional(twins.twin(id).shown) : std::nullopt;
+    if (now == before) continue;
+    if (before) links.removed.push_back({*before, id});
+    if (now) links.added.push_back({*now, id});
+  }
+  return links;
 }
 
 template <class Traits>

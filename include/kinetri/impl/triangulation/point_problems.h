@@ -43,10 +43,6 @@ inline void check_velocities(std::span<const Point_id> ids, std::span<const Vect
   }
 }
 
-inline constexpr const char* coincident_points_are_kept =
-    "the triangulation keeps points with the same trajectory, which queries, fields and observers "
-    "of distances do not know; construct it with Coincident_points::refuse";
-
 }  // namespace kinetri::detail
 
 #endif  // KINETRI_IMPL_TRIANGULATION_POINT_PROBLEMS_H

@@ -73,8 +73,8 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   /// The points without a vertex.
   const Twins& twins() const noexcept { return twins_; }
   Twins& twins() noexcept { return twins_; }
-  const Motion& motion(Point_id id) const {
-    return has_vertex(id) ? vertices_[id]->point().motion() : twins_.twin(id).motion;
+  const Point_2& point(Point_id id) const {
+    return has_vertex(id) ? vertices_[id]->point() : twins_.twin(id).point;
   }
   /// From now on, no two points may have the same trajectory (and weight).
   void refuse_twins() noexcept { refuses_twins_ = true; }

@@ -64,7 +64,7 @@ void Kinetic_types<Traits>::Topology::take_twins(std::vector<Point_2>& points,
     if (next == others.end() || (*next)[1] != point.id()) {
       distinct.push_back(point);
     } else {
-      twins_.hide(point.id(), (*next)[0], point.motion());
+      twins_.hide(point, (*next)[0]);
       ++next;
     }
   }

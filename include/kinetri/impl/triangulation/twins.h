@@ -57,7 +57,7 @@ class Kinetic_types<Traits>::Twins {
  public:
   struct Twin {
     Point_id shown;  ///< the point that hides it
-    Motion motion;   ///< its own, of which the representation may differ
+    Point_2 point;   ///< with its own motion, of which the representation may differ
   };
 
   bool empty() const noexcept { return twins_.empty(); }
@@ -74,12 +74,13 @@ class Kinetic_types<Traits>::Twins {
     return found == hidden_.end() ? none : found->second;
   }
 
-  /// A point that is no twin becomes one, with its motion; those that it hides become twins of
-  /// `shown`. Precondition: `shown` is no twin, and is less than `id`.
-  void hide(Point_id id, Point_id shown, const Motion& motion) {
+  /// A point that is no twin becomes one; those that it hides become twins of `shown`.
+  /// Precondition: `shown` is no twin, and is less than the id of the point.
+  void hide(const Point_2& point, Point_id shown) {
+    const Point_id id = point.id();
     auto& list = hidden_[shown];
     insert(list, id);
-    twins_.insert_or_assign(id, Twin{shown, motion});
+    twins_.insert_or_assign(id, Twin{shown, point});
     const auto own = hidden_.find(id);
     if (own == hidden_.end()) return;
     for (const Point_id other : own->second) {
@@ -110,7 +111,7 @@ class Kinetic_types<Traits>::Twins {
   /// Replaces each motion by change(motion), which keeps equal trajectories equal.
   template <class Change>
   void for_each_motion(const Change& change) {
-    for (auto& [id, twin] : twins_) twin.motion = change(twin.motion);
+    for (auto& [id, twin] : twins_) twin.point = Point_2(change(twin.point.motion()), id);
   }
 
  private:
