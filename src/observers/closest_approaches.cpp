@@ -19,6 +19,9 @@ Closest_approaches<Traits>::Closest_approaches(Simulation_2<Traits>& simulation,
   for (const Edge_ids& edge : simulation_.triangulation().finite_edge_ids()) {
     begin(edge, simulation_.current_time(), true);
   }
+  if (simulation_.triangulation().number_of_hidden_points() > 0) {
+    for (Point_id id = 0; id < simulation_.triangulation().next_id(); ++id) follow_link(id);
+  }
   if constexpr (has_radii) {
     for (Point_id id = 0; id < simulation_.triangulation().next_id(); ++id) {
       after_change({&id, 1});
@@ -88,6 +91,34 @@ void Closest_approaches<Traits>::after_event(const Event& event) {
 }
 
 template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::after_hiding(const Algebraic_number& /*time*/,
+                                              std::span<const Point_id> points) {
+  for (const Point_id id : points) follow_link(id);
+}
+
+// Ends the piece of a point with the point that hid it, and begins one with the point that hides
+// it, because their motions are the same.
+template <HasLinearMotion Traits>
+void Closest_approaches<Traits>::follow_link(Point_id id) {
+  const auto& triangulation = simulation_.triangulation();
+  const bool is_there = triangulation.contains(id);
+  const Point_id shown = is_there ? triangulation.vertex(id)->point().id() : id;
+  if (const auto link = links_.find(id); link != links_.end()) {
+    const Point_id before = link->second;
+    if (before == shown) return;
+    // They may have got an edge, whose piece has begun.
+    const bool is_edge = is_there && triangulation.contains(before) &&
+                         triangulation.triangulation().is_edge(triangulation.vertex(before),
+                                                               triangulation.vertex(id));
+    if (!is_edge) end(edge_ids(before, id), simulation_.current_time());
+    links_.erase(link);
+  }
+  if (shown == id) return;
+  links_.emplace(id, shown);
+  begin({shown, id}, simulation_.current_time(), true);
+}
+
+template <HasLinearMotion Traits>
 void Closest_approaches<Traits>::after_change(std::span<const Point_id> points) {
   if constexpr (has_radii) {
     for (const Point_id id : points) {
@@ -131,8 +162,8 @@ void Closest_approaches<Traits>::begin_overlap(const Edge_ids& pair, const Algeb
         !triangulation.contains(pair[1])) {
       return;
     }
-    const auto& p = triangulation.vertex(pair[0])->point();
-    const auto& q = triangulation.vertex(pair[1])->point();
+    const auto& p = triangulation.point(pair[0]);
+    const auto& q = triangulation.point(pair[1]);
     if (triangulation.traits().may_overlap(p, q, 0, time) &&
         triangulation.traits().exact().may_overlap(p, q, 0, time)) {
       begin(pair, time, false);
@@ -167,6 +198,9 @@ void Closest_approaches<Traits>::change_motion(Point_id id, const Algebraic_numb
     }
   };
   const auto& triangulation = simulation_.triangulation();
+  if (triangulation.contains(id) && triangulation.number_of_hidden_points() > 0) {
+    for (const Point_id other : triangulation.coincident_points(id)) add_if_turned(other, true);
+  }
   if (triangulation.contains(id) && !triangulation.is_hidden(id)) {
     detail::for_each_neighbor(triangulation.triangulation(), triangulation.vertex(id),
                               [&](auto neighbor) { add_if_turned(neighbor->point().id(), true); });

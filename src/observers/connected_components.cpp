@@ -31,7 +31,7 @@ template <ContactKineticTraits_2 Traits>
 void Connected_components<Traits>::start() {
   KINETRI_PRECONDITION(range_ >= 0 && std::isfinite(range_), "a range is at least 0 and finite");
   tracker_ = std::make_shared<Tracker>(this->graph(), this->traits(), range_, now(),
-                                       this->triangulation().finite_edge_ids());
+                                       this->graph().edges());
 }
 
 template <ContactKineticTraits_2 Traits>

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-
 namespace kinetri {
 namespace {
 
@@ -21,6 +20,18 @@ void keep_last(std::vector<std::pair<Point_id, Event>>& events) {
 }  // namespace
 
 // ---- the graph ----
+
+template <class Traits>
+std::vector<Edge_ids> Neighbor_graph<Traits>::edges() const {
+  std::vector<Edge_ids> result;
+  for (Point_id id = 0; id < next_id(); ++id) {
+    for (const Point_id other : nodes_[id].neighbors) {
+      if (id < other) result.push_back({id, other});
+    }
+  }
+  std::ranges::sort(result);
+  return result;
+}
 
 template <class Traits>
 void Neighbor_graph<Traits>::set_point(Point_id id, const std::optional<Point_2>& point) {

@@ -4,7 +4,6 @@
 #ifndef KINETRI_SRC_OBSERVERS_ENLARGED_DISCS_H
 #define KINETRI_SRC_OBSERVERS_ENLARGED_DISCS_H
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -40,13 +39,7 @@ class Enlarged_discs : private Event_observer {
     }
     Simulation_options options;
     options.response = log_contact;
-    while (simulation_ == nullptr) {
-      try {
-        simulation_ = std::make_unique<Simulation_2<Traits>>(motions, options, start);
-      } catch (const Coincident_trajectories_error& error) {
-        enlarge(motions[error.second()]);
-      }
-    }
+    simulation_ = std::make_unique<Simulation_2<Traits>>(motions, options, start);
     simulation_->add_observer(*this);
   }
   ~Enlarged_discs() override { simulation_->remove_observer(*this); }
@@ -73,29 +66,10 @@ class Enlarged_discs : private Event_observer {
         motions.push_back(enlarged(graph.point(id).motion()));
       }
     }
-    const auto index = [&](Point_id own_id) {
-      return static_cast<std::size_t>(std::ranges::find(ids, own_id) - ids.begin());
-    };
-    for (bool is_done = ids.empty(); !is_done;) {
-      try {
-        simulation_->set_motions(ids, motions);
-        is_done = true;
-      } catch (const Coincident_trajectories_error& error) {
-        const std::size_t second = index(error.second());
-        enlarge(motions[second < ids.size() ? second : index(error.first())]);
-      }
-    }
+    if (!ids.empty()) simulation_->set_motions(ids, motions);
     for (const auto& [id, before] : points) {
       if (before || !graph.contains(id)) continue;
-      Motion motion = enlarged(graph.point(id).motion());
-      for (bool is_done = false; !is_done;) {
-        try {
-          know(id, simulation_->insert(motion));
-          is_done = true;
-        } catch (const Coincident_trajectories_error&) {
-          enlarge(motion);
-        }
-      }
+      know(id, simulation_->insert(enlarged(graph.point(id).motion())));
     }
   }
 
@@ -107,16 +81,11 @@ class Enlarged_discs : private Event_observer {
   }
 
  private:
-  // Discs with equal motions but different radii must have different ones after rounding, too.
-  static void enlarge(Motion& motion) {
-    motion.radius = std::nextafter(motion.radius, std::numeric_limits<double>::infinity());
-  }
-
   // The additional weight does not concern gaps.
   Motion enlarged(Motion motion) const {
-    motion.radius += range_ / 2;
+    motion.radius =
+        std::nextafter(motion.radius + range_ / 2, std::numeric_limits<double>::infinity());
     motion.weight = 0;
-    enlarge(motion);
     KINETRI_PRECONDITION(std::isfinite(motion.radius),
                          "the range is too large: the sum of a radius and half of it is not "
                          "finite; expected a smaller one");

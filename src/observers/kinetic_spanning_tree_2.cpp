@@ -20,7 +20,7 @@ Kinetic_spanning_tree_2<Traits>::Kinetic_spanning_tree_2(Triangulation& triangul
 template <ContactKineticTraits_2 Traits>
 void Kinetic_spanning_tree_2<Traits>::start() {
   tree_ = std::make_shared<detail::Spanning_tree<Traits>>(this->graph(), this->traits(), now(),
-                                                          this->triangulation().finite_edge_ids());
+                                                          this->graph().edges());
 }
 
 template <ContactKineticTraits_2 Traits>

@@ -122,16 +122,10 @@ void Neighbor_lives<Traits>::start() {
   KINETRI_PRECONDITION(!threshold_ || (std::isfinite(*threshold_) && *threshold_ > 0),
                        "the threshold of ridges is not positive and finite");
   now_ = this->triangulation().current_time();
-  std::vector<Edge_ids> edges;
   for (Point_id id = 0; id < this->graph().next_id(); ++id) {
-    if (!this->graph().contains(id)) continue;
-    presences_.emplace(id, Presence{now_, std::nullopt});
-    for (const Point_id other : this->graph().neighbors(id)) {
-      if (id < other) edges.push_back({id, other});
-    }
+    if (this->graph().contains(id)) presences_.emplace(id, Presence{now_, std::nullopt});
   }
-  std::ranges::sort(edges);
-  for (const Edge_ids& edge : edges) {
+  for (const Edge_ids& edge : this->graph().edges()) {
     Present present;
     present.index = lives_.size();
     present.since = now_;

@@ -157,7 +157,7 @@ TEST(Large_grid_properties, a_trajectory_that_is_there_twice_is_refused_with_bot
     for (const Grid_point& p : points) motions.push_back(motion(p));
     const bool has_twins = distinct_motions(points).size() < motions.size();
     try {
-      const Kinetic_delaunay kinetic(motions);
+      const Kinetic_delaunay kinetic(motions, {}, {}, Coincident_points::refuse);
       RC_ASSERT(!has_twins);
     } catch (const Coincident_trajectories_error& error) {
       RC_ASSERT(has_twins);

@@ -35,8 +35,8 @@ Linear_motion_2 read_motion(Fuzz_input& input, double epoch) {
 class Run {
  public:
   Run(const std::vector<Linear_motion_2>& motions, const Algebraic_number& start)
-      : kinetic_(motions, start),
-        exact_(motions, start, Linear_kinetic_traits_2::exact()),
+      : kinetic_(motions, start, {}, Coincident_points::refuse),
+        exact_(motions, start, Linear_kinetic_traits_2::exact(), Coincident_points::refuse),
         oracle_(start) {
     for (Point_id id = 0; id < motions.size(); ++id) oracle_.set_motion(id, motions[id]);
     check();

@@ -111,11 +111,11 @@ TEST(Closest_approaches, begin_with_the_closest_of_all_pairs_wherever_they_are) 
 }
 
 TEST(Closest_approaches, of_tracks_begin_with_the_closest_of_all_pairs) {
-  for (const double origin : {0.0, 1e15}) {
+  for (const auto& [origin, fraction] : {std::pair(0.0, 0x1p-10), {0.0, 0.0}, {1e15, 0.125}}) {
     for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
-      SCOPED_TRACE("origin " + std::to_string(origin) + ", seed " + std::to_string(seed));
-      const test::Tracks tracks =
-          test::random_walks(9, seed, origin, origin == 0 ? 0x1p-10 : 0.125);
+      SCOPED_TRACE("origin " + std::to_string(origin) + ", fraction " + std::to_string(fraction) +
+                   ", seed " + std::to_string(seed));
+      const test::Tracks tracks = test::random_walks(9, seed, origin, fraction);
       const auto stays = stays_of(tracks, {.from = 0});
       std::optional<Rational_approach> least;
       for (Point_id i = 0; i < stays.size(); ++i) {

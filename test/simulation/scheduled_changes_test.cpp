@@ -83,7 +83,9 @@ TEST(Scheduled_changes, wait_for_others_of_the_same_time_that_make_way) {
   std::vector<Linear_motion_2> motions = triangle();
   motions.push_back({{0, 0}, {1, 0}, 0});
   motions.push_back({{5, 5}, {0, 1}, 0});
-  Simulation simulation(motions, {});
+  Simulation_options options;
+  options.coincident = Coincident_points::refuse;
+  Simulation simulation(motions, options);
   simulation.schedule_motion(Algebraic_number(1.0), 3, motions[4]);
   simulation.schedule_motion(Algebraic_number(1.0), 4, {{9, 9}, {0, 0}, 0});
   simulation.advance_to(2.0);
@@ -121,7 +123,8 @@ TEST(Scheduled_changes, that_cannot_be_made_are_dropped_and_the_others_made) {
   std::vector<Linear_motion_2> motions = triangle();
   motions.push_back({{0, 0}, {1, 0}, 0});
   motions.push_back({{5, 5}, {0, 1}, 0});
-  const Simulation_options options = in_box({-100, -100, 100, 100});
+  Simulation_options options = in_box({-100, -100, 100, 100});
+  options.coincident = Coincident_points::refuse;
   Simulation simulation(motions, options);
   const Algebraic_number one(1.0);
   // Three wait for point 4 to make way, which it does not; then one leads out of the box.

@@ -90,7 +90,9 @@ TEST(Simulation_snapshot, is_not_taken_within_an_instant) {
         "a snapshot within an instant; take it when advance_to or step has returned");
     return {};
   };
-  Simulation simulation(two_and_two(), discs(1, take));
+  Simulation_options options = discs(1, take);
+  options.coincident = Coincident_points::refuse;
+  Simulation simulation(two_and_two(), options);
   taken = &simulation;
   simulation.advance_to(3.5);
   EXPECT_EQ(calls, 1);

@@ -157,7 +157,7 @@ class Soak {
   // The bytes for a number of points that is always the same.
   void measure(int i) {
     while (points_.size() != least_points) {
-      points_.size() > least_points ? run_.erase(point()) : try_insert();
+      points_.size() > least_points ? run_.erase(point()) : insert();
     }
     const std::size_t ids = run_.triangulation().next_id();
     while (table_.size() < ids) table_.emplace_back();
@@ -182,24 +182,16 @@ class Soak {
         run_.set_motion(point(), motions_.next(now));
       } else if (points_.size() <= least_points + more_points ||
                  (points_.size() < most_points + more_points && motions_.one_in(2))) {
-        try_insert();
+        insert();
       } else {
         run_.erase(point());
       }
-    } catch (const Coincident_trajectories_error&) {
-      ++refused_;
     } catch (const Outside_box_error&) {
       ++refused_;
     }
   }
 
-  void try_insert() {
-    try {
-      run_.insert(motions_.next(present()));
-    } catch (const Coincident_trajectories_error&) {
-      ++refused_;
-    }
-  }
+  void insert() { run_.insert(motions_.next(present())); }
 
   double present() const { return run_.triangulation().current_time().interval().upper; }
 

@@ -161,7 +161,7 @@ TEST(Touching_point, enters_a_disc_where_another_point_is_on_the_rim) {
   EXPECT_EQ(contacts.events[0].time, Algebraic_number(2));
   EXPECT_EQ(contacts.events[0].point_a, Point_id{0});
   EXPECT_EQ(contacts.events[0].point_b, Point_id{2});
-  // Where the point stops, two points would have one trajectory from then on, which is refused.
+  // If the point stops, it coincides with point 1 from then on.
   for (const Named_response& named : named_responses) {
     if (named.response == nullptr) continue;
     options.response = named.response;
@@ -169,8 +169,7 @@ TEST(Touching_point, enters_a_disc_where_another_point_is_on_the_rim) {
     EXPECT_EQ(test::difference_from_all_pairs<Disc_kinetic_traits_2>(discs, options, {}, 7, totals),
               "")
         << named.name;
-    const bool stays_on_rim = named.name != "log" && named.name != "remove";
-    EXPECT_EQ(totals.contacts, stays_on_rim ? 0u : 1u) << named.name;
+    EXPECT_EQ(totals.contacts, 1u) << named.name;
   }
 }
 

@@ -86,10 +86,22 @@ TEST(Track_simulation, may_start_on_the_way) {
   EXPECT_EQ(simulation->triangulation().number_of_points(), 1u);
 }
 
-TEST(Track_simulation, of_two_that_go_the_same_way_is_refused_when_they_do) {
-  const Tracks tracks = {{{0, {0, 0}}, {1, {1, 0}}, {2, {2, 0}}},
-                         {{0, {0, 5}}, {1, {1, 0}}, {2, {2, 0}}}};
-  const auto simulation = simulation_of(tracks, 0);
+const Tracks one_way = {{{0, {0, 0}}, {1, {1, 0}}, {2, {2, 0}}},
+                        {{0, {0, 5}}, {1, {1, 0}}, {2, {2, 0}}}};
+
+TEST(Track_simulation, of_two_that_go_the_same_way_hides_one_while_they_do) {
+  const auto simulation = simulation_of(one_way, 0);
+  simulation->advance_to(1.5);
+  EXPECT_EQ(simulation->triangulation().coincident_points(0), std::vector<Point_id>{1});
+  EXPECT_TRUE(simulation->triangulation().is_hidden(1));
+  simulation->advance_to(2.0);
+  EXPECT_EQ(simulation->triangulation().number_of_points(), 0u);
+}
+
+TEST(Track_simulation, of_two_that_go_the_same_way_may_be_refused_when_they_do) {
+  Simulation_options options;
+  options.coincident = Coincident_points::refuse;
+  const auto simulation = simulate_tracks(one_way, stays_of(one_way, {.from = 0}), 0, options);
   EXPECT_THROW(simulation->advance_to(2.0), Coincident_trajectories_error);
   EXPECT_EQ(simulation->current_time(), Algebraic_number(1.0));
 }

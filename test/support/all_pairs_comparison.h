@@ -83,7 +83,6 @@ std::string difference_from_all_pairs(
   ++totals.runs;
   std::size_t compared = 0;
   bool is_pressed = false;
-  bool is_over = false;
   const auto audit_problem = [&](Audit_level level) -> std::string {
     const Audit_report report = simulation.audit(level);
     if (report.passed()) return {};
@@ -97,17 +96,10 @@ std::string difference_from_all_pairs(
         events = simulation.step(end);
       } catch (const Endless_contacts_error&) {
         is_pressed = true;
-      } catch (const Coincident_trajectories_error&) {
-        // A contact has given two points the same trajectory.
-        is_over = true;
       }
       for (; compared < contacts.events.size(); ++compared) {
         std::string problem = detail::contact_problem(contacts.events[compared], oracle.step(end));
         if (!problem.empty()) return "contact " + std::to_string(compared) + ": " + problem;
-      }
-      if (is_over) {
-        oracle.step(end);
-        return oracle.has_twins() ? "" : "refused, though no trajectory is twice";
       }
       if (is_pressed) break;
       std::string problem = audit_problem(Audit_level::delaunay);
@@ -128,34 +120,25 @@ std::string difference_from_all_pairs(
     const auto& motion = change.motion;
     if (!problem.empty() || is_pressed || compared >= most_contacts || time > until) break;
     problem = run_to(Algebraic_number(time));
-    if (!problem.empty() || is_pressed || is_over || compared >= most_contacts) break;
+    if (!problem.empty() || is_pressed || compared >= most_contacts) break;
     simulation.advance_to(time);
     oracle.advance_to(Algebraic_number(time));
     const bool is_new = id == simulation.triangulation().next_id();
     if (!is_new && !simulation.triangulation().contains(id)) continue;
-    const bool is_taken = std::ranges::any_of(oracle.motions(), [&](const auto& other) {
-      return motion && other.first != id && same_trajectory(other.second, *motion);
-    });
-    try {
-      if (is_new && motion) {
-        simulation.insert(*motion);
-      } else if (motion) {
-        simulation.set_motion(id, *motion);
-      } else if (!is_new) {
-        simulation.erase(id);
-      }
-      if (is_taken) return "one trajectory twice, not refused";
-    } catch (const Coincident_trajectories_error&) {
-      if (!is_taken) return "refused, though no trajectory is twice";
-      continue;
+    if (is_new && motion) {
+      simulation.insert(*motion);
+    } else if (motion) {
+      simulation.set_motion(id, *motion);
+    } else if (!is_new) {
+      simulation.erase(id);
     }
     oracle.set_motion(id, motion);
     problem = audit_problem(Audit_level::certificates);
   }
-  if (problem.empty() && !is_over) problem = run_to(Algebraic_number(until));
+  if (problem.empty()) problem = run_to(Algebraic_number(until));
   totals.contacts += compared;
   totals.pressed += is_pressed ? 1 : 0;
-  if (!problem.empty() || is_pressed || is_over || compared >= most_contacts) return problem;
+  if (!problem.empty() || is_pressed || compared >= most_contacts) return problem;
   for (const auto& [id, motion] : oracle.motions()) {
     if (!simulation.triangulation().contains(id) ||
         simulation.triangulation().motion(id) != motion) {

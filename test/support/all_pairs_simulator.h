@@ -66,16 +66,6 @@ class All_pairs_simulator {
   /// Whether the run has ended with a resting contact.
   bool is_pressed() const { return is_pressed_; }
 
-  /// Whether two points have the same trajectory.
-  bool has_twins() const {
-    for (auto one = motions_.begin(); one != motions_.end(); ++one) {
-      for (auto other = std::next(one); other != motions_.end(); ++other) {
-        if (same_trajectory(one->second, other->second)) return true;
-      }
-    }
-    return false;
-  }
-
   /// Precondition: there is no contact before that time.
   void advance_to(const Algebraic_number& time) { time_ = time; }
 

@@ -15,7 +15,8 @@ namespace kinetri::test {
 using Tracks = std::vector<std::vector<Observation_2>>;
 
 /// Random walks on a grid, with pauses, gaps and meetings. Multiples of `fraction`, different for
-/// each walk, make trajectories distinct. All coordinates are shifted by `origin`.
+/// each walk, make trajectories distinct; if it is 0, some are the same for a while. All
+/// coordinates are shifted by `origin`.
 inline Tracks random_walks(std::size_t number, unsigned seed, double origin = 0,
                            double fraction = 0x1p-10) {
   std::mt19937_64 random(seed);

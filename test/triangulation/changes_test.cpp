@@ -25,7 +25,7 @@ class Mixed_operations {
       : size_(size),
         speed_(speed),
         random_(seed),
-        kinetic_(test::grid_motions(points, size, speed, seed)),
+        kinetic_(test::grid_motions(points, size, speed, seed), {}, {}, Coincident_points::refuse),
         recorder_(kinetic_) {
     for (Point_id id = 0; id < points; ++id) remember(id);
   }
@@ -288,7 +288,7 @@ TEST(Changes, refuse_what_is_no_motion) {
 TEST(Changes, that_are_refused_leave_everything_as_it_was) {
   const std::vector<Linear_motion_2> motions = {
       {{0, 0}, {0, 0}, 0}, {{4, 0}, {0, 0}, 0}, {{0, 4}, {0, 0}, 0}, {{3, 3}, {1, 1}, 0}};
-  Kinetic_delaunay kinetic(motions);
+  Kinetic_delaunay kinetic(motions, {}, {}, Coincident_points::refuse);
   struct Watcher : Kinetic_delaunay::Observer {
     void before_event(const test::Kinetic_event& event) override { events.push_back(event); }
     std::vector<test::Kinetic_event> events;
@@ -304,7 +304,7 @@ TEST(Changes, that_are_refused_leave_everything_as_it_was) {
 }
 
 TEST(Changes, of_one_event_are_made_together_or_not_at_all) {
-  Kinetic_delaunay kinetic(test::random_motions(20, 10, 5, 1));
+  Kinetic_delaunay kinetic(test::random_motions(20, 10, 5, 1), {}, {}, Coincident_points::refuse);
   test::Event_recorder recorder(kinetic);
   const Linear_motion_2 turned = {kinetic.motion(3).position, {0, 0}, 0};
   const std::array<Kinetic_delaunay::Change, 2> changes = {{{3, turned}, {4, turned}}};

@@ -144,7 +144,7 @@ TEST(Changes_within_events, are_refused_for_ever_when_an_observer_has_thrown) {
 
 // What is refused before it begins leaves a triangulation as it is.
 TEST(Changes_within_events, may_follow_a_change_that_has_been_refused) {
-  Kinetic_delaunay kinetic(test::random_motions(30, 100, 5, 1));
+  Kinetic_delaunay kinetic(test::random_motions(30, 100, 5, 1), {}, {}, Coincident_points::refuse);
   kinetic.advance_to(1.0);
   EXPECT_THROW(kinetic.insert(kinetic.motion(3)), Coincident_trajectories_error);
   EXPECT_THROW(kinetic.erase(99), Precondition_error);

@@ -115,7 +115,7 @@ TEST(Coincident_points, are_refused_on_request_without_any_change) {
   EXPECT_EQ(kinetic.next_id(), 4u);
   EXPECT_THROW(kinetic.set_motion(0, resting(4, 0)), Coincident_trajectories_error);
   EXPECT_EQ(kinetic.motion(0), square[0]);
-  const Kinetic hides({resting(1, 1), resting(1, 1)});
+  const Kinetic hides(std::vector<Linear_motion_2>(2, resting(1, 1)));
   EXPECT_EQ(hides.coincident(), Coincident_points::hide);
   EXPECT_THROW(Kinetic::restore(hides.snapshot(), {}, Coincident_points::refuse), Snapshot_error);
 }

@@ -187,7 +187,7 @@ TEST(Start_of_a_line, with_points_in_one_place_is_refused) {
   for (const bool is_one_beside : {false, true}) {
     if (is_one_beside) motions.push_back({{0, 9}, {}});
     try {
-      const Kinetic_delaunay kinetic(motions);
+      const Kinetic_delaunay kinetic(motions, {}, {}, Coincident_points::refuse);
       FAIL() << "expected an error";
     } catch (const Coincident_trajectories_error& error) {
       EXPECT_TRUE(edge_ids(error.first(), error.second()) == (Edge_ids{17, 200}) ||

@@ -132,7 +132,7 @@ TEST(Kinetic_delaunay_triangulation_2, of_one_trajectory_twice_is_refused_with_b
   const std::vector<Linear_motion_2> motions = {
       {{5, 5}, {0, 0}, 0}, {{1, 2}, {1, 1}, 0}, {{9, 2}, {0, 1}, 0}, {{3, 4}, {1, 1}, 2}};
   try {
-    Kinetic_delaunay kinetic(motions);
+    Kinetic_delaunay kinetic(motions, {}, {}, Coincident_points::refuse);
     FAIL() << "points 1 and 3 are the same trajectory";
   } catch (const Coincident_trajectories_error& error) {
     EXPECT_EQ(error.first(), 1u);

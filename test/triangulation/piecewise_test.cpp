@@ -234,7 +234,10 @@ void expect_degenerate_changes(const Coverage& coverage, const Grid& grid) {
 class Run_by_hand {
  public:
   Run_by_hand(const Grid& grid, unsigned seed, Coverage& coverage)
-      : choices_(grid, seed), coverage_(coverage), kinetic_(choices_.motions()), reader_(kinetic_) {
+      : choices_(grid, seed),
+        coverage_(coverage),
+        kinetic_(choices_.motions(), {}, {}, Coincident_points::refuse),
+        reader_(kinetic_) {
     kinetic_.add_observer(reader_);
   }
 

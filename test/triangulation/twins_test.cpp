@@ -24,12 +24,16 @@ TEST(Coincident_groups, have_the_least_id_as_root) {
   EXPECT_EQ(groups.others(), (std::vector<Edge_ids>{{3, 5}, {3, 7}, {6, 8}, {3, 9}}));
 }
 
+Linear_kinetic_traits_2::Point_2 resting(Point_id id) {
+  return Linear_kinetic_traits_2::Point_2(test::resting(1, 1), id);
+}
+
 TEST(Twins, are_hidden_by_one_point_after_groups_join) {
   Twins twins;
   EXPECT_TRUE(twins.empty());
-  twins.hide(5, 2, test::resting(1, 1));
-  twins.hide(4, 2, test::resting(1, 1));
-  twins.hide(2, 0, test::resting(1, 1));
+  twins.hide(resting(5), 2);
+  twins.hide(resting(4), 2);
+  twins.hide(resting(2), 0);
   EXPECT_EQ(twins.size(), 3u);
   EXPECT_EQ(twins.hidden_by(0), (Ids{2, 4, 5}));
   EXPECT_EQ(twins.hidden_by(2), Ids());
@@ -38,7 +42,7 @@ TEST(Twins, are_hidden_by_one_point_after_groups_join) {
 
 TEST(Twins, are_hidden_by_the_next_one_when_the_first_leaves) {
   Twins twins;
-  for (const Point_id id : {3u, 6u, 8u}) twins.hide(id, 1, test::resting(1, 1));
+  for (const Point_id id : {3u, 6u, 8u}) twins.hide(resting(id), 1);
   twins.take_out(6);
   EXPECT_FALSE(twins.contains(6));
   EXPECT_EQ(twins.hidden_by(1), (Ids{3, 8}));

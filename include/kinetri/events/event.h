@@ -42,7 +42,7 @@ class Event_observer {
   /// change, or turn over, although no edge does.
   virtual void after_rebuild(const Algebraic_number& /*time*/,
                              std::span<const Edge_ids> /*edges*/) {}
-  /// Of a regular triangulation, or one that keeps coincident points: called after all events of a
+  /// Of a regular triangulation, or if points coincide for a while: called after all events of a
   /// time, and after a change of points, if hidden points may have other triangles than before,
   /// even if there was no event. `points`, sorted, has each of them; it may also have points whose
   /// triangle is the same, or that are no longer hidden, or that were erased.

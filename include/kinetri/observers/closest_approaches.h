@@ -38,7 +38,8 @@ concept HasLinearMotion = ContactKineticTraits_2<Traits> &&
 /// neighbors in the triangulation or overlapped, and for each pair the first time of its least gap.
 /// A point that is erased and one that is inserted at the same time are a pair at that time. Discs
 /// have the radius of the options, or radii of their own, which may differ and grow; without radii
-/// the gap is the distance.
+/// the gap is the distance. A point that coincides with others for a while is a neighbor of the one
+/// that hides it.
 ///
 /// The first of the result is the closest approach of all pairs. For discs of one radius, and
 /// points, the closest pair has an edge at any time. For discs with radii of their own, at any time
@@ -78,6 +79,7 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
   /// Called by the simulation; tracks edges and motions.
   void before_event(const Event& event) override;
   void after_event(const Event& event) override;
+  void after_hiding(const Algebraic_number& time, std::span<const Point_id> points) override;
   /// @}
 
  private:
@@ -104,6 +106,7 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
   static bool is_nearer(const Candidate& a, const Candidate& b);
 
   void after_change(std::span<const Point_id> points) override;
+  void follow_link(Point_id id);
   Disc_motion_2 disc(Point_id id) const;
   bool has_changed(const Edge_ids& pair, const Piece& piece) const;
   void begin(const Edge_ids& pair, const Algebraic_number& time, bool is_edge);
@@ -122,6 +125,7 @@ class Closest_approaches : public Event_observer, private Overlap_observer {
   Simulation_2<Traits>& simulation_;
   std::size_t number_;
   std::map<Edge_ids, Piece> pieces_;
+  std::map<Point_id, Point_id> links_;  // points, and those that hide them
   // Of each piece without an edge both points, each with the other one.
   std::set<std::pair<Point_id, Point_id>> overlaps_;
   // The points of the present event that existed before it; and the points that have been erased

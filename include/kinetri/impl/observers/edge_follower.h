@@ -28,9 +28,8 @@
 namespace kinetri {
 
 /// A copy of the moving points and finite edges of a triangulation, updated once for each instant.
-/// A point that coincides with others for a while has an edge with the one that hides it: so of
-/// points in range of each other, and of a shortest spanning tree, the same is true as without such
-/// points (docs/MATH.md, section 14).
+/// A point that coincides with others for a while has an edge, its *link*, with the one that hides
+/// it (docs/MATH.md, section 4).
 template <class Traits>
 class Neighbor_graph {
  public:
@@ -50,6 +49,8 @@ class Neighbor_graph {
     return edge[0] < nodes_.size() &&
            std::ranges::find(neighbors(edge[0]), edge[1]) != neighbors(edge[0]).end();
   }
+  /// All edges, sorted. O(n log n).
+  std::vector<Edge_ids> edges() const;
   /// The point that hides a point with the same motion; none if it has a vertex of its own.
   std::optional<Point_id> hidden_by(Point_id id) const {
     const auto found = hidden_by_.find(id);
