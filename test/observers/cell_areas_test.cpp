@@ -161,7 +161,8 @@ void expect_exact_areas(const Kinetic& kinetic, const Rational& t, const Room& r
   for (const auto& [id, p] : oracle.places()) {
     places.emplace(id, Weighted_place(p, oracle.weight(id)));
   }
-  const auto expected = exact_connected_areas(places, room);
+  auto expected = exact_connected_areas(places, room);
+  test::share_areas(expected, oracle);
   const auto areas = cell_areas(kinetic, {Walkable_area::from_wkt(room.text)});
   ASSERT_EQ(areas.size(), expected.size());
   auto next = expected.begin();

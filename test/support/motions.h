@@ -97,6 +97,29 @@ inline std::vector<Linear_motion_2> grid_motions(std::size_t n, int size, int sp
   return motions;
 }
 
+/// n trajectories through the nine positions of a grid of 3 x 3 at time 0, half of the points at
+/// rest, so that many are equal. Representations of equal ones may differ.
+inline std::vector<Linear_motion_2> coincident_motions(std::size_t n, unsigned seed) {
+  std::mt19937_64 random(seed);
+  const auto whole = [&](int lowest, int highest) {
+    return static_cast<double>(std::uniform_int_distribution<int>(lowest, highest)(random));
+  };
+  std::vector<Linear_motion_2> motions;
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool is_moving = random() % 2 == 0;
+    Linear_motion_2 m;
+    m.position.x = whole(0, 2);
+    m.position.y = whole(0, 2);
+    m.velocity.x = is_moving ? whole(-1, 1) : 0;
+    m.velocity.y = is_moving ? whole(-1, 1) : 0;
+    m.epoch = whole(-1, 1);
+    m.position.x += m.epoch * m.velocity.x;
+    m.position.y += m.epoch * m.velocity.y;
+    motions.push_back(m);
+  }
+  return motions;
+}
+
 /// n distinct trajectories of degrees up to `degree`, with small integer positions and derivatives.
 inline std::vector<Polynomial_motion_2> polynomial_grid_motions(std::size_t n, int size, int speed,
                                                                 int degree, unsigned seed) {

@@ -55,6 +55,7 @@ class Query_oracle {
       weights_.emplace(id, weight_at(kinetic.motion(id), t));
       if (!kinetic.is_hidden(id)) visible_.insert(id);
     }
+    find_groups(kinetic, t);
     if (kinetic.triangulation().dimension() == 2) {
       for (const auto face : kinetic.triangulation().finite_face_handles()) {
         std::vector<Point_id> ids;
@@ -81,6 +82,9 @@ class Query_oracle {
   const std::map<Point_id, Rational>& weights() const { return weights_; }
   const Static_point& place(Point_id id) const { return places_.at(id); }
   const Rational& weight(Point_id id) const { return weights_.at(id); }
+  /// The points that coincide with the point at all times, and have its weight, itself included, by
+  /// id.
+  const std::vector<Point_id>& group(Point_id id) const { return groups_.at(id); }
 
   /// The power of the position `q` to the point `id`.
   Rational power(const Static_point& q, Point_id id) const {
@@ -258,10 +262,29 @@ class Query_oracle {
     return result;
   }
 
+  // Coordinates and weights that are equal at seven times are equal at all, if their degree is six
+  // at most.
+  template <class Kinetic>
+  void find_groups(const Kinetic& kinetic, const Rational& t) {
+    std::map<std::vector<std::pair<Static_point, Rational>>, std::vector<Point_id>> groups;
+    for (const auto& [id, unused] : places_) {
+      std::vector<std::pair<Static_point, Rational>> samples;
+      for (int k = 0; k < 7; ++k) {
+        samples.emplace_back(place_at(kinetic.motion(id), Rational(t + k)),
+                             weight_at(kinetic.motion(id), Rational(t + k)));
+      }
+      groups[samples].push_back(id);
+    }
+    for (const auto& [unused, group] : groups) {
+      for (const Point_id id : group) groups_.emplace(id, group);
+    }
+  }
+
   std::vector<Edge_ids> edges_;
   std::vector<std::vector<Point_id>> triangles_;
   std::map<Point_id, Static_point> places_;
   std::map<Point_id, Rational> weights_;
+  std::map<Point_id, std::vector<Point_id>> groups_;
   std::set<Point_id> visible_;
   std::vector<std::pair<Static_point, Static_point>> hull_lines_;
   bool is_flat_ = true;

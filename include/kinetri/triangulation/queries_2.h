@@ -10,6 +10,9 @@
 //
 // For points with weights, such as discs, the power replaces the distance: the power of a position
 // to a point is the squared distance minus the weight of the point at the time.
+//
+// Points that coincide for a while (Coincident_points) are as many points: the one that hides the
+// others has the least id of them. All have one cell.
 #ifndef KINETRI_TRIANGULATION_QUERIES_2_H
 #define KINETRI_TRIANGULATION_QUERIES_2_H
 
@@ -93,8 +96,8 @@ concept HasNearestNeighbors = !WeightedKineticTraits_2<Traits>;
 /// object was constructed. (With weights also if another triangle hides a point since;
 /// next_event_time() includes the times of that.)
 ///
-/// A point that is hidden beside the time has no edges: `locate` does not find it. Whether its cell
-/// is empty at the time itself is decided for that time.
+/// A point that a triangle hides beside the time has no edges: `locate` does not find it. Whether
+/// its cell is empty at the time itself is decided for that time.
 ///
 /// A walk through the triangulation starts at a vertex near the query position, the nearest of some
 /// 2 n^(1/3) points at the current time. It takes expected O(n^(1/3)) predicates for evenly
@@ -131,9 +134,12 @@ class Kinetic_queries_2 {
 
   /// The points with an edge to `point`, counterclockwise: for an inner point the smallest id
   /// first, for a hull point from one hull neighbor to the other. If all points are collinear at
-  /// all times, in ascending order. Empty for a hidden point. At a degenerate time there are
-  /// several Delaunay triangulations; voronoi_cell gives the neighbors that all of them have. Cost:
-  /// O(degree).
+  /// all times, in ascending order. None for a point that a triangle hides. At a degenerate time
+  /// there are several Delaunay triangulations; voronoi_cell gives the neighbors that all of them
+  /// have. Cost: O(degree).
+  ///
+  /// Then, in ascending order, the points that `point` hides since they coincide with it for a
+  /// while. The only neighbor of such a hidden point is the point that hides it.
   std::vector<Point_id> neighbors(Point_id point) const;
 
   /// The exact Voronoi cell of the point `id`. Precondition: the time is known to be rational
@@ -150,10 +156,12 @@ class Kinetic_queries_2 {
   Voronoi_cell_2<Vector_2> rounded_voronoi_cell(Point_id id) const;
 
   /// The area of each point's Voronoi cell (with weights: power cell) within a polygon, by id: of
-  /// the region of the polygon in which nearest_vertex is that point. Of coinciding points with
-  /// equal weights the smallest id has the area of the common cell; the others have 0, and so have
-  /// points with empty cells and ids without points. If there is a point, the sum is the area of
-  /// the polygon. The result has next_id() numbers.
+  /// the region of the polygon in which nearest_vertex is that point. Points that coincide for a
+  /// while (coincident_points) share it equally. Of points with equal weights that coincide only at
+  /// the time, the smallest id has the area of the common cell, or shares it with those that
+  /// coincide with it for a while; the others have 0, and so have points with empty cells and ids
+  /// without points. If there is a point, the sum is the area of the polygon. The result has
+  /// next_id() numbers.
   ///
   /// `polygon` has its vertices in either order, each once; it need not be convex, and points may
   /// be outside. For a box: Box_2::corners. The neighbors of each cell are exact, the areas are
@@ -167,7 +175,8 @@ class Kinetic_queries_2 {
   std::vector<double> rounded_voronoi_areas(std::span<const Vector_2> polygon) const;
 
   // Distances between points, without weights: in a regular triangulation neither the nearest
-  // centers nor the nearest boundaries need have an edge (docs/MATH.md, section 10).
+  // centers nor the nearest boundaries need have an edge (docs/MATH.md, section 10). Coinciding
+  // points, hidden ones included, have the distance 0.
 
   /// The point nearest to the point `id`, other than that; of equally near points the smallest id;
   /// none if there is no other point. Cost: O(degree) floating-point operations, and exact
@@ -182,7 +191,7 @@ class Kinetic_queries_2 {
   /// no point `id`. k * next_id() ids. Precondition: k is less than 2^32. Cost: for each point O(d
   /// log d) comparisons of distances, as those of nearest_neighbor, if the k points have d
   /// neighbors together; and as much for each point that is exactly as far away as the last of the
-  /// k.
+  /// k. Points that coincide for a while are searched for once, together.
   std::vector<Point_id> nearest_neighbors(std::size_t k) const requires HasNearestNeighbors<Traits>;
 
   /// The pair of points nearest to each other; of several such pairs the first in the order of
@@ -202,6 +211,7 @@ class Kinetic_queries_2 {
   std::uint64_t number_of_changes() const;
   void check_is_current() const;
   Vertex_handle vertex(Point_id id) const;
+  std::vector<Point_id> triangulation_neighbors(Vertex_handle v) const;
 
   detail::Triangulation_at_time<Traits> at_;
   std::uint64_t changes_;  // of the triangulation, when this object was made

@@ -70,8 +70,17 @@ Location_2 Kinetic_queries_2<Traits>::locate(const Vector_2& place) const {
 template <KineticTraits_2 Traits>
 std::vector<Point_id> Kinetic_queries_2<Traits>::neighbors(Point_id point) const {
   const Vertex_handle v = vertex(point);
+  if (at_.id(v) != point) return {at_.id(v)};
+  std::vector<Point_id> result = triangulation_neighbors(v);
+  const std::vector<Point_id>& hidden = at_.hidden_by(point);
+  result.insert(result.end(), hidden.begin(), hidden.end());
+  return result;
+}
+
+template <KineticTraits_2 Traits>
+std::vector<Point_id> Kinetic_queries_2<Traits>::triangulation_neighbors(Vertex_handle v) const {
   std::vector<Point_id> result;
-  if (at_.kinetic().is_hidden(point)) return result;
+  if (at_.kinetic().is_hidden(at_.id(v))) return result;
   if (at_.triangulation().dimension() < 2) {
     at_.for_each_neighbor(v, [&](Vertex_handle u) { result.push_back(at_.id(u)); });
     std::ranges::sort(result);
@@ -143,7 +152,8 @@ template <KineticTraits_2 Traits>
 std::optional<Point_id> Kinetic_queries_2<Traits>::nearest_neighbor(Point_id id) const requires
     HasNearestNeighbors<Traits> {
   const Vertex_handle v = vertex(id);
-  return detail::Nearest_points<Traits>(at_).nearest_to(v);
+  const detail::Nearest_points<Traits> points(at_);
+  return at_.id(v) == id ? points.nearest_to(v) : points.smallest_id_at(v);
 }
 
 template <KineticTraits_2 Traits>
@@ -154,6 +164,10 @@ std::vector<Point_id> Kinetic_queries_2<Traits>::nearest_neighbors() const requi
   std::vector<Point_id> result(at_.kinetic().next_id(), no_point);
   for (const Vertex_handle v : at_.triangulation().finite_vertex_handles()) {
     if (const auto nearest = points.nearest_to(v)) result[at_.id(v)] = *nearest;
+    const std::vector<Point_id>& hidden = at_.hidden_by(at_.id(v));
+    if (hidden.empty()) continue;
+    const Point_id least = points.smallest_id_at(v);
+    for (const Point_id id : hidden) result[id] = least;
   }
   return result;
 }
@@ -165,8 +179,25 @@ std::vector<Point_id> Kinetic_queries_2<Traits>::nearest_neighbors(std::size_t k
   KINETRI_PRECONDITION(k <= no_point, "k is " + std::to_string(k) + "; expected less than 2^32");
   detail::Nearest_points<Traits> points(at_);
   std::vector<Point_id> result(k * at_.kinetic().next_id(), no_point);
+  std::vector<Point_id> own;  // the points of a vertex, if there are several
+  std::vector<Point_id> nearest;
   for (const Vertex_handle v : at_.triangulation().finite_vertex_handles()) {
-    points.find_nearest(v, std::span(result).subspan(k * at_.id(v), k));
+    const std::vector<Point_id>& hidden = at_.hidden_by(at_.id(v));
+    if (hidden.empty()) {
+      points.find_nearest(v, {}, std::span(result).subspan(k * at_.id(v), k));
+      continue;
+    }
+    own.assign(1, at_.id(v));
+    own.insert(own.end(), hidden.begin(), hidden.end());
+    nearest.assign(k + 1, no_point);
+    points.find_nearest(v, own, nearest);
+    for (const Point_id id : own) {
+      auto next = result.begin() + static_cast<std::ptrdiff_t>(k * id);
+      const auto end = next + static_cast<std::ptrdiff_t>(k);
+      for (auto near = nearest.begin(); next != end; ++near) {
+        if (*near != id) *next++ = *near;
+      }
+    }
   }
   return result;
 }

@@ -28,7 +28,8 @@ class Nearest_points {
   /// The triangulation must outlive this object.
   explicit Nearest_points(const At_time& at) : at_(at), balls_(at) {}
 
-  /// The smallest id of the points nearest to `v`; none if there is no other point.
+  /// The smallest id of the points nearest to that of `v`, other than that; none if there is no
+  /// other point.
   // The circle whose diameter joins `v` and a nearest point contains no others, except points that
   // coincide with one of the two; so a neighbor of `v` is at that position. If points coincide with
   // `v`, one of them is a neighbor.
@@ -47,20 +48,36 @@ class Nearest_points {
       nearest.push_back(neighbor);
       limit = length_bound(neighbor.squared_distance);
     });
-    if (nearest.empty()) return std::nullopt;
-    if (!nearest.front().squared_distance.is_nonzero() && at_.coincide(v, nearest.front().vertex)) {
-      const std::vector<Point_id> there = at_.all_at(v);
-      return there[there[0] == at_.id(v) ? 1 : 0];
-    }
     Point_id result = no_point;
+    const std::vector<Point_id>& hidden = at_.hidden_by(at_.id(v));
+    if (!hidden.empty()) result = hidden.front();
+    if (!nearest.empty() && !nearest.front().squared_distance.is_nonzero() &&
+        at_.coincide(v, nearest.front().vertex)) {
+      // What another vertex hides has a greater id than the point of that vertex.
+      const std::vector<Point_id> there = at_.all_at(v);
+      return std::min(result, there[there[0] == at_.id(v) ? 1 : 0]);
+    }
+    if (!hidden.empty()) return result;
+    if (nearest.empty()) return std::nullopt;
     for (const Neighbor& u : nearest) result = std::min(result, smallest_id_at(u.vertex));
     return result;
   }
 
-  /// Fills `result` with the points nearest to `v`, nearest first, as long as there are points.
+  /// The smallest id of the points at the position of `v`.
+  // If no neighbor coincides with `v`, no other vertex does.
+  Point_id smallest_id_at(Vertex_handle v) const {
+    const Approximate_place here = balls_.approximate(v);
+    bool is_alone = true;
+    at_.for_each_neighbor(
+        v, [&](Vertex_handle u) { is_alone = is_alone && are_apart(here, balls_.approximate(u)); });
+    return is_alone ? at_.id(v) : at_.all_at(v).front();
+  }
+
+  /// Fills `result` with points nearest to `v`, nearest first, as long as there are points: all of
+  /// `own`, which are points of the vertex, and those of other vertices.
   // Edges connect all points within or on a circle about `v` with `v`: so the next nearest point is
   // a neighbor of one that is known.
-  void find_nearest(Vertex_handle v, std::span<Point_id> result) {
+  void find_nearest(Vertex_handle v, std::span<const Point_id> own, std::span<Point_id> result) {
     seen_.resize(at_.kinetic().next_id(), no_point);
     const Ball_2 here = balls_.position(v);
     std::vector<Neighbor> border;  // a heap: the nearest one is at the front
@@ -76,33 +93,42 @@ class Nearest_points {
     };
     seen_[at_.id(v)] = at_.id(v);
     add_neighbors(v);
-    std::vector<Point_id> equally_near;
+    std::vector<Point_id> equally_near(own.begin(), own.end());
+    const auto take_nearest = [&] {
+      std::ranges::pop_heap(border, is_farther);
+      const Vertex_handle u = border.back().vertex;
+      border.pop_back();
+      equally_near.push_back(at_.id(u));
+      const std::vector<Point_id>& hidden = at_.hidden_by(at_.id(u));
+      equally_near.insert(equally_near.end(), hidden.begin(), hidden.end());
+      add_neighbors(u);
+    };
+    if (!own.empty()) {
+      while (!border.empty() && at_.coincide(v, border.front().vertex)) take_nearest();
+    }
     auto next = result.begin();
-    while (next != result.end() && !border.empty()) {
-      const Neighbor nearest = border.front();
-      equally_near.clear();
-      do {
-        std::ranges::pop_heap(border, is_farther);
-        const Vertex_handle u = border.back().vertex;
-        border.pop_back();
-        equally_near.push_back(at_.id(u));
-        add_neighbors(u);
-      } while (!border.empty() &&
-               balls_.compare_distance(v, border.front(), nearest) == CGAL::EQUAL);
+    for (;;) {
       std::ranges::sort(equally_near);
       for (const Point_id u : equally_near) {
         if (next != result.end()) *next++ = u;
       }
+      if (next == result.end() || border.empty()) return;
+      equally_near.clear();
+      const Neighbor nearest = border.front();
+      do {
+        take_nearest();
+      } while (!border.empty() &&
+               balls_.compare_distance(v, border.front(), nearest) == CGAL::EQUAL);
     }
   }
 
   /// The closest pair; of several the first in the order of Edge_ids.
   // No other point is in the circle whose diameter joins a closest pair, so the two have an edge;
-  // but of several coinciding points not every two have one.
+  // but of several coinciding points not every two have one, and those without a vertex have none.
   std::optional<Edge_ids> closest_pair() const {
-    std::optional<Edge_ids> closest;
+    std::optional<Edge_ids> closest = at_.first_coincident_pair();
     Ball least;
-    double limit = std::numeric_limits<double>::infinity();  // of the length
+    double limit = closest ? 0 : std::numeric_limits<double>::infinity();  // of the length
     for (const auto& [face, i] : at_.triangulation().finite_edges()) {
       const Vertex_handle v = face->vertex(Triangulation::cw(i));
       const Vertex_handle u = face->vertex(Triangulation::ccw(i));
@@ -122,19 +148,10 @@ class Nearest_points {
     const Vertex_handle first = at_.kinetic().vertex((*closest)[0]);
     if (!at_.coincide(first, at_.kinetic().vertex((*closest)[1]))) return closest;
     const std::vector<Point_id> there = at_.all_at(first);
-    return Edge_ids{there[0], there[1]};
+    return there.size() < 2 ? *closest : std::min(*closest, Edge_ids{there[0], there[1]});
   }
 
  private:
-  // The first of all_at(v). If no neighbor coincides with `v`, no other point does.
-  Point_id smallest_id_at(Vertex_handle v) const {
-    const Approximate_place here = balls_.approximate(v);
-    bool is_alone = true;
-    at_.for_each_neighbor(
-        v, [&](Vertex_handle u) { is_alone = is_alone && are_apart(here, balls_.approximate(u)); });
-    return is_alone ? at_.id(v) : at_.all_at(v).front();
-  }
-
   // Exactly.
   Comparison_result compare_lengths(const Edge_ids& a, const Edge_ids& b) const {
     // The denominator is positive.

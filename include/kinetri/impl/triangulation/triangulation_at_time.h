@@ -6,6 +6,7 @@
 #define KINETRI_IMPL_TRIANGULATION_TRIANGULATION_AT_TIME_H
 
 #include <algorithm>
+#include <optional>
 #include <unordered_set>
 #include <vector>
 
@@ -43,6 +44,18 @@ class Triangulation_at_time {
   const Triangulation& triangulation() const { return kinetic_.triangulation(); }
   const Time& time() const { return time_; }
   static Point_id id(Vertex_handle v) { return v->point().id(); }
+  /// The points that the point hides since they coincide with it for a while, by id. They have no
+  /// vertices.
+  const std::vector<Point_id>& hidden_by(Point_id shown) const { return twins().hidden_by(shown); }
+  /// The first pair of a point and one that it hides so, in the order of Edge_ids. O(n).
+  std::optional<Edge_ids> first_coincident_pair() const {
+    std::optional<Edge_ids> first;
+    for (const auto& [id, twin] : twins().all()) {
+      const Edge_ids pair = {twin.shown, id};
+      if (!first || pair < *first) first = pair;
+    }
+    return first;
+  }
 
   // ---- predicates ----
 
@@ -168,7 +181,7 @@ class Triangulation_at_time {
     return result;
   }
 
-  /// The ids of all points that are like `v` (are_alike), in ascending order, `v` included. Edges
+  /// The ids of all vertices that are like `v` (are_alike), in ascending order, `v` included. Edges
   /// connect those with a cell beside the time, if the common cell has an area.
   std::vector<Point_id> all_at(Vertex_handle v) const {
     std::vector<Point_id> result;
@@ -194,6 +207,10 @@ class Triangulation_at_time {
   }
 
  private:
+  const typename Types::Twins& twins() const {
+    return Core_access::core(kinetic_).topology.twins();
+  }
+
   static const Point_2& point(const Point_2& p) { return p; }
   static const Point_2& point(Vertex_handle v) { return v->point(); }
 

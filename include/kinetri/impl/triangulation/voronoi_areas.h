@@ -38,8 +38,8 @@ class Voronoi_areas {
   }
 
   /// By id. Precondition: check_polygon(polygon).
-  // The cell of a point is the intersection of the half planes of its neighbors or, if points are
-  // alike, of the neighbors of all of them.
+  // The cell of a vertex is the intersection of the half planes of its neighbors or, if vertices
+  // are alike, of the neighbors of all of them; the points of the first vertex share it.
   std::vector<double> within(std::span<const Vector_2> polygon) const {
     const Vector_2 origin = polygon.front();
     std::vector<Vector_2> region;
@@ -71,7 +71,9 @@ class Voronoi_areas {
           at_.for_each_neighbor(at_.kinetic().vertex(other), clip);
         }
       }
-      result[first] = std::abs(cell.signed_area());
+      const std::vector<Point_id>& hidden = at_.hidden_by(first);
+      result[first] = std::abs(cell.signed_area()) / static_cast<double>(1 + hidden.size());
+      for (const Point_id id : hidden) result[id] = result[first];
     }
     return result;
   }
