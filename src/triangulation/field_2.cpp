@@ -24,6 +24,58 @@ double rounded_value(const Linear_value& v, double t) {
   return v.value + v.slope * (t - v.epoch);
 }
 
+// The values of vertices at the current time, by channel: those of the point or, if points coincide
+// for a while, the mean of theirs.
+template <class Traits>
+class Vertex_values {
+ public:
+  // Keeps references to both.
+  Vertex_values(const Kinetic_field_2<Traits>& field,
+                const Kinetic_triangulation_2<Traits>& kinetic)
+      : field_(field),
+        kinetic_(kinetic),
+        time_(kinetic.current_time().to_double()),
+        may_coincide_(kinetic.number_of_hidden_points() > 0) {}
+
+  // Precondition: the point has a vertex, and all points of that vertex have values (checked).
+  void find(Point_id id, std::span<double> result) {
+    find_of_point(id, result);
+    if (!may_coincide_) return;
+    const std::vector<Point_id> others = kinetic_.coincident_points(id);
+    if (others.empty()) return;
+    const std::size_t channels = result.size();
+    const std::size_t count = 1 + others.size();
+    of_points_.assign(result.begin(), result.end());
+    of_points_.resize(count * channels);
+    for (std::size_t i = 1; i < count; ++i) {
+      find_of_point(others[i - 1], std::span(of_points_).subspan(i * channels, channels));
+    }
+    at_points_.resize(count);
+    shares_.assign(count, 1 / static_cast<double>(count));
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+      for (std::size_t i = 0; i < count; ++i) at_points_[i] = of_points_[i * channels + channel];
+      result[channel] = detail::weighted_mean(at_points_, shares_);
+    }
+  }
+
+ private:
+  void find_of_point(Point_id id, std::span<double> result) const {
+    const std::span<const Linear_value> values = field_.values(id);
+    KINETRI_PRECONDITION(!values.empty(), "point " + std::to_string(id) + " has no values");
+    for (std::size_t channel = 0; channel < values.size(); ++channel) {
+      result[channel] = rounded_value(values[channel], time_);
+    }
+  }
+
+  const Kinetic_field_2<Traits>& field_;
+  const Kinetic_triangulation_2<Traits>& kinetic_;
+  double time_;
+  bool may_coincide_;
+  std::vector<double> of_points_;  // by point, then by channel
+  std::vector<double> at_points_;
+  std::vector<double> shares_;
+};
+
 bool has_finite_numbers(const Linear_value& v) {
   return std::isfinite(v.value) && std::isfinite(v.slope) && std::isfinite(v.epoch);
 }
@@ -173,15 +225,17 @@ const {
   if (triangle == typename Triangulation::Face_handle()) return std::nullopt;
   Combination<Traits> combination;
   combination.find(present, triangle, place, interpolation);
-  const double time = triangulation_.current_time().to_double();
   std::vector<double> result(channels_);
   std::vector<double> at_points(combination.vertices().size());
+  std::vector<double> of_vertices(at_points.size() * channels_);  // by vertex, then by channel
+  Vertex_values<Traits> vertex_values(*this, triangulation_);
+  for (std::size_t i = 0; i < at_points.size(); ++i) {
+    vertex_values.find(Present<Traits>::id(combination.vertices()[i]),
+                       std::span(of_vertices).subspan(i * channels_, channels_));
+  }
   for (std::size_t channel = 0; channel < channels_; ++channel) {
     for (std::size_t i = 0; i < at_points.size(); ++i) {
-      const Point_id id = Present<Traits>::id(combination.vertices()[i]);
-      const std::span<const Linear_value> of_point = values(id);
-      KINETRI_PRECONDITION(!of_point.empty(), "point " + std::to_string(id) + " has no values");
-      at_points[i] = rounded_value(of_point[channel], time);
+      at_points[i] = of_vertices[i * channels_ + channel];
     }
     result[channel] = detail::weighted_mean(at_points, combination.weights());
   }
@@ -195,17 +249,13 @@ requires(!WeightedKineticTraits_2<Traits>) void Kinetic_field_2<Traits>::raster(
   check_size(result.size(), grid, channels_);
   if (result.empty()) return;
 
-  // By id, then by channel.
+  // By id of those with a vertex, then by channel.
   std::vector<double> of_points(std::size_t{triangulation_.next_id()} * channels_);
-  const double time = triangulation_.current_time().to_double();
+  Vertex_values<Traits> vertex_values(*this, triangulation_);
   std::ranges::fill(result, std::numeric_limits<double>::quiet_NaN());
   for (Point_id id = 0; id < triangulation_.next_id(); ++id) {
-    if (!triangulation_.contains(id)) continue;
-    const std::span<const Linear_value> of_point = values(id);
-    KINETRI_PRECONDITION(!of_point.empty(), "point " + std::to_string(id) + " has no values");
-    for (std::size_t channel = 0; channel < channels_; ++channel) {
-      of_points[id * channels_ + channel] = rounded_value(of_point[channel], time);
-    }
+    if (!triangulation_.contains(id) || triangulation_.is_hidden(id)) continue;
+    vertex_values.find(id, std::span(of_points).subspan(id * channels_, channels_));
   }
 
   Present<Traits> present(triangulation_);

@@ -19,6 +19,7 @@
 #include "kinetri/triangulation/queries_2.h"
 #include "support/motions.h"
 #include "support/precondition_error.h"
+#include "support/query_oracle.h"
 
 namespace kinetri::field_2_test {
 namespace {
@@ -437,6 +438,93 @@ TEST(Kinetic_field_2, points_may_come_go_turn_and_accelerate) {
   EXPECT_EQ((*field.at({1, 2}, Interpolation::linear))[0], 2.5);
   kdt.erase(id);
   EXPECT_EQ((*field.at({1, 1}, Interpolation::linear))[0], 0);
+}
+
+TEST(Kinetic_field_2, points_that_coincide_for_a_while_have_the_mean_of_their_values) {
+  Triangulation kdt(std::vector<Linear_motion_2>{{{1, 1}, {0, 0}},
+                                                 {{-1, -1}, {0, 0}},
+                                                 {{3, -1}, {0, 0}},
+                                                 {{3, 3}, {0, 0}},
+                                                 {{-1, 3}, {0, 0}}});
+  Field field(kdt, 1);
+  for (Point_id id = 0; id < 5; ++id) field.set_values(id, std::array{Linear_value{0}});
+  field.set_values(0, std::array{Linear_value{4}});
+  const Point_id other = kdt.insert({{1, 1}, {0, 0}});
+  EXPECT_PRECONDITION_ERROR(field.at({1, 1}, Interpolation::flat), "point 5 has no values");
+  field.set_values(other, std::array{Linear_value{8, 2}});
+  for (const Interpolation interpolation : {Interpolation::linear, Interpolation::smooth}) {
+    EXPECT_EQ((*field.at({1, 1}, interpolation))[0], 6);
+  }
+  EXPECT_EQ((*field.at({1, 0}, Interpolation::linear))[0], 3);
+  EXPECT_NEAR((*field.at({1, 0}, Interpolation::flat))[0], 2, 1e-15);
+  EXPECT_EQ(field.values(other)[0].value, 8);
+  kdt.advance_to(1.0);
+  EXPECT_EQ((*field.at({1, 1}, Interpolation::linear))[0], 7);
+  kdt.set_motion(0, {{1, 1}, {1, 0}, 1});  // the other one has the vertex then
+  EXPECT_NEAR((*field.at({1, 2}, Interpolation::flat))[0], 10 / 3.0, 1e-14);
+}
+
+// A field on one point for each position that points share, which has the mean of their values.
+TEST(Kinetic_field_2, coincident_points_are_like_one_point_with_the_mean) {
+  const Grid_2 grid = {{-0.5, 2.75}, {0.125, -0.25}, 25, 14};
+  std::size_t coincident = 0;
+  std::size_t inside = 0;
+  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    Triangulation kdt(test::coincident_motions(4 + seed % 9, seed));
+    const Field field = random_field(kdt, 1, seed);
+    for (const Rational& t : {Rational(0), Rational(1, 4), Rational(1)}) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << " t " << t);
+      kdt.advance_to(t);
+      const test::Query_oracle oracle(kdt, t);
+      std::vector<Linear_motion_2> motions;
+      std::vector<Point_id> shown;
+      std::vector<double> means;
+      for (const auto& [id, place] : oracle.places()) {
+        const std::vector<Point_id>& group = oracle.group(id);
+        if (id != group.front()) continue;
+        coincident += group.size() - 1;
+        shown.push_back(id);
+        motions.push_back(kdt.motion(id));
+        Rational sum = 0;
+        for (const Point_id other : group) sum += value_at(field.values(other)[0], t);
+        means.push_back(to_double(Rational(sum / static_cast<int>(group.size()))));
+      }
+      const Triangulation of_shown(motions, Algebraic_number(t));
+      Field field_of_shown(of_shown, 1);
+      for (Point_id k = 0; k < means.size(); ++k) {
+        field_of_shown.set_values(k, std::array{Linear_value{means[k]}});
+      }
+      std::vector<double> found(grid.columns * grid.rows);
+      std::vector<double> expected(found.size());
+      for (const Interpolation interpolation : interpolations) {
+        field.raster(grid, interpolation, found);
+        field_of_shown.raster(grid, interpolation, expected);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+          ASSERT_EQ(std::isnan(found[i]), std::isnan(expected[i]));
+          const auto value =
+              field.at(grid.place(i % grid.columns, i / grid.columns), interpolation);
+          ASSERT_EQ(value.has_value(), !std::isnan(found[i]));
+          if (!value) continue;
+          ++inside;
+          ASSERT_EQ((*value)[0], found[i]);
+          ASSERT_NEAR(found[i], expected[i], 1e-12);
+        }
+      }
+      std::vector<Corner_weights> weights(found.size());
+      std::vector<Corner_weights> weights_of_shown(found.size());
+      find_corner_weights(kdt, grid, weights);
+      find_corner_weights(of_shown, grid, weights_of_shown);
+      for (std::size_t i = 0; i < weights.size(); ++i) {
+        ASSERT_EQ(weights[i].weights, weights_of_shown[i].weights);
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Point_id corner = weights_of_shown[i].corners[k];
+          ASSERT_EQ(weights[i].corners[k], corner == no_point ? no_point : shown[corner]);
+        }
+      }
+    }
+  }
+  EXPECT_GT(coincident, 40u);
+  EXPECT_GT(inside, 1000u);
 }
 
 TEST(Kinetic_field_2, wrong_use_is_refused) {

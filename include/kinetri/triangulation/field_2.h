@@ -68,11 +68,15 @@ struct Grid_2 {
 ///
 /// All values are rounded. Each lies between the least and the greatest value of the points that it
 /// is computed from; equal values are reproduced exactly. At the rounded position of a point,
-/// `linear` and `smooth` give its value (if points coincide, that of the corner of the triangle). A
-/// value of `linear` is off by at most 2^-46 (v + d M / h): v is the greatest absolute value at the
-/// corners, d the difference of the greatest and the least, M the greatest absolute coordinate, and
-/// h the least height of the triangle. A value of `smooth` is rounded in the same way, without such
-/// a bound near the hull and near flat triangles.
+/// `linear` and `smooth` give its value (if points coincide, that of the corner of the triangle).
+/// A value of `linear` is off by at most 2^-46 (v + d M / h): v is the greatest absolute value at
+/// the corners, d the difference of the greatest and the least, M the greatest absolute coordinate,
+/// and h the least height of the triangle. A value of `smooth` is rounded in the same way, without
+/// such a bound near the hull and near flat triangles.
+///
+/// Points that coincide for a while (Coincident_points) share their weight equally: they are like
+/// one point that has the mean of their values. The mean of n values is off by at most 2^-52 n
+/// times the greatest of their absolute values.
 ///
 /// The field refers to the triangulation; values belong to ids. Only for points without weights.
 /// Several threads may call const functions at once, if none changes the triangulation. Coordinates
@@ -119,7 +123,8 @@ requires(!WeightedKineticTraits_2<Traits>) class Kinetic_field_2 {
 
 /// A position as a combination of the corners of its triangle.
 struct Corner_weights {
-  /// Counterclockwise, the least id first; no_point if the position has no triangle.
+  /// Counterclockwise, the least id first; no_point if the position has no triangle. Of points that
+  /// coincide for a while the least id, for all of them, which share the weight equally.
   std::array<Point_id, 3> corners = {no_point, no_point, no_point};
   std::array<double, 3> weights =
       {};  ///< of the corners: at least 0, their sum is 1 up to rounding
