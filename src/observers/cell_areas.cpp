@@ -79,7 +79,7 @@ class Areas_now {
     }
   }
 
-  // The cell of `v` and of all points that are alike: these are connected by edges.
+  // The cell of `v` and of all vertices that are alike: these are connected by edges.
   void measure(Vertex_handle v) {
     sides_.half_planes.clear();
     sides_.displacement = 0;
@@ -106,6 +106,18 @@ class Areas_now {
     areas_[first] = cell_.measure(sides_, places_[id(v)],
                                   detail::Exact_cell_at_time(at_time_, v->point(), neighbors_));
     areas_[first].id = first;
+    if (kinetic_.number_of_hidden_points() > 0) share_area(first);
+  }
+
+  // Among the point and those that it hides since they coincide with it for a while.
+  void share_area(Point_id shown) {
+    const std::vector<Point_id> others = kinetic_.coincident_points(shown);
+    if (others.empty()) return;
+    const auto count = static_cast<double>(1 + others.size());
+    Cell_area& area = areas_[shown];
+    area.error = (area.error + 0x1p-52 * area.area) / count;
+    area.area /= count;
+    for (const Point_id other : others) areas_[other] = area;
   }
 
   const Kinetic& kinetic_;

@@ -131,6 +131,7 @@ void Mean_cell_areas<Traits>::start(const Cell_limits& limits, double tolerance)
   for (Point_id id = 0; id < this->graph().next_id(); ++id) {
     if (!this->graph().contains(id)) continue;
     edges_ += this->graph().neighbors(id).size();
+    update_link(id);
   }
   edges_ /= 2;
   for (Point_id id = 0; id < this->graph().next_id(); ++id) {
@@ -163,10 +164,19 @@ void Mean_cell_areas<Traits>::integrate(Record& record, double until) {
   if (until == record.until) return;
   if (!record.is_hidden) {
     const auto [integral, error] = integrator_->integral(record.points, record.until, until);
-    record.integral += integral;
-    record.error += error;
+    record.integral += integral / record.count;
+    record.error += error / record.count;
   }
   record.until = until;
+}
+
+// Counts the point among those that others hide, if it is.
+template <ContactKineticTraits_2 Traits>
+void Mean_cell_areas<Traits>::update_link(Point_id id) {
+  Record& record = records_[id];
+  if (record.is_linked) --links_;
+  record.is_linked = this->graph().hidden_by(id).has_value();
+  if (record.is_linked) ++links_;
 }
 
 // A point has these neighbors from now on.
@@ -177,13 +187,20 @@ void Mean_cell_areas<Traits>::begin(Point_id id, double time) {
   record.has_come = true;
   record.is_there = true;
   record.points.assign(1, this->graph().point(id));
-  const auto neighbors = this->graph().neighbors(id);
-  // If there are edges, a point without one is hidden; else exactly one point is not hidden.
-  record.is_hidden = neighbors.empty() && edges_ > 0;
-  for (const Point_id neighbor : neighbors) record.points.push_back(this->graph().point(neighbor));
-  if (edges_ > 0) return;
+  record.count = 1;
+  const Point_id shown = shown_at(id);
+  for (const Point_id neighbor : this->graph().neighbors(shown)) {
+    if (shown_at(neighbor) == shown) {
+      ++record.count;
+    } else {
+      record.points.push_back(this->graph().point(neighbor));
+    }
+  }
+  // If the triangulation has edges, triangles hide points without one; else they hide all but one.
+  record.is_hidden = record.points.size() == 1 && edges_ > links_;
+  if (edges_ > links_) return;
   for (Point_id other = 0; other < this->graph().next_id(); ++other) {
-    if (other != id && this->graph().contains(other)) {
+    if (this->graph().contains(other) && shown_at(other) != shown) {
       record.points.push_back(this->graph().point(other));
     }
   }
@@ -196,7 +213,7 @@ void Mean_cell_areas<Traits>::change(const Algebraic_number& time,
                                      std::span<const Changed_point> points) {
   const double now = time.to_double();
   records_.resize(this->graph().next_id());
-  const bool had_edges = edges_ > 0;
+  const bool had_edges = edges_ > links_;
   edges_ += added.size();
   edges_ -= removed.size();
   std::set<Point_id> changed;
@@ -209,7 +226,19 @@ void Mean_cell_areas<Traits>::change(const Algebraic_number& time,
     const auto neighbors = this->graph().neighbors(point.id);
     changed.insert(neighbors.begin(), neighbors.end());
   }
-  if (!had_edges || edges_ == 0) {  // at most one point is visible
+  for (const Point_id id : changed) update_link(id);
+  if (links_ > 0) {
+    // All that share a cell.
+    for (const Point_id id : std::vector(changed.begin(), changed.end())) {
+      if (!this->graph().contains(id)) continue;
+      const Point_id shown = shown_at(id);
+      changed.insert(shown);
+      for (const Point_id neighbor : this->graph().neighbors(shown)) {
+        if (shown_at(neighbor) == shown) changed.insert(neighbor);
+      }
+    }
+  }
+  if (!had_edges || edges_ == links_) {  // at most one point has a cell of its own
     for (Point_id id = 0; id < records_.size(); ++id) changed.insert(id);
   }
   for (const Point_id id : changed) {

@@ -242,6 +242,25 @@ TEST(CellAreas, of_discs_are_those_of_the_exact_power_cells) {
   }
 }
 
+TEST(CellAreas, of_points_that_coincide_for_a_while_are_equal_shares_of_the_exact_cells) {
+  std::size_t hidden = 0;
+  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    SCOPED_TRACE(seed);
+    const auto motions = test::coincident_motions(2 + seed % 8, seed);
+    Kinetic_delaunay_triangulation_2<> kinetic(motions);
+    hidden += kinetic.number_of_hidden_points();
+    ASSERT_NO_FATAL_FAILURE(expect_exact_areas_along(kinetic, 3));
+    std::vector<Disc_motion_2> discs;
+    std::mt19937_64 random(seed);
+    for (const Linear_motion_2& motion : motions) {
+      discs.push_back({motion, 0, 0, static_cast<double>(random() % 2)});
+    }
+    Kinetic_triangulation_2<Disc_kinetic_traits_2> of_discs(discs);
+    ASSERT_NO_FATAL_FAILURE(expect_exact_areas_along(of_discs, 3));
+  }
+  EXPECT_GT(hidden, 10u);
+}
+
 TEST(CellAreas, of_points_that_nearly_coincide_are_those_of_the_exact_cells) {
   const std::vector<std::vector<Linear_motion_2>> pairs = {
       {{{2, 0}, {0, 0}}, {{2, 0}, {0x1p-70, 0x1p-71}}},
@@ -338,6 +357,26 @@ TEST(CellAreas, of_coinciding_points_are_those_of_the_first) {
   EXPECT_TRUE(std::isnan(areas[2].density()));
   EXPECT_EQ(areas[1].density(), 1 / 12.0);
   EXPECT_EQ(areas[3].area, 0);  // outside
+}
+
+// At time 1 another point passes through two that coincide.
+TEST(CellAreas, of_points_that_coincide_for_a_while_are_equal_shares) {
+  EXPECT_EQ(areas_in(square, {{1, 2}, {3, 2}, {1, 2}}), (std::vector<double>{4, 8, 4}));
+  EXPECT_EQ(areas_in(square, {{1, 2}, {1, 2}}), (std::vector<double>{8, 8}));
+  std::vector<Linear_motion_2> motions = {
+      {{1, 2}, {0, 0}}, {{3, 2}, {0, 0}}, {{1, 2}, {0, 0}}, {{1, 2}, {0, 8}, 1}};
+  const auto areas_at_1 = [&] {
+    Kinetic_delaunay_triangulation_2<> kinetic(motions);
+    kinetic.advance_to(1.0);
+    std::vector<double> result;
+    for (const auto& cell : cell_areas(kinetic, {Walkable_area::from_wkt(square)})) {
+      result.push_back(cell.area);
+    }
+    return result;
+  };
+  EXPECT_EQ(areas_at_1(), (std::vector<double>{4, 8, 4, 0}));
+  std::rotate(motions.begin(), motions.end() - 1, motions.end());
+  EXPECT_EQ(areas_at_1(), (std::vector<double>{8, 0, 8, 0}));
 }
 
 TEST(CellAreas, want_a_limit) {

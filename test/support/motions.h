@@ -97,8 +97,8 @@ inline std::vector<Linear_motion_2> grid_motions(std::size_t n, int size, int sp
   return motions;
 }
 
-/// n trajectories through the nine positions of a grid of 3 x 3 at time 0, half of the points at
-/// rest, so that many are equal. Representations of equal ones may differ.
+/// n trajectories through the nine positions of a grid of 3 x 3 at time 0, half of them at rest; a
+/// third of the points have the trajectory of another one, perhaps in another representation.
 inline std::vector<Linear_motion_2> coincident_motions(std::size_t n, unsigned seed) {
   std::mt19937_64 random(seed);
   const auto whole = [&](int lowest, int highest) {
@@ -106,15 +106,20 @@ inline std::vector<Linear_motion_2> coincident_motions(std::size_t n, unsigned s
   };
   std::vector<Linear_motion_2> motions;
   for (std::size_t k = 0; k < n; ++k) {
-    const bool is_moving = random() % 2 == 0;
     Linear_motion_2 m;
-    m.position.x = whole(0, 2);
-    m.position.y = whole(0, 2);
-    m.velocity.x = is_moving ? whole(-1, 1) : 0;
-    m.velocity.y = is_moving ? whole(-1, 1) : 0;
-    m.epoch = whole(-1, 1);
-    m.position.x += m.epoch * m.velocity.x;
-    m.position.y += m.epoch * m.velocity.y;
+    if (k > 0 && random() % 3 == 0) {
+      m = motions[random() % k];
+    } else {
+      const bool is_moving = random() % 2 == 0;
+      m.position.x = whole(0, 2);
+      m.position.y = whole(0, 2);
+      m.velocity.x = is_moving ? whole(-1, 1) : 0;
+      m.velocity.y = is_moving ? whole(-1, 1) : 0;
+    }
+    const double later = whole(-1, 1);
+    m.epoch += later;
+    m.position.x += later * m.velocity.x;
+    m.position.y += later * m.velocity.y;
     motions.push_back(m);
   }
   return motions;

@@ -30,20 +30,21 @@ struct Mean_cell_area {
   double error = 0;        ///< an estimate of the error of the mean, see Mean_cell_areas
 };
 
-/// An observer that integrates the area of each point's cell (cell_areas) over time. Between two
-/// changes of the neighbors or of their motions and its own, the area is a piecewise smooth
-/// function of time: walls may begin to cut the cell in another way, or separate a part of it, so
-/// that the area jumps. Each such piece of time is integrated separately, by the rule of Gauss and
-/// Kronrod with 7 nodes (A. S. Kronrod, Nodes and weights of quadrature formulas, 1965), and
-/// halved, up to 10 times, until the estimate of the error is small.
+/// An observer that integrates the area of each point's cell (cell_areas) over time; points that
+/// coincide for a while share the area of their cell equally. Between two changes of the neighbors,
+/// of their motions and its own, or of the points that share its cell, the area is a piecewise
+/// smooth function of time: walls may begin to cut the cell in another way, or separate a part of
+/// it, so that the area jumps. Each such piece of time is integrated separately, by the rule of
+/// Gauss and Kronrod with 7 nodes (A. S. Kronrod, Nodes and weights of quadrature formulas, 1965),
+/// and halved, up to 10 times, until the estimate of the error is small.
 ///
 /// `error` is the sum, over the pieces, of the difference of the two rules, and of the bounds of
 /// the errors of the areas (Cell_area::error) at the nodes. The difference is an estimate, not a
 /// bound, since the rules evaluate the function at their nodes only; in general the rule of Kronrod
 /// is far better than the difference.
 ///
-/// Cost: 7 areas of cells for each piece, and more if it is halved. Memory: O(n), and one result
-/// for each point that has ever existed.
+/// Cost: 7 areas of cells for each piece and point, and more if it is halved. Memory: O(n), and one
+/// result for each point that has ever existed.
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Mean_cell_areas : private Edge_follower<Traits> {
  public:
@@ -73,8 +74,10 @@ class Mean_cell_areas : private Edge_follower<Traits> {
     double error = 0;
     bool has_come = false;
     bool is_there = false;
-    bool is_hidden = false;
-    std::vector<Point_2> points = {};  // the point, and its neighbors
+    bool is_hidden = false;            // by a triangle
+    bool is_linked = false;            // hidden by a point that coincides with it for a while
+    int count = 1;                     // of points that share the cell
+    std::vector<Point_2> points = {};  // the point, and the neighbors of the cell
   };
 
   void start(const Cell_limits& limits, double tolerance);
@@ -83,10 +86,14 @@ class Mean_cell_areas : private Edge_follower<Traits> {
               std::span<const Edge_ids> added, std::span<const Changed_point> points) override;
   void integrate(Record& record, double until);
   void begin(Point_id id, double time);
+  void update_link(Point_id id);
+  // The point that has the vertex of the point.
+  Point_id shown_at(Point_id id) const { return this->graph().hidden_by(id).value_or(id); }
 
   std::unique_ptr<detail::Cell_integrator<Traits>> integrator_;
   std::vector<Record> records_;  // by id
   std::size_t edges_ = 0;        // of the graph
+  std::size_t links_ = 0;        // those of them that join points that coincide for a while
 };
 
 extern template class Mean_cell_areas<Linear_kinetic_traits_2>;
