@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/io/points_file.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -9,7 +8,6 @@
 #include <initializer_list>
 #include <iostream>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "kinetri/base/error.h"
@@ -84,11 +82,6 @@ class Points_reader {
       }
     }
     reject_equal_labels();
-    if (result_.is_polynomial) {
-      reject_equal_points(result_.polynomial_motions);
-    } else {
-      reject_equal_points(result_.motions);
-    }
     return std::move(result_);
   }
 
@@ -173,11 +166,6 @@ class Points_reader {
     }
   }
 
-  // Discs with equal motions may differ in radius and growth.
-  std::array<double, 2> sizes(Point_id id) const {
-    return {has_radius_ ? result_.radii[id] : 0, has_growth_ ? result_.growths[id] : 0};
-  }
-
   void read_label(std::string_view field) {
     if (field.empty()) table_.fail("the column id is empty; expected any text");
     result_.labels.emplace_back(field);
@@ -196,55 +184,6 @@ class Points_reader {
                  "; expected ids that differ, or another name of the column (where points have "
                  "several rows, they are tracks)"));
     }
-  }
-
-  // Sorts ids by x, stored beside them, then by the other numbers. Not by a hash, so that no input
-  // is slow.
-  template <class Motion>
-  void reject_equal_points(const std::vector<Motion>& motions) const {
-    struct Entry {
-      double x;
-      Point_id id;
-    };
-    std::vector<Entry> entries(motions.size());
-    for (std::size_t id = 0; id < motions.size(); ++id) {
-      entries[id] = {motions[id].position.x, static_cast<Point_id>(id)};
-    }
-    const auto others = [&](const Entry& entry) {
-      return std::pair(numbers(motions[entry.id]), sizes(entry.id));
-    };
-    std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-      if (a.x != b.x) return a.x < b.x;
-      const auto others_a = others(a);
-      const auto others_b = others(b);
-      return others_a != others_b ? others_a < others_b : a.id < b.id;
-    });
-    std::optional<std::array<Point_id, 2>> first;  // the pair whose second line comes first
-    for (std::size_t i = 1; i < entries.size(); ++i) {
-      const Entry& a = entries[i - 1];
-      const Entry& b = entries[i];
-      if (a.x == b.x && others(a) == others(b) && (!first || b.id < (*first)[1])) {
-        first = {a.id, b.id};
-      }
-    }
-    if (!first) return;
-    throw Input_error(
-        name_, result_.lines[(*first)[1]],
-        joined("the point has the same ", equal_numbers(), " as the one in line ",
-               result_.lines[(*first)[0]],
-               "; expected points that differ in one of them: remove one or change its motion"));
-  }
-
-  std::string equal_numbers() const {
-    std::vector<std::string_view> names = {"place",
-                                           result_.is_polynomial ? "derivatives" : "velocity"};
-    if (has_radius_) names.emplace_back("radius");
-    if (has_growth_) names.emplace_back("growth");
-    std::string result(names.front());
-    for (std::size_t i = 1; i < names.size(); ++i) {
-      result += joined(i + 1 < names.size() ? ", " : " and ", names[i]);
-    }
-    return result;
   }
 
   Table_reader table_;

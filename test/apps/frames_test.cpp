@@ -219,7 +219,8 @@ TEST_F(Frames, of_a_run_that_fails_are_not_there) {
   // From t = 1 on both go the same way.
   write("t.csv", "t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n0,b,0,5\n1,b,1,0\n2,b,2,0\n");
   fs::create_directory(file("v"));
-  const Outcome outcome = run({"tracks", "t.csv", "--frames", "f", "--vtu", "v"});
+  const Outcome outcome =
+      run({"tracks", "t.csv", "--coincident", "refuse", "--frames", "f", "--vtu", "v"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.err.rfind("t.csv:6: from t = 1 on ids 'a' and 'b' go the same way", 0), 0U);
   EXPECT_EQ(entries(), (Entries{"t.csv", "v"}));

@@ -329,18 +329,20 @@ def table_cases():
                  time=0)
     yield points("x,y,vx,vy,radius\n1,1,1,0,1\n1,5,1,0,2\n", "--until 4 --rim --box -5,-5,15,5 --growth 1",
                  line=2, radius=5, time=4)
-    yield points("x,y,vx,vy,radius\n1,1,1,0,1\n1,1,1,0,2\n", line=3, first=2, numbers="place and velocity")
-    yield points(ONE_FLIP + "4,0,0,0\n", line=6, first=3, numbers="place and velocity")
-    yield points("x,y,vx,vy,jx,jy\n1,2,3,4,5,6\n1,2,3,4,5,6\n", line=3, first=2,
+    refuse = "--until 1 --coincident refuse"
+    yield points("x,y,vx,vy,radius\n1,1,1,0,1\n1,1,1,0,2\n", refuse, line=3, first=2, numbers="place and velocity")
+    yield points(ONE_FLIP + "4,0,0,0\n", refuse, line=6, first=3, numbers="place and velocity")
+    yield points("x,y,vx,vy,jx,jy\n1,2,3,4,5,6\n1,2,3,4,5,6\n", refuse, line=3, first=2,
                  numbers="place and derivatives")
-    yield points("x,y,vx,vy,radius\n1,2,3,4,5\n1,2,3,4,5\n", line=3, first=2,
-                 numbers="place, velocity and radius")
+    for columns, row, numbers in (("radius", "1,2,3,4,5", "place, velocity and radius"),
+                                  ("radius,growth", "1,2,3,4,5,1", "place, velocity, radius and growth")):
+        yield points(f"x,y,vx,vy,{columns}\n{row}\n{row}\n", refuse + " --regular", line=3, first=2, numbers=numbers)
     box = "--until 1 --box 0,0,10,10"
     yield points("x,y,vx,vy\n0,0,1,0\n5,12,0,0\n", box, line=3, point=1, time=0, x=5, y=12,
                  side="upper", position=10)
     yield points("x,y,vx,vy\n1,5,1,0\n5,5,0,0\n", box + " --rim --radius 2", line=2, point=0, time=0, x=1,
                  y=5, side="left", position=0)
-    yield points("x,y,vx,vy\n0,5,1,0\n0,5,-1,0\n", box, time=0, a=0, b=1)
+    yield points("x,y,vx,vy\n0,5,1,0\n0,5,-1,0\n", box + " --coincident refuse", time=0, a=0, b=1)
     yield tracks("t,id,x,y\n0,a,0,0\n1,b,0,0\n0,a,2,1.5\n", line=4, id="a", time=0, x=2, y=1.5, x2=0,
                  y2=0, first=2)
     yield tracks("t,id,x,y,radius\n0,a,0,0,1\n1,a,1,0,2\n", line=3, id="a", radius=2, other=1, first=2)
@@ -349,10 +351,10 @@ def table_cases():
     yield tracks("t,id,x,y,radius\n0,a,0,0,1e308\n", "--collisions log", line=2, radius="1e+308")
     yield tracks("1e300 a 0 0\n", "--format frames --fps 1e-300", line=1, frame="1e+300", fps="1e-300")
     yield tracks("t,id,x,y\n0,a,-1e308,0\n1,a,1e308,0\n", line=3, id="a", first=2)
-    yield tracks("t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n0,b,0,5\n1,b,1,0\n2,b,2,0\n", line=6, time=1,
-                 a="a", b="b", first=3)
+    yield tracks("t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n0,b,0,5\n1,b,1,0\n2,b,2,0\n", "--coincident refuse",
+                 line=6, time=1, a="a", b="b", first=3)
     yield tracks("t,id,x,y\n0,a,0,0\n9,a,0,0\n0,b,0,0\n9,b,0,0\n0,c,5,5\n5,c,7,7\n9,c,7,7\n0,d,5,6\n5,d,7,7\n9,d,7,7\n",
-                 line=4, time=0, a="a", b="b", first=2, others="'c' and 'd' from t = 5 on")
+                 "--coincident refuse", line=4, time=0, a="a", b="b", first=2, others="'c' and 'd' from t = 5 on")
 
 
 def cases():

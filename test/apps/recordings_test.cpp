@@ -41,18 +41,11 @@ constexpr const char* bench =
     "t,id,x,y\n0,A,-5,0\n5,A,0,0\n10,A,0,0\n15,A,5,0\n0,B,0,-5\n5,B,0,0\n10,B,0,0\n15,B,0,5\n"
     "0,C,3,3\n15,C,3,4\n";
 
-TEST_F(Recordings, of_two_on_one_bench_are_refused_or_one_is_left_out) {
-  const Outcome refused = tracks(bench);
+TEST_F(Recordings, of_two_on_one_bench_are_refused_if_asked_for) {
+  const Outcome refused = tracks(bench, {"--coincident", "refuse"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_TRUE(says(refused, "from t = 5 on ids 'A' and 'B' go the same way (see line 3)"))
       << refused.err;
-  const Outcome done = tracks(bench, {"--coincident", "leave-out", "--ids", "-"});
-  EXPECT_EQ(done.exit_code, 0) << done.err;
-  EXPECT_EQ(done.out, "point,id,first,last\n0,A,0,15\n1,C,0,15\n");
-  EXPECT_TRUE(says(done, "6 observations of 2 ids"));
-  EXPECT_TRUE(
-      says(done, "1 id left out, being at one place with another for some time: 'B' with 'A'"))
-      << done.err;
 }
 
 TEST_F(Recordings, of_many_that_share_paths_name_ten_pairs) {
@@ -67,7 +60,7 @@ TEST_F(Recordings, of_many_that_share_paths_name_ten_pairs) {
               id + "," + std::to_string(9 * pair) + ",7\n";
     }
   }
-  const Outcome refused = tracks(text);
+  const Outcome refused = tracks(text, {"--coincident", "refuse"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_TRUE(says(refused, "from t = 1 on ids 'a0' and 'b0' go the same way")) << refused.err;
   for (int pair = 1; pair < 10; ++pair) {
@@ -78,25 +71,38 @@ TEST_F(Recordings, of_many_that_share_paths_name_ten_pairs) {
   }
   EXPECT_FALSE(says(refused, "'a10'"));
   EXPECT_TRUE(says(refused, ", and more pairs; expected")) << refused.err;
-  EXPECT_TRUE(says(tracks(text, {"--coincident", "leave-out"}), "12 ids left out"));
 }
 
-TEST_F(Recordings, of_a_group_keep_the_one_that_comes_first) {
-  // B is with A at first and with C later; the three are one group. D rests beside.
+TEST_F(Recordings, of_things_at_one_place_have_their_encounters) {
+  // Two who walk together from 2 to 10; a rider in a bus, and a guest in it from 4 to 8; two at
+  // rest on one bench from 5 to 9. They approach along one line, and part along one, or at right
+  // angles.
   const Outcome done = tracks(
-      "t,id,x,y\n0,A,0,0\n4,A,4,0\n0,B,0,0\n2,B,2,0\n6,B,2,8\n9,B,2,8\n0,C,9,9\n6,C,2,8\n9,C,2,8\n"
-      "0,D,5,5\n9,D,5,5\n",
-      {"--coincident", "leave-out", "--ids", "-"});
-  EXPECT_EQ(done.out, "point,id,first,last\n0,A,0,4\n1,D,0,9\n") << done.err;
+      "t,id,x,y\n0,walker,0,0\n16,walker,16,0\n"
+      "0,friend,0,4\n2,friend,2,0\n7,friend,7,0\n10,friend,10,0\n14,friend,10,4\n"
+      "0,bus,100,0\n8,bus,116,0\n20,bus,140,0\n0,rider,100,0\n20,rider,140,0\n"
+      "1,guest,102,3\n4,guest,108,0\n8,guest,116,0\n12,guest,116,8\n"
+      "0,left,50,60\n3,left,50,50\n9,left,50,50\n19,left,40,50\n"
+      "0,right,60,50\n5,right,50,50\n9,right,50,50\n19,right,60,50\n",
+      {"--encounters", "-", "--range", "2", "--audit", "events"});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  // 10 + sqrt(2), and 8 + 1 / sqrt(2).
+  EXPECT_EQ(done.out,
+            "a,b,begin_lo,begin_hi,end_lo,end_hi,closest_lo,closest_hi,distance,label_a,label_b\n"
+            "2,3,0,0,20,20,0,0,0,bus,rider\n"
+            "0,1,1,1,11.414213562373094,11.414213562373096,2,2,0,walker,friend\n"
+            "2,6,2,2,8.707106781186546,8.707106781186548,4,4,0,bus,guest\n"
+            "3,6,2,2,8.707106781186546,8.707106781186548,4,4,0,rider,guest\n"
+            "4,5,4,4,10,10,5,5,0,left,right\n");
+  EXPECT_TRUE(says(done, "coincident   1 point at the start, the first is rider, with bus"))
+      << done.err;
 }
 
-TEST_F(Recordings, of_things_that_only_meet_are_left_alone) {
-  // In one place at one time; on one line at different times; at one speed side by side.
-  const Outcome done =
-      tracks("t,id,x,y\n0,A,0,0\n4,A,4,4\n0,B,0,4\n4,B,4,0\n5,C,0,0\n9,C,4,4\n0,D,1,0\n4,D,5,4\n",
-             {"--coincident", "leave-out", "--ids", "-"});
+TEST_F(Recordings, of_things_at_one_place_have_events_of_who_hides_whom) {
+  const Outcome done = tracks(bench, {"--events", "-"});
   EXPECT_EQ(done.exit_code, 0) << done.err;
-  EXPECT_FALSE(says(done, "left out"));
+  EXPECT_NE(done.out.find(",hide,5,5,5,,,,,1,0,"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find(",reveal,10,10,10,,,,,1,0,"), std::string::npos) << done.out;
 }
 
 // ---- advice ----
@@ -120,7 +126,7 @@ TEST_F(Recordings, are_read_as_the_messages_advise) {
                 "--date-format '%d/%m/%Y %H:%M:%S'", {"--date-format", "%d/%m/%Y %H:%M:%S"});
   expect_advice("t,id,x,y\n0,a,1,2\n0,a,1,3\n1,a,4,4\n", {}, "--duplicates first, last or mean",
                 {"--duplicates", "mean"});
-  expect_advice(bench, {}, "--coincident leave-out", {"--coincident", "leave-out"});
+  expect_advice(bench, {"--coincident", "refuse"}, "--coincident hide", {"--coincident", "hide"});
   const Arguments lon = {"--columns", "t=t,id=id,x=lon,y=lat"};
   const std::string ships = "t,id,lon,lat\n0,a,10,60\n9,a,10.01,60\n0,b,10,0\n9,b,10.01,0\n";
   const auto with = [&](const char* projection) {

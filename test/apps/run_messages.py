@@ -56,7 +56,8 @@ def checkpoint_cases():
                crc32=f"{zlib.crc32(content):08x}")
     yield resume(forged(setter("response", "bump")), name="bump")
     yield resume(forged(setter("response", "log")), name="log")
-    yield resume(forged(lambda state: state["points"].__setitem__(1, state["points"][0])),
+    yield resume(forged(lambda state: (state.update(refuses_coincident_points=True),
+                                       state["points"].__setitem__(1, state["points"][0]))),
                  problem="the snapshot's points 0 and 1 have the same trajectory")
 
 

@@ -183,39 +183,11 @@ TEST(Read_points, binary_input_is_an_error) {
   }
 }
 
-TEST(Read_points, discs_are_equal_if_their_sizes_are) {
-  EXPECT_EQ(points_error("x,y,vx,vy,radius\n1,2,3,4,5\n1,2,3,4,6\n1,2,3,4,5\n"),
-            "p.csv:4: the point has the same place, velocity and radius as the one in line 2; "
-            "expected points that differ in one of them: remove one or change its motion");
-  EXPECT_EQ(points_error("x,y,vx,vy,ax,ay,growth,radius\n1,2,3,4,0,0,-0,1\n1,2,3,4,-0,0,0,1\n"),
-            "p.csv:3: the point has the same place, derivatives, radius and growth as the one in "
-            "line 2; expected points that differ in one of them: remove one or change its motion");
-  EXPECT_EQ(points_error("x,y,vx,vy,growth\n1,2,3,4,0\n1,2,3,4,1\n"), "");
-  // Masses have no part in what becomes of the triangulation.
-  EXPECT_NE(points_error("x,y,vx,vy,mass\n1,2,3,4,1\n1,2,3,4,2\n"), "");
-}
-
-TEST(Read_points, equal_points_name_both_lines) {
-  EXPECT_EQ(points_error("x,y,vx,vy\n1,2,3,4\n\n5,6,7,8\n1.0,2,0x3,4e0\n"),
-            "p.csv:5: the point has the same place and velocity as the one in line 2; expected "
-            "points that differ in one of them: remove one or change its motion");
-  EXPECT_NE(points_error("x,y,vx,vy\n0,0,-0,0\n1,1,1,1\n-0,-0,0,-0.0\n")
-                .find("p.csv:4: the point has the same place and velocity as the one in line 2"),
-            std::string::npos);
-}
-
-TEST(Read_points, of_several_equal_points_the_first_repetition_is_named) {
-  EXPECT_NE(
-      points_error("x,y,vx,vy\n9,9,9,9\n1,1,1,1\n2,2,2,2\n2,2,2,2\n1,1,1,1\n9,9,9,9\n2,2,2,2\n")
-          .find("p.csv:5: the point has the same place and velocity as the one in line 4"),
-      std::string::npos);
-}
-
 // Quadratic behavior would take minutes.
-TEST(Read_points, many_points_with_equal_coordinates_are_read_quickly) {
+TEST(Read_points, many_labels_are_compared_quickly) {
   std::ostringstream text;
-  text << "x,y,vx,vy\n";
-  for (int i = 0; i < 200'000; ++i) text << "1,2,3," << i << '\n';
+  text << "id,x,y,vx,vy\n";
+  for (int i = 0; i < 200'000; ++i) text << i << ",1,2,3,4\n";
   EXPECT_EQ(points_of(text.str()).motions.size(), 200'000U);
 }
 

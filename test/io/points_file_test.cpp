@@ -26,7 +26,6 @@
 namespace kinetri::points_file_test {
 namespace {
 
-using test::points_error;
 using test::points_of;
 using test::Temporary_directory;
 using test::write_file;
@@ -78,9 +77,12 @@ TEST(Read_points, reads_higher_derivatives) {
             (Polynomial_motion_2{{1, 2}, {3, 4}, {}, {5, 6}, 0}));
   EXPECT_FALSE(points_of("x,y,vx,vy\n1,2,3,4\n").is_polynomial);
   EXPECT_EQ(points_of("x,y,vx,vy,ax,ay\n1,2,3,4,5,6\n1,2,3,4,5,7\n").number_of_points(), 2U);
-  EXPECT_EQ(points_error("x,y,vx,vy,ax,ay\n1,2,3,4,5,6\n\n1,2,3,4,5,6\n"),
-            "p.csv:4: the point has the same place and derivatives as the one in line 2; expected "
-            "points that differ in one of them: remove one or change its motion");
+}
+
+TEST(Read_points, takes_equal_points) {
+  EXPECT_EQ(points_of("x,y,vx,vy\n1,2,3,4\n5,6,7,8\n1,2,3,4\n").number_of_points(), 3U);
+  EXPECT_EQ(points_of("x,y,vx,vy,ax,ay,radius\n1,2,3,4,5,6,7\n1,2,3,4,5,6,7\n").radii,
+            (std::vector<double>{7, 7}));
 }
 
 TEST(Read_points, skips_blank_lines_and_comments) {

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/common_arguments.h"
 
+#include <array>
 #include <limits>
 
 #include "cli/arguments.h"
 #include "kinetri/simulation/scenarios.h"
 
 namespace kinetri::app {
+namespace {
+
+// In the order of the enumerators.
+constexpr std::array<std::string_view, 2> coincidences = {"hide", "refuse"};
+
+}  // namespace
 
 double scenario_size_argument(std::string_view option, std::string_view text, bool zero_allowed) {
   return size_argument(option, text, smallest_scenario_size, largest_scenario_size, zero_allowed);
@@ -18,6 +25,18 @@ double size_ratio_argument(std::string_view text) {
 
 std::uint64_t seed_argument(std::string_view text) {
   return count_argument("--seed", text, std::numeric_limits<std::uint64_t>::max());
+}
+
+void add_coincident_option(Command& command, std::string& target) {
+  target = coincidences.front();
+  command.add("--coincident", &target, choice_type(coincidences),
+              "Points that coincide for a while, as a rider and the bus: hide (default), the one "
+              "with the least number has the edges and the cell, and hides the others; refuse the "
+              "run");
+}
+
+Coincident_points coincident_argument(const std::string& text) {
+  return static_cast<Coincident_points>(choice_argument("--coincident", text, coincidences));
 }
 
 }  // namespace kinetri::app

@@ -5,7 +5,11 @@
 #define KINETRI_APPS_COMMON_ARGUMENTS_H
 
 #include <cstdint>
+#include <string>
 #include <string_view>
+
+#include "cli/command.h"
+#include "kinetri/triangulation/coincident_points.h"
 
 namespace kinetri::app {
 
@@ -18,6 +22,12 @@ double size_ratio_argument(std::string_view text);
 
 /// The value of --seed. Throws Usage_error.
 std::uint64_t seed_argument(std::string_view text);
+
+/// Declares --coincident. `target` gets the default, and must outlive the command.
+void add_coincident_option(Command& command, std::string& target);
+
+/// The value of --coincident. Throws Usage_error.
+Coincident_points coincident_argument(const std::string& text);
 
 }  // namespace kinetri::app
 

@@ -7,6 +7,7 @@
 #include "cli/arguments.h"
 #include "commands/collisions_option.h"
 #include "commands/commands.h"
+#include "commands/common_arguments.h"
 #include "commands/run_options.h"
 #include "kinetri/impl/io/text.h"
 #include "runs/simulation_run.h"
@@ -26,6 +27,7 @@ struct Simulate_options {
   std::optional<std::string> growth;
   std::string mass = "column";
   bool regular = false;
+  std::string coincident;
   Run_options run;
 };
 
@@ -69,6 +71,7 @@ Points_settings points_settings(const Simulate_options& options) {
   }
   result.collisions = collisions_argument(options.collisions, named_responses);
   result.is_regular = options.regular;
+  result.coincident = coincident_argument(options.coincident);
   const bool has_discs = result.collisions.response != nullptr || options.rim || options.regular;
   const auto expect_discs = [&](std::string_view option) {
     if (has_discs) return;
@@ -120,6 +123,7 @@ Command simulate_command() {
   result.add_flag("--regular", options->regular,
                   "Keep the regular triangulation of the discs, whose dual is the power diagram, "
                   "even if nothing touches them");
+  add_coincident_option(result, options->coincident);
   add_run_options(result, options->run,
                   {Output::checkpoint, Output::neighbors, Output::exchanges, Output::nearest,
                    Output::components, Output::connected, Output::spanning_tree, Output::areas,
@@ -152,6 +156,7 @@ Command simulate_command() {
   result.examples = {"kinetri simulate points.csv --until 10 --events events.csv --edges edges.csv",
                      "kinetri simulate points.csv --until 10 --html run.html",
                      "kinetri simulate points.csv --until 10 --verify",
+                     "kinetri simulate points.csv --until 10 --coincident refuse",
                      "kinetri simulate points.csv --until 10 --box 0,0,100,100 \\",
                      "    --collisions elastic --radius 0.5 --events -",
                      "kinetri simulate discs.csv --until 10 --box 0,0,100,100 --rim \\",

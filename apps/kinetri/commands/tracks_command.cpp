@@ -11,6 +11,7 @@
 #include "cli/arguments.h"
 #include "commands/collisions_option.h"
 #include "commands/commands.h"
+#include "commands/common_arguments.h"
 #include "commands/run_options.h"
 #include "kinetri/impl/io/text.h"
 #include "runs/simulation_run.h"
@@ -23,7 +24,6 @@ namespace {
 constexpr std::array<std::string_view, 3> projections = {"none", "local", "utm"};
 constexpr std::array<std::string_view, 4> duplicates = {"refuse", "first", "last", "mean"};
 constexpr std::array<std::string_view, 1> unwraps = {"nearest"};
-constexpr std::array<std::string_view, 2> coincidences = {"refuse", "leave-out"};
 constexpr std::span<const Named_response> none_and_log =
     std::span<const Named_response>(named_responses).first(2);
 constexpr std::uint64_t most_approaches = 1'000'000;
@@ -37,7 +37,7 @@ struct Tracks_options {
   std::optional<std::string> date_format;
   std::optional<std::string> duplicates;
   std::optional<std::string> unwrap;
-  std::string coincident = "refuse";
+  std::string coincident;
   std::optional<std::string> fps;
   std::optional<std::string> from;
   std::optional<std::string> until;
@@ -130,8 +130,7 @@ Tracks_settings tracks_settings(const Tracks_options& options) {
   if (options.longest_gap) {
     result.longest_gap = positive_argument("--max-gap", *options.longest_gap);
   }
-  result.leaves_out_coincident =
-      choice_argument("--coincident", options.coincident, coincidences) == 1;
+  result.coincident = coincident_argument(options.coincident);
   result.logs_contacts = collisions_argument(options.collisions, none_and_log).response != nullptr;
   if (options.radius && !result.logs_contacts) {
     throw Usage_error("--radius: nothing touches a disc; expected --collisions log as well");
@@ -184,9 +183,7 @@ Command tracks_command() {
   result.add("--unwrap", &options->unwrap, choice_type(unwraps),
              "Atoms that leave a periodic box and enter it on the other side move to the nearest "
              "image of their next position (default: refuse the file)");
-  result.add("--coincident", &options->coincident, choice_type(coincidences),
-             "Ids that coincide for some time: refuse the file (default), or leave out all ids of "
-             "such a group but the first");
+  add_coincident_option(result, options->coincident);
   result.add("--fps", &options->fps, "F",
              "Frames in a unit of time in TRACKS, if its times are numbers of frames (default: the "
              "rate that TRACKS gives, or 1). The rate of --frames is --frames-per-time");
@@ -217,7 +214,8 @@ Command tracks_command() {
                      "kinetri tracks crowd.txt --format frames --fps 25 --closest 10",
                      "kinetri tracks ships.csv --columns t=time,id=name,x=lon,y=lat --projection "
                      "utm",
-                     "kinetri tracks gt.txt --columns t=1,id=2,x=3,y=4 --closest 10"};
+                     "kinetri tracks gt.txt --columns t=1,id=2,x=3,y=4 --closest 10",
+                     "kinetri tracks walks.csv --coincident refuse"};
   result.run = [options](const Command& /*program*/) {
     const auto source = tracks_source(tracks_settings(*options));
     return run_simulation(settings_of_run(*options), *source);

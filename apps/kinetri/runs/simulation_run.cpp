@@ -112,6 +112,7 @@ class Simulation_run {
     return simulation_.visit([](const auto& s) { return s.current_time().to_double(); });
   }
   double end_of_run() const;
+  void note_coincident();
   void watch_growth();
   bool is_jammed();
   std::optional<double> share_of_box() const;
@@ -156,6 +157,7 @@ class Simulation_run {
   std::optional<Frame_outputs> frames_;
   std::optional<Area_output> areas_;
   std::unique_ptr<Run_sampler> sampler_;
+  std::string coincident_;              // points that coincide at the start, for the summary
   std::optional<Jam_watch> jam_watch_;  // if growing discs may jam
   bool jammed_ = false;
   std::optional<Endless_contacts_error> endless_;  // what has ended the run
@@ -212,6 +214,7 @@ void Simulation_run::build() {
   simulation_.visit([this](auto& s) { s.set_threads(settings_.threads); });
   statistics_.until = end_of_run();
   progress_.set_range(statistics_.from, statistics_.until);
+  note_coincident();
   watch_growth();
   events_before_ = number_of_events();
   const Construction_seconds construction =
@@ -269,6 +272,25 @@ double Simulation_run::end_of_run() const {
   throw Usage_error(
       "--until-share: the share that the discs cover need not increase; expected discs that grow, "
       "--box, --rim and --collisions elastic");
+}
+
+// "2 points at the start, the first is 5, with 1".
+void Simulation_run::note_coincident() {
+  simulation_.visit([this](const auto& s) {
+    const auto& triangulation = s.triangulation();
+    if (triangulation.number_of_hidden_points() == 0) return;
+    std::size_t number = 0;
+    std::string first;
+    for (Point_id id = 0; id < triangulation.next_id(); ++id) {
+      if (!triangulation.contains(id)) continue;
+      const Point_id shown = triangulation.vertex(id)->point().id();
+      if (shown == id) continue;
+      if (number++ == 0) first = joined(source_.name(id), ", with ", source_.name(shown));
+    }
+    if (number > 0) {
+      coincident_ = joined(counted(number, "point"), " at the start, the first is ", first);
+    }
+  });
 }
 
 void Simulation_run::watch_growth() {
@@ -596,6 +618,7 @@ void Simulation_run::summarize() const {
   if (asked_.limits && asked_.limits->walkable && !asked_.walkable) {
     print("input", "cells are those within the walkable area that it has");
   }
+  if (!coincident_.empty()) print("coincident", coincident_);
   print("events", events_summary(s));
   if (const auto share = share_of_box()) {
     print("discs", joined("cover ", significant(*share, 6), " of the box"));

@@ -48,6 +48,7 @@ class Points_source final : public Run_source {
                             Arithmetic arithmetic) const;
   Input_error overlap(const Overlapping_discs_error& error) const;
   double equal_radius(const Point_discs& discs) const;
+  std::string equal_numbers() const;
 
   Points_settings settings_;
   Points_file points_;
@@ -92,13 +93,21 @@ Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
     throw overlap(error);
   } catch (const Coincident_trajectories_error& error) {
     const auto [first, second] = std::minmax({error.first(), error.second()});
-    throw Input_error(
-        input_name(path()), points_.lines[second],
-        joined("the point has the same place and ",
-               points_.is_polynomial ? "derivatives" : "velocity", " as the one in line ",
-               points_.lines[first],
-               "; expected points that differ in one of them: remove one or change its motion"));
+    throw Input_error(input_name(path()), points_.lines[second],
+                      joined("the point has the same ", equal_numbers(), " as the one in line ",
+                             points_.lines[first],
+                             "; expected points that differ in one of them, or --coincident hide"));
   }
+}
+
+// The numbers that points with one trajectory have in common.
+std::string Points_source::equal_numbers() const {
+  std::vector<std::string> names = {"place", points_.is_polynomial ? "derivatives" : "velocity"};
+  if (has_discs() && !points_.radii.empty()) names.emplace_back("radius");
+  if (has_discs() && !points_.growths.empty()) names.emplace_back("growth");
+  const std::string last = names.back();
+  names.pop_back();
+  return joined(separated(names, ", "), " and ", last);
 }
 
 // "the disc overlaps the one in line 2 at t = 0, and so do those in lines 4 and 5, ...".
@@ -132,6 +141,7 @@ Simulation_options Points_source::options() const {
   result.box = settings_.box;
   result.rim_touches = settings_.rim_touches;
   result.response = settings_.collisions.response;
+  result.coincident = settings_.coincident;
   return result;
 }
 

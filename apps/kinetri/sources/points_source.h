@@ -10,6 +10,7 @@
 
 #include "kinetri/simulation/box_2.h"
 #include "kinetri/simulation/collision_response.h"
+#include "kinetri/triangulation/coincident_points.h"
 #include "sources/run_source.h"
 
 namespace kinetri::app {
@@ -25,6 +26,7 @@ struct Points_settings {
   bool has_area_masses = false;  ///< masses are squares of radii, instead of the column
   /// Whether the triangulation is the regular one of the discs even if nothing touches them.
   bool is_regular = false;
+  Coincident_points coincident = Coincident_points::hide;
   Named_response collisions = named_responses.front();
 };
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <ostream>
 #include <span>
 #include <utility>
@@ -22,8 +21,6 @@
 
 namespace kinetri::app {
 namespace {
-
-constexpr std::size_t most_named = 10;  // ids in a message
 
 class Tracks_source final : public Run_source {
  public:
@@ -61,7 +58,6 @@ class Tracks_source final : public Run_source {
     return tracks_error(input_name(path()), file_.place_name, line, message);
   }
   void check_frame_rate() const;
-  void leave_out_coincident(const Tracks_options& options);
   void check_velocities() const;
   void check_radii() const;
   std::vector<double> disc_radii() const;
@@ -73,8 +69,6 @@ class Tracks_source final : public Run_source {
   double from_ = 0;
   double until_ = 0;
   std::optional<Box_2> extent_;
-  std::size_t coincident_ = 0;    // number of ids left out because they coincide with others
-  std::string coincident_names_;  // of the first of them
 };
 
 void Tracks_source::read() {
@@ -107,7 +101,6 @@ void Tracks_source::read() {
   if (settings_.longest_gap) options.longest_gap = *settings_.longest_gap;
   stays_ = stays_of(observations_, options);
   check_velocities();
-  if (settings_.leaves_out_coincident) leave_out_coincident(options);
 }
 
 // Throws if --fps is given and the file has no frames.
@@ -116,38 +109,6 @@ void Tracks_source::check_frame_rate() const {
   throw Usage_error(joined("--fps: ", input_name(path()),
                            " has times, not frames; expected no --fps (--frames-per-time is the "
                            "rate of --frames and --vtu)"));
-}
-
-// Leaves out all but the first of ids that coincide for some time.
-void Tracks_source::leave_out_coincident(const Tracks_options& options) {
-  const auto companion =
-      shared_paths(observations_, stays_,
-                   settings_.logs_contacts ? disc_radii() : std::vector<double>(), from_, until_)
-          .companion;
-  std::vector<std::string> named;
-  std::map<std::size_t, std::string> first_ids;
-  std::size_t kept = 0;
-  for (std::size_t track = 0; track < companion.size(); ++track) {
-    if (companion[track] != track) {
-      file_.observations -= file_.tracks[track].observations.size();
-      ++coincident_;
-      if (named.size() < most_named) {
-        named.push_back(joined(kinetri::in_quotes(file_.tracks[track].id), " with ",
-                               kinetri::in_quotes(first_ids.at(companion[track]))));
-      }
-      continue;
-    }
-    first_ids[track] = file_.tracks[track].id;
-    if (kept != track) {
-      file_.tracks[kept] = std::move(file_.tracks[track]);
-      observations_[kept] = std::move(observations_[track]);
-    }
-    ++kept;
-  }
-  file_.tracks.resize(kept);
-  observations_.resize(kept);
-  stays_ = stays_of(observations_, options);
-  coincident_names_ = separated(named, ", ");
 }
 
 // Differences of finite numbers may be too large for a finite velocity.
@@ -166,6 +127,7 @@ void Tracks_source::check_velocities() const {
 
 Any_simulation Tracks_source::make_simulation(Arithmetic arithmetic) const {
   Simulation_options options;
+  options.coincident = settings_.coincident;
   try {
     if (settings_.logs_contacts && !stays_.empty()) {
       options.response = log_contact;
@@ -242,8 +204,7 @@ Input_error Tracks_source::coincidence(const Coincident_trajectories_error& coin
       std::max(one, other),
       joined("from t = ", time, " on ids ", pair_of(first, second), " go the same way (see ",
              file_.place_name, ' ', std::min(one, other), ")", others,
-             "; expected different positions at one of two observations, or --coincident "
-             "leave-out, which leaves out all but the first of each such group"));
+             "; expected different positions at one of two observations, or --coincident hide"));
 }
 
 void Tracks_source::write_points(std::ostream& out) const {
@@ -298,12 +259,6 @@ std::vector<std::string> Tracks_source::remarks() const {
   for (std::string& remark : remarks_on_rows(file_, settings_.reading.duplicates)) {
     result.push_back(std::move(remark));
   }
-  if (coincident_ > 0) {
-    result.push_back(joined(counted(coincident_, "id"),
-                            " left out, being at one place with another for some time: ",
-                            coincident_names_, coincident_ > most_named ? " and others" : ""));
-  }
-
   const auto singles = std::ranges::count_if(
       file_.tracks, [](const Track& track) { return track.observations.size() == 1; });
   if (singles > 0) {

@@ -9,19 +9,20 @@
 #include <string>
 
 #include "kinetri/io/tracks_file.h"
+#include "kinetri/triangulation/coincident_points.h"
 #include "sources/run_source.h"
 
 namespace kinetri::app {
 
 struct Tracks_settings {
-  std::string tracks;                  ///< a path, or "-"
-  Tracks_file_options reading;         ///< options for reading the file
-  std::optional<double> from;          ///< default: the first observation
-  std::optional<double> until;         ///< default: the last one
-  std::optional<double> longest_gap;   ///< default: no limit
-  bool leaves_out_coincident = false;  ///< all but one of ids that coincide for some time
-  bool logs_contacts = false;          ///< of discs
-  std::optional<double> radius;        ///< of all discs, instead of the column of the tracks
+  std::string tracks;                 ///< a path, or "-"
+  Tracks_file_options reading;        ///< options for reading the file
+  std::optional<double> from;         ///< default: the first observation
+  std::optional<double> until;        ///< default: the last one
+  std::optional<double> longest_gap;  ///< default: no limit
+  Coincident_points coincident = Coincident_points::hide;
+  bool logs_contacts = false;    ///< of discs
+  std::optional<double> radius;  ///< of all discs, instead of the column of the tracks
 };
 
 std::unique_ptr<Run_source> tracks_source(const Tracks_settings& settings);

@@ -54,7 +54,7 @@ struct Points_file {
 };
 
 /// Reads points from `in`, line by line: beyond the result it needs memory for one line, which may
-/// have up to 2^20 bytes, and at the end 16 bytes a point. Accepts LF and CRLF line ends, a byte
+/// have up to 2^20 bytes. Accepts LF and CRLF line ends, a byte
 /// order mark, and blanks around fields.
 ///
 /// Throws Input_error `name:line: ...` for everything else: no header, or a column whose name is a
@@ -62,9 +62,9 @@ struct Points_file {
 /// too few or too many fields; a quotation mark that is not closed on its line; a field that is
 /// empty or not a number (such as 12, -.5e-3 or 0x1.8p3, within the range of binary64), a number
 /// with a decimal comma; an empty label; a negative radius; a mass that is not greater than 0; two
-/// points with the same label, or with the same motion, radius and growth (0 and -0 are the same),
-/// naming both lines; 2^32 - 1 points or more; a stream that fails. Zero points are valid. Cost:
-/// O(n log n), by sorts that find equal points and labels; else linear.
+/// points with the same label, naming both lines; 2^32 - 1 points or more; a stream that fails.
+/// Zero points are valid, and so are points that are equal otherwise. Cost: O(n log n) for labels;
+/// else linear.
 Points_file read_points(std::istream& in, const std::string& name);
 
 /// Reads the file `path`, or standard input if it is "-". Throws as read_points, and Input_error
