@@ -14,8 +14,8 @@
 namespace kinetri {
 namespace {
 
-std::string_view reason_without(Event_kind kind) {
-  switch (kind) {
+std::string_view reason_without(const Event& event) {
+  switch (event.kind) {
     case Event_kind::rebuild:
       return "the edges of this time come and go together: nothing fails for one of them";
     case Event_kind::insert:
@@ -26,6 +26,7 @@ std::string_view reason_without(Event_kind kind) {
       return "a point gets another motion: nothing fails";
     case Event_kind::hide:
     case Event_kind::reveal:
+      if (event.point_b) return "two points coincide from now on, or until now: nothing fails";
       return "the triangulation is built anew at this time: nothing fails for one point";
     case Event_kind::collision:
       return "the discs overlap and approach from the time on at which one got its motion, which "
@@ -164,8 +165,9 @@ auto Event_certificates<Traits>::hiding_triangle(Point_id id) const -> Triple {
 
 template <class Traits>
 void Event_certificates<Traits>::watch_hidden(Point_id id) {
-  if (!triangulation_.contains(id) || !triangulation_.is_hidden(id) ||
-      triangulation_.triangulation().dimension() < 2) {
+  const bool is_in_triangle = triangulation_.contains(id) && triangulation_.is_hidden(id) &&
+                              triangulation_.vertex(id)->point().id() == id;
+  if (!is_in_triangle || triangulation_.triangulation().dimension() < 2) {
     hidden_.erase(id);
     return;
   }
@@ -335,7 +337,7 @@ void Event_certificates<Traits>::before_event(const Event& event) {
     KINETRI_ASSERT(
         std::ranges::all_of(all, [&](const Condition& c) { return c.since == event.time; }),
         "an event is the failure of a certificate");
-    certificate_.reason = reason_without(event.kind);
+    certificate_.reason = reason_without(event);
   }
   motions_before_.clear();
   if (event.kind != Event_kind::collision) return;

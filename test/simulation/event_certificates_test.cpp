@@ -129,7 +129,7 @@ class Checked : Event_observer {
     number_ = event.number;
     points_.clear();
     for (Point_id id = 0; id < triangulation().next_id(); ++id) {
-      if (triangulation().contains(id)) points_.emplace(id, triangulation().vertex(id)->point());
+      if (triangulation().contains(id)) points_.emplace(id, triangulation().point(id));
     }
   }
 
@@ -341,6 +341,47 @@ TEST(Event_certificates, of_discs_of_any_size_prove_when_they_hide_and_come_out)
   EXPECT_GT(checked.number_of(Event_kind::hide), 3u);
   EXPECT_GT(checked.number_of(Event_kind::reveal), 3u);
   EXPECT_GT(checked.number_of(Event_kind::flip), 40u);
+}
+
+// Every other step a point gets the motion of another one; in the next one of the two turns.
+template <class Traits>
+void expect_proofs_of_points_that_coincide(std::vector<typename Traits::Motion> motions) {
+  motions[17] = motions[16];  // from the start on
+  Simulation_2<Traits> simulation(motions, {});
+  const auto& triangulation = simulation.triangulation();
+  Checked<Traits> checked(simulation);
+  for (Point_id i = 0; i < 12; ++i) {
+    const double now = 0.25 * (i + 1);
+    simulation.advance_to(now);
+    if (i % 2 == 0) {
+      simulation.set_motion(i + 1, triangulation.motion(i));
+      EXPECT_EQ(triangulation.vertex(i + 1), triangulation.vertex(i));
+    } else {
+      const Point_id id = i % 4 == 1 ? i - 1 : i;
+      simulation.set_motion(id, with_velocity_at(triangulation.motion(id), {1, i / 4.0}, now));
+      EXPECT_NE(triangulation.vertex(i - 1), triangulation.vertex(i));
+    }
+  }
+  simulation.erase(16);
+  simulation.advance_to(4);
+  std::size_t coincidences = 0;
+  for (const Event_certificate& c : checked.given) {
+    if (c.reason != "two points coincide from now on, or until now: nothing fails") continue;
+    EXPECT_EQ(c.points.size(), 2u);
+    ++coincidences;
+  }
+  EXPECT_GE(coincidences, HasWeight<typename Traits::Motion> ? 6u : 13u);
+  EXPECT_GT(checked.number_of(Event_kind::flip), 30u);
+}
+
+TEST(Event_certificates, of_points_that_coincide_say_so) {
+  expect_proofs_of_points_that_coincide<Linear_kinetic_traits_2>(
+      test::random_motions(24, 10, 3, 75));
+  std::vector<Disc_motion_2> discs;
+  for (const Linear_motion_2& m : test::random_motions(24, 10, 3, 76)) {
+    discs.push_back({m, 0.25 * static_cast<double>(discs.size() % 5)});
+  }
+  expect_proofs_of_points_that_coincide<Disc_kinetic_traits_2>(discs);
 }
 
 // Points of a lattice with small integer velocities: many events at one time, between which points

@@ -35,8 +35,8 @@ namespace kinetri {
 ///
 /// If discs overlap when one gets its motion, and separate at first, the derivative of
 /// contact_polynomial is the polynomial: they collide when they cease to separate. Points are in
-/// the order of the function's parameters. Other events have no failure; their points are those
-/// that they name.
+/// the order of the function's parameters. Other events have no failure, nor have `hide` and
+/// `reveal` of points that coincide for a while; their points are those that they name.
 struct Event_certificate {
   std::uint64_t event = 0;                     ///< the number of the event
   Event_kind kind = Event_kind::flip;          ///< of the event
@@ -89,7 +89,8 @@ class Event_certificates : public Event_observer {
     std::uint64_t number = 0;
     Algebraic_number time;
   };
-  /// An edge with the points opposite it, or a hidden point with the triangle that hides it.
+  /// An edge with the points opposite it, or a hidden point with the triangle that hides it. Points
+  /// that coincide with the one that hides them have no certificate.
   template <class Beside>
   struct Watched {
     Watched(const Beside& b, const Moment& m) : beside(b), since(m) {}
@@ -103,7 +104,7 @@ class Event_certificates : public Event_observer {
     Algebraic_number since;
   };
 
-  const Point_2& point(Point_id id) const { return triangulation_.vertex(id)->point(); }
+  const Point_2& point(Point_id id) const { return triangulation_.point(id); }
   void set_now(const Algebraic_number& time);
   const Moment& latest(const Moment& moment, std::span<const Point_id> points) const;
 
