@@ -146,6 +146,27 @@ void write_motions(Json_writer& json, const Recording& recording, std::size_t po
   json.end_object();
 }
 
+void write_coincidences(Json_writer& json, const Recording& recording, std::size_t points) {
+  std::size_t starting = 0;
+  Bytes event;
+  Id_bytes point(points);
+  Id_bytes shown(points);
+  for (const Recorded_coincidence& coincidence : recording.coincidences) {
+    if (!coincidence.event) ++starting;
+    event.add(static_cast<std::uint32_t>(coincidence.event.value_or(0)));
+    point.add(coincidence.point);
+    shown.add(coincidence.shown);
+  }
+  json.key("coincidences");
+  json.begin_object();
+  json.member("count", recording.coincidences.size());
+  json.member("starting", starting);
+  json.member("event", event.base64());
+  json.member("point", point.base64());
+  json.member("shown", shown.base64());
+  json.end_object();
+}
+
 std::uint8_t fields(const Recorded_event& event) {
   const auto& [nearest, bounds] = event.time;
   return static_cast<std::uint8_t>((event.removed ? 1 : 0) | (event.added ? 2 : 0) |
@@ -257,6 +278,7 @@ std::string page_data(const Recording& recording, const Viewer_settings& setting
   write_triangles(json, recording, points);
   json.key("motions");
   write_motions(json, recording, points);
+  if (!recording.coincidences.empty()) write_coincidences(json, recording, points);
   json.key("events");
   write_events(json, recording, points);
   if (!settings.names.empty()) {

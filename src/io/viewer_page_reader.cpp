@@ -182,6 +182,7 @@ class Page_reader {
     read_settings();
     read_events(json_.member("events"));
     read_motions(json_.member("motions"));
+    if (json_.has_member("coincidences")) read_coincidences(json_.member("coincidences"));
     read_topology();
     if (json_.has_member("encounters")) read_encounters(json_.member("encounters"));
     return {std::move(recording_), std::move(settings_)};
@@ -334,6 +335,29 @@ class Page_reader {
       json_.member("points").fail(
           joined("is ", points_, ", but the motions are those of ", points, "; expected as many"));
     }
+  }
+
+  void read_coincidences(const Json_value& json) {
+    const auto count = json.member("count").whole_number<std::uint64_t>();
+    const auto starting = json.member("starting").whole_number<std::uint64_t>(count);
+    Packed_numbers event(json, "event", points_);
+    Packed_numbers point(json, "point", points_);
+    Packed_numbers shown(json, "shown", points_);
+    std::size_t last_row = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      Recorded_coincidence& coincidence = recording_.coincidences.emplace_back();
+      const std::size_t row = event.take<std::uint32_t>();
+      if (i >= starting) {
+        if (row >= recording_.events.size() || row < last_row) {
+          event.fail(joined("has the coincidence ", i, " at event ", row,
+                            ", which is not there, or too early"));
+        }
+        coincidence.event = last_row = row;
+      }
+      coincidence.point = point.take_id();
+      coincidence.shown = shown.take_id();
+    }
+    for (const Packed_numbers* list : {&event, &point, &shown}) list->expect_end();
   }
 
   void read_topology() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "kinetri/impl/base/check.h"
 
@@ -43,12 +44,13 @@ Playback::Playback(const Recording& recording) : recording_(recording) {
     last[motions[i].point] = i;
   }
   current_.resize(points);
+  shown_.resize(points);
   start();
 }
 
 void Playback::start() {
   time_ = recording_.from;
-  rows_ = next_motion_ = next_triangle_ = 0;
+  rows_ = next_motion_ = next_triangle_ = next_coincidence_ = 0;
   edges_ = {recording_.initial_edges.begin(), recording_.initial_edges.end()};
   triangles_ = {};
   for (const Triangle_ids& corners : recording_.initial_triangles) triangles_.insert(corners);
@@ -56,6 +58,12 @@ void Playback::start() {
   const auto& motions = recording_.motions;
   for (; next_motion_ < motions.size() && !motions[next_motion_].event; ++next_motion_) {
     current_[motions[next_motion_].point] = next_motion_;
+  }
+  std::iota(shown_.begin(), shown_.end(), Point_id{0});
+  const auto& coincidences = recording_.coincidences;
+  for (; next_coincidence_ < coincidences.size() && !coincidences[next_coincidence_].event;
+       ++next_coincidence_) {
+    shown_[coincidences[next_coincidence_].point] = coincidences[next_coincidence_].shown;
   }
 }
 
@@ -73,6 +81,11 @@ void Playback::execute() {
   const auto& motions = recording_.motions;
   for (; next_motion_ < motions.size() && *motions[next_motion_].event == rows_; ++next_motion_) {
     current_[motions[next_motion_].point] = next_motion_;
+  }
+  const auto& coincidences = recording_.coincidences;
+  for (; next_coincidence_ < coincidences.size() && coincidences[next_coincidence_].event == rows_;
+       ++next_coincidence_) {
+    shown_[coincidences[next_coincidence_].point] = coincidences[next_coincidence_].shown;
   }
   ++rows_;
 }
@@ -106,7 +119,7 @@ std::vector<Recorded_place> Playback::places() const {
     if (there != nullptr) result[id] = place_of(*there, time_);
   }
   if (recording_.is_thinned) interpolate_changing_points(result);
-  if (has_weights(recording_)) find_hidden(result);
+  find_hidden(result);
   return result;
 }
 
@@ -130,16 +143,22 @@ void Playback::interpolate_changing_points(std::vector<Recorded_place>& places) 
   }
 }
 
-// Points without edges are hidden. If there are no edges, one point is the only vertex: that of
-// least power.
+// Points that coincide with the one that is shown are hidden, and with weights those without edges.
+// If there are no edges, one point is the only vertex: that of least power.
 void Playback::find_hidden(std::vector<Recorded_place>& places) const {
-  for (Recorded_place& place : places) place.is_hidden = place.is_there;
+  const auto coincides = [&](std::size_t id) { return shown_[id] != id; };
+  const bool are_weighted = has_weights(recording_);
+  for (std::size_t id = 0; id < places.size(); ++id) {
+    places[id].is_hidden = places[id].is_there && (are_weighted || coincides(id));
+  }
+  if (!are_weighted) return;
   for (const auto& [a, b] : edges_) places[a].is_hidden = places[b].is_hidden = false;
   if (!edges_.empty()) return;
   double least = std::numeric_limits<double>::infinity();
   Recorded_place* vertex = nullptr;
-  for (Recorded_place& place : places) {
-    if (!place.is_there) continue;
+  for (std::size_t id = 0; id < places.size(); ++id) {
+    Recorded_place& place = places[id];
+    if (!place.is_there || coincides(id)) continue;
     const double power = place.x * place.x + place.y * place.y - place.weight;
     if (!(power < least)) continue;
     least = power;

@@ -49,6 +49,10 @@ class Merged_events {
     place->second.motion = motion.motion;
   }
 
+  void add(const Recorded_coincidence& coincidence) {
+    shown_[coincidence.point] = coincidence.shown;
+  }
+
   void add(const Recorded_triangle& triangle) {
     triangles_[triangle.corners] += triangle.is_added ? 1 : -1;
   }
@@ -77,12 +81,15 @@ class Merged_events {
       if (net > 0) out.events.push_back(with_edge(row, &Recorded_event::added, edge));
     }
     const auto changed = [](const auto& change) { return change.second != 0; };
-    if (std::ranges::none_of(triangles_, changed)) return;
+    if (std::ranges::none_of(triangles_, changed) && shown_.empty()) return;
     if (out.events.size() == first_row) out.events.push_back(row);
     for (const int change : {-1, 1}) {
       for (const auto& [corners, net] : triangles_) {
         if (net == change) out.triangles.push_back({out.events.size() - 1, change > 0, corners});
       }
+    }
+    for (const auto& [id, shown] : shown_) {
+      out.coincidences.push_back({out.events.size() - 1, id, shown});
     }
   }
 
@@ -101,6 +108,7 @@ class Merged_events {
 
   std::map<Edge_ids, int> edges_;          // +1: added, -1: removed, 0: both
   std::map<Triangle_ids, int> triangles_;  // the same
+  std::map<Point_id, Point_id> shown_;     // the last of each point
   std::map<Point_id, Point_change> points_;
 };
 
@@ -114,10 +122,11 @@ Recording merged(const Recording& recording, double interval) {
   Recording result = recording;
   result.is_thinned = true;
   result.events.clear();
-  auto motion = std::ranges::find_if(recording.motions, [](const Recorded_motion& recorded) {
-    return recorded.event.has_value();
-  });
+  const auto is_of_event = [](const auto& recorded) { return recorded.event.has_value(); };
+  auto motion = std::ranges::find_if(recording.motions, is_of_event);
   result.motions.assign(recording.motions.begin(), motion);
+  auto coincidence = std::ranges::find_if(recording.coincidences, is_of_event);
+  result.coincidences.assign(recording.coincidences.begin(), coincidence);
   result.triangles.clear();
   auto triangle = recording.triangles.begin();
   const auto& events = recording.events;
@@ -129,6 +138,10 @@ Recording merged(const Recording& recording, double interval) {
       merged_events.add(events[end]);
       for (; motion != recording.motions.end() && *motion->event == end; ++motion) {
         merged_events.add(events[end], *motion);
+      }
+      for (; coincidence != recording.coincidences.end() && *coincidence->event == end;
+           ++coincidence) {
+        merged_events.add(*coincidence);
       }
       for (; triangle != recording.triangles.end() && triangle->event == end; ++triangle) {
         merged_events.add(*triangle);
@@ -152,6 +165,7 @@ Recorder<Traits>::Recorder(const Triangulation& triangulation, double until, std
   for (std::size_t id = 0; id < triangulation.next_id(); ++id) {
     if (triangulation.contains(static_cast<Point_id>(id))) {
       record_motion(static_cast<Point_id>(id), std::nullopt);
+      record_coincidence(static_cast<Point_id>(id), std::nullopt);
     }
   }
   for (const auto face : triangulation.triangulation().finite_face_handles()) {
@@ -175,6 +189,20 @@ void Recorder<Traits>::record_motion(Point_id id, std::optional<std::size_t> eve
   motion.event = event;
   motion.point = id;
   if (triangulation_.contains(id)) motion.motion = as_disc(triangulation_.motion(id));
+}
+
+// Records which point is shown in the place of the point, if that has changed.
+template <class Traits>
+void Recorder<Traits>::record_coincidence(Point_id id, std::optional<std::size_t> event) {
+  const Point_id shown = triangulation_.contains(id) ? triangulation_.vertex(id)->point().id() : id;
+  const auto before = shown_.find(id);
+  if (shown == (before == shown_.end() ? id : before->second)) return;
+  recording_.coincidences.push_back({event, id, shown});
+  if (shown == id) {
+    shown_.erase(before);
+  } else {
+    shown_.insert_or_assign(id, shown);
+  }
 }
 
 template <class Traits>
@@ -233,17 +261,34 @@ template <class Traits>
 void Recorder<Traits>::after_rebuild(const Time& time, std::span<const Edge_ids> edges) {
   const std::vector<Recorded_triangle> changes = changed_triangles(edges);
   if (changes.empty()) return;
-  const bool is_reported = !recording_.events.empty() && time_ && *time_ == time &&
-                           !is_one_flip(recording_.events.back().kind);
-  if (!is_reported) {
-    set_time(time);
-    Recorded_event& row = recording_.events.emplace_back();
-    row.number = triangulation_.counters().number_of_events();
-    row.kind = Event_kind::rebuild;
-    row.time = rounded_time_;
-  }
+  expect_row(time);
   record_triangles(changes);
   thin_if_needed();
+}
+
+template <class Traits>
+void Recorder<Traits>::after_hiding(const Time& time, std::span<const Point_id> points) {
+  const std::size_t before = recording_.coincidences.size();
+  for (const Point_id id : points) record_coincidence(id, 0);
+  if (recording_.coincidences.size() == before) return;
+  expect_row(time);
+  for (std::size_t i = before; i < recording_.coincidences.size(); ++i) {
+    recording_.coincidences[i].event = recording_.events.size() - 1;
+  }
+  thin_if_needed();
+}
+
+// Adds a row without an edge, unless the last row is of the time and not a flip.
+template <class Traits>
+void Recorder<Traits>::expect_row(const Time& time) {
+  const bool is_reported = !recording_.events.empty() && time_ && *time_ == time &&
+                           !is_one_flip(recording_.events.back().kind);
+  if (is_reported) return;
+  set_time(time);
+  Recorded_event& row = recording_.events.emplace_back();
+  row.number = triangulation_.counters().number_of_events();
+  row.kind = Event_kind::rebuild;
+  row.time = rounded_time_;
 }
 
 // The apex of the triangle to the left of pq in the triangulation, no_point if there is none.

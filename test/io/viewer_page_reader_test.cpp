@@ -90,6 +90,7 @@ Viewer_page expect_same(const Make& make, double until, std::size_t most_rows,
   EXPECT_EQ(read.recording.initial_edges, recording.initial_edges);
   EXPECT_EQ(read.recording.initial_triangles, recording.initial_triangles);
   EXPECT_EQ(read.recording.triangles, recording.triangles);
+  EXPECT_EQ(read.recording.coincidences, recording.coincidences);
   EXPECT_EQ(read.recording.events_in_all, recording.events_in_all);
   EXPECT_EQ(read.recording.events.size(), recording.events.size());
   if (!recording.is_thinned) {
@@ -112,6 +113,8 @@ Viewer_page expect_same(const Make& make, double until, std::size_t most_rows,
         EXPECT_EQ(places[id].is_there, triangulation.contains(id)) << id;
         if (!triangulation.contains(id)) continue;
         EXPECT_EQ(places[id].is_hidden, triangulation.is_hidden(id)) << id << " at " << time;
+        EXPECT_EQ(playback.shown(id), triangulation.vertex(id)->point().id())
+            << id << " at " << time;
         const Vector_2 place = rounded_place(triangulation.motion(id), time);
         EXPECT_NEAR(places[id].x, place.x, 1e-9);
         EXPECT_NEAR(places[id].y, place.y, 1e-9);
@@ -203,6 +206,62 @@ TEST(Viewer_page_reader, reads_degenerate_instants) {
   const std::vector<Linear_motion_2> on_a_line = {
       {{0, 0}, {1, 0}}, {{2, 0}, {}}, {{4, 0}, {-1, 0}}};
   expect_same(maker(on_a_line, Simulation_options()), 3, 100, {});
+}
+
+// Things that go with one of three leaders between most observations, so that many coincide.
+std::vector<std::vector<Observation_2>> walks_in_groups() {
+  std::mt19937 random(8);
+  const auto number = [&](unsigned limit) { return static_cast<double>(random() % limit); };
+  std::vector<std::vector<Observation_2>> result(14);
+  for (int time = 0; time < 12; ++time) {
+    std::vector<Vector_2> leaders(3);
+    for (Vector_2& place : leaders) place = {number(40), number(40)};
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      // Some come later, and some go earlier.
+      if (time < static_cast<int>(i % 4) || time > 11 - static_cast<int>(i % 3)) continue;
+      const bool is_alone = random() % 4 == 0;
+      const Vector_2 alone = {number(40), number(40)};
+      result[i].push_back({static_cast<double>(time), is_alone ? alone : leaders[(i + i / 5) % 3]});
+    }
+  }
+  return result;
+}
+
+TEST(Viewer_page_reader, reads_points_that_coincide_for_a_while) {
+  const auto walks = walks_in_groups();
+  const std::vector<Stay> stays = stays_of(walks, {});
+  const auto points = [&] { return simulate_tracks(walks, stays, 0); };
+  EXPECT_GT(expect_same(points, 11, 100'000, {}).recording.coincidences.size(), 40u);
+  const std::vector<double> radii = {1, 2, 2, 1, 3, 1, 1, 2, 1, 9, 1, 1, 1, 2};
+  const auto discs = [&] { return simulate_tracks(walks, radii, stays, 0); };
+  EXPECT_GT(expect_same(discs, 11, 100'000, {}).recording.coincidences.size(), 20u);
+  // Two at one place, without an edge.
+  const Linear_motion_2 one = {{1, 2}, {3, 4}};
+  expect_same(maker(std::vector<Linear_motion_2>{one, one}, Simulation_options()), 2, 100, {});
+  expect_same(maker<Disc_kinetic_traits_2>(std::vector<Disc_motion_2>{{one, 2}, {one, 2}},
+                                           Simulation_options()),
+              2, 100, {});
+}
+
+TEST(Viewer_page_reader, reads_thinned_runs_of_points_that_coincide) {
+  const auto walks = walks_in_groups();
+  const std::vector<Stay> stays = stays_of(walks, {});
+  const auto points = [&] { return simulate_tracks(walks, stays, 0); };
+  const Recording recording = expect_same(points, 11, 200, {}).recording;
+  EXPECT_TRUE(recording.is_thinned);
+  const auto simulation = points();
+  Playback playback(recording);
+  for (std::size_t row = 0; row < recording.events.size(); ++row) {
+    // The triangulation is exact just after the time of a row.
+    const double time = recording.events[row].time.bounds.upper;
+    simulation->advance_to(Algebraic_number(time));
+    playback.go_to(time);
+    const auto& triangulation = simulation->triangulation();
+    for (Point_id id = 0; id < triangulation.next_id(); ++id) {
+      if (!triangulation.contains(id)) continue;
+      EXPECT_EQ(playback.shown(id), triangulation.vertex(id)->point().id()) << time;
+    }
+  }
 }
 
 TEST(Viewer_page_reader, reads_few_points) {

@@ -41,6 +41,11 @@
 //                 them, ax, ay, jx, jy: x + vx s + ax s^2/2 + jx s^3/6 with s = t - e; sizes:
 //                 absent if points have no weights, else base64 of binary64, each trajectory r,
 //                 g and w: the disc has the radius r + g s, the point the weight (r + g s)^2 + w
+//   coincidences  absent if no points coincide for a while, else {count, starting, event, point,
+//                 shown}: changes of the point that has the vertex of a point, as another one that
+//                 coincides with it and hides it; in order, the first `starting` of them at the
+//                 start. event: as of motions; point and shown: base64 of ids, the point, and the
+//                 one that has its vertex, which may be itself. Before, each has its own
 //   events        {count, first, kinds, colors, kind, fields, time, ids}: first: the number of
 //                 the first one in the run, 0 if some are left out; kinds: the names of the kinds;
 //                 colors: a color of each kind, as `#rrggbb`; kind: base64 of uint8, indices in

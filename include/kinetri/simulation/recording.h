@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -42,6 +43,16 @@ struct Recorded_motion {
   std::optional<Polynomial_disc_motion_2> motion;
 };
 
+/// Which point has the vertex of a point, from an event on: another one that coincides with it for
+/// a while and hides it (Coincident_points), or itself.
+struct Recorded_coincidence {
+  std::optional<std::size_t> event;  ///< index of the event in the recording; none: from the start
+  Point_id point = no_point;         ///< the point
+  Point_id shown = no_point;         ///< the point that has its vertex
+
+  friend bool operator==(const Recorded_coincidence&, const Recorded_coincidence&) = default;
+};
+
 /// A triangle that an event removes or adds.
 struct Recorded_triangle {
   std::size_t event = 0;      ///< index of the event in the recording
@@ -53,22 +64,25 @@ struct Recorded_triangle {
 
 /// A recorded run. To play it, begin with `initial_edges`, `initial_triangles` and the motions
 /// without an event. At each event, in order, remove and add its edge, remove and add the triangles
-/// that name it, and set the motions that name it.
+/// that name it, and set the motions and the shown points that name it. A point that `coincidences`
+/// does not name has its own vertex.
 ///
 /// `events` has the events of the run. If triangles change or are inverted although no edge changes
 /// (points meet, or all points are collinear for an instant), there is a row of the kind rebuild
 /// without an edge, which is not an event of the run: its number is that of the next event.
 ///
-/// Hidden points are those without an edge, if any point has one.
+/// Hidden points are those without an edge, if any point has one; and those that coincide with the
+/// point that is shown.
 struct Recording {
-  double from = 0;                              ///< the start, rounded
-  double until = 0;                             ///< the end, rounded
-  std::vector<Edge_ids> initial_edges;          ///< just after the start, sorted
-  std::vector<Triangle_ids> initial_triangles;  ///< just after the start, sorted
-  std::vector<Recorded_motion> motions;         ///< by event; those of the start first
-  std::vector<Recorded_event> events;           ///< in exact order of time
-  std::vector<Recorded_triangle> triangles;     ///< by event; those that it removes first
-  std::uint64_t events_in_all = 0;              ///< events of the run, recorded or left out
+  double from = 0;                                 ///< the start, rounded
+  double until = 0;                                ///< the end, rounded
+  std::vector<Edge_ids> initial_edges;             ///< just after the start, sorted
+  std::vector<Triangle_ids> initial_triangles;     ///< just after the start, sorted
+  std::vector<Recorded_motion> motions;            ///< by event; those of the start first
+  std::vector<Recorded_coincidence> coincidences;  ///< by event; those of the start first
+  std::vector<Recorded_event> events;              ///< in exact order of time
+  std::vector<Recorded_triangle> triangles;        ///< by event; those that it removes first
+  std::uint64_t events_in_all = 0;                 ///< events of the run, recorded or left out
   /// Whether events are left out. Then the events of an interval of time are replaced by their net
   /// effect, at the time of the last of them: edges by rows of the kind rebuild, new motions by
   /// rows of the kind trajectory, insert and erase. Edges and triangles are those of the exact
@@ -99,13 +113,18 @@ class Recorder : public Event_observer {
   /// Records the changed triangles.
   void after_rebuild(const Time& time, std::span<const Edge_ids> edges) override;
 
+  /// Records which of points that coincide is shown.
+  void after_hiding(const Time& time, std::span<const Point_id> points) override;
+
   /// The recording up to the current time of the triangulation. Precondition: not called during an
   /// event.
   Recording recording() const;
 
  private:
   void set_time(const Time& time);
+  void expect_row(const Time& time);
   void record_motion(Point_id id, std::optional<std::size_t> event);
+  void record_coincidence(Point_id id, std::optional<std::size_t> event);
   Point_id apex_now(Point_id p, Point_id q) const;
   void record_flip(const Event& event);
   std::vector<Recorded_triangle> changed_triangles(std::span<const Edge_ids> edges) const;
@@ -115,11 +134,12 @@ class Recorder : public Event_observer {
 
   const Triangulation& triangulation_;
   std::size_t most_rows_;
-  std::size_t limit_;               // of rows before the next thinning
-  std::optional<Time> time_;        // of the last row
-  Recorded_time rounded_time_;      // the same
-  detail::Triangle_map triangles_;  // after what has been recorded
-  Recording recording_;             // up to the last event; until is the end that is expected
+  std::size_t limit_;                   // of rows before the next thinning
+  std::optional<Time> time_;            // of the last row
+  Recorded_time rounded_time_;          // the same
+  detail::Triangle_map triangles_;      // after what has been recorded
+  std::map<Point_id, Point_id> shown_;  // the same: of hidden points that coincide with others
+  Recording recording_;                 // up to the last event; until is the end that is expected
 };
 
 extern template class Recorder<Linear_kinetic_traits_2>;

@@ -16,7 +16,7 @@ namespace kinetri {
 /// A point at a time, rounded.
 struct Recorded_place {
   bool is_there = false;   ///< else the rest is meaningless
-  bool is_hidden = false;  ///< without a power cell
+  bool is_hidden = false;  ///< without a cell
   double x = 0;
   double y = 0;
   double radius = 0;  ///< of the disc about it; 0 or more
@@ -64,6 +64,9 @@ class Playback {
   /// The index of the motion of the point before the one with this index; none before the first.
   std::optional<std::size_t> previous_motion(std::size_t index) const { return previous_[index]; }
 
+  /// The point that has the vertex of the point: another one that coincides with it, or itself.
+  Point_id shown(Point_id id) const { return shown_[id]; }
+
   /// The positions of all points by id.
   std::vector<Recorded_place> places() const;
 
@@ -76,10 +79,12 @@ class Playback {
   const Recording& recording_;
   double time_ = 0;
   std::size_t rows_ = 0;
-  std::size_t next_motion_ = 0;    // index in the recording
-  std::size_t next_triangle_ = 0;  // the same
+  std::size_t next_motion_ = 0;       // index in the recording
+  std::size_t next_triangle_ = 0;     // the same
+  std::size_t next_coincidence_ = 0;  // the same
   std::set<Edge_ids> edges_;
   detail::Triangle_map triangles_;
+  std::vector<Point_id> shown_;
   std::vector<std::optional<std::size_t>> current_;
   std::vector<std::optional<std::size_t>> previous_;  // by motion
 };
