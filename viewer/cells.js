@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The Voronoi or power cells at the time shown, from the triangles that the recording has: corners,
-// areas, and numbers of neighbors. In binary64; an area errs by some units in the last place of the
+// areas, and numbers of neighbors. Points that coincide for a while share the area of one cell equally;
+// those that are hidden have the shown one as their only neighbor. In binary64; an area errs by some units in the last place of the
 // squared distance from the point to the corners of its cell.
 'use strict';
 
@@ -63,6 +64,21 @@ class Cells {
       if (isSpecial[point] === 1) area[point] = NaN;
     }
     if (box !== null) this.cutSpecial();
+    if (recording.coincidences > 0) this.share();
+  }
+
+  /** Shares the areas of the cells of points that coincide. */
+  share() {
+    const {area, degree, viewer: {hidden, playback: {shown, coincident}}} = this;
+    for (let point = 0; point < area.length; ++point) {
+      area[point] /= 1 + coincident[point];
+      degree[point] += coincident[point];
+    }
+    for (let point = 0; point < area.length; ++point) {
+      if (hidden[point] !== COINCIDENT) continue;
+      area[point] = area[shown[point]];
+      degree[point] = 1;
+    }
   }
 
   /** The special cells: what their bisectors leave of the box. */
@@ -133,9 +149,14 @@ function areaOf(polygon) {
   return sum / 2;
 }
 
-/** The area of the cell of one point at the known time of a playback; NaN if it is unbounded, 0 if there is
- * none. */
+/** The area of the cell of one point at the known time of a playback, or its share if others coincide with
+ * it; NaN if the cell is unbounded, 0 if there is none. */
 function areaOfCell(playback, point, box) {
+  const shown = playback.shown[point];
+  return areaOfWholeCell(playback, shown, box) / (1 + playback.coincident[shown]);
+}
+
+function areaOfWholeCell(playback, point, box) {
   const {recording, live, liveCount, current, triangles} = playback;
   const time = knownTime(playback);
   const {edgeA, edgeB} = recording;

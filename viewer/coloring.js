@@ -185,7 +185,7 @@ function drawColors(painter, view) {
   }
   const batch = view.circleBatch.clear();
   for (let point = 0; point < sx.length; ++point) {
-    if (hasShade[point] === 0 || hidden[point] === 1) continue;
+    if (hasShade[point] === 0 || hidden[point] !== VISIBLE) continue;
     const radius = onDiscs ? viewer.r[point] * camera.scale : detail.spacing / 2;
     if (view.isSeen(sx[point], sy[point], radius)) batch.circle(sx[point], sy[point], radius, shades[point]);
   }

@@ -36,7 +36,11 @@ function edgeName(viewer, edge) {
 
 /** What an event does, such as "3–7 → 5–9". */
 function changeText(viewer, row) {
-  const {rowRemoved, rowAdded, rowA, rowB} = viewer.recording;
+  const {rowRemoved, rowAdded, rowA, rowB, kinds, rowKind} = viewer.recording;
+  const hiding = {hide: 'is hidden by', reveal: 'is no longer hidden by'}[kinds[rowKind[row]]];
+  if (hiding !== undefined && rowB[row] >= 0) {
+    return `point ${viewer.pointName(rowA[row])} ${hiding} ${viewer.pointName(rowB[row])}`;
+  }
   const parts = [];
   if (rowA[row] >= 0) parts.push(viewer.pointName(rowA[row]));
   if (rowB[row] >= 0) parts.push(viewer.pointName(rowB[row]));

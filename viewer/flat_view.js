@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The flat view: box, discs, edges, hull and points; those that others hide are hollow, and their
-// discs dashed. Its overlays are in overlays.js.
+// discs dashed. A point with which others coincide has a ring. Its overlays are in overlays.js.
 'use strict';
 
+const COINCIDENT_RING = 2.5;  // pixels from a dot to the ring about it
 const TO_LEFT = 1, TO_RIGHT = 2, ABOVE = 4, BELOW = 8, ANY_SIDE = 15, FAR = 16;
 
 class FlatView extends View {
@@ -101,18 +102,18 @@ class FlatView extends View {
   drawAllDiscs(painter) {
     const {colors} = this.viewer;
     const fill = this.viewer.coloring === null ? colors.discFill : undefined;
-    painter.circles(this.discs(0), {fill, stroke: colors.disc, width: this.detail.lineWidth()});
-    painter.circles(this.discs(1), {stroke: colors.quiet, width: 1.25, dash: [4, 3]});
+    painter.circles(this.discs(VISIBLE), {fill, stroke: colors.disc, width: this.detail.lineWidth()});
+    painter.circles(this.discs(HIDDEN), {stroke: colors.quiet, width: 1.25, dash: [4, 3]});
   }
 
-  /** The discs of the points that are hidden, or of the others. */
-  discs(isHidden) {
+  /** The discs of the points that are VISIBLE, or HIDDEN. */
+  discs(which) {
     const {sx, sy} = this;
     const {r, hidden} = this.viewer;
     const batch = this.circleBatch.clear();
     for (let point = 0; point < sx.length; ++point) {
       const radius = r[point] * this.camera.scale;
-      if (hidden[point] !== isHidden || !this.isSeen(sx[point], sy[point], radius)) continue;
+      if (hidden[point] !== which || !this.isSeen(sx[point], sy[point], radius)) continue;
       batch.circle(sx[point], sy[point], radius);
     }
     return batch;
@@ -150,19 +151,34 @@ class FlatView extends View {
 
   drawPoints(painter) {
     const {colors, recording} = this.viewer;
-    painter.circles(this.dots(0), {fill: colors.point, alpha: this.detail.dotStrength()});
-    if (recording.motionSizes === null) return;
-    painter.circles(this.dots(1), {fill: colors.background, stroke: colors.quiet, width: 1.25});
+    painter.circles(this.dots(VISIBLE), {fill: colors.point, alpha: this.detail.dotStrength()});
+    if (recording.motionSizes !== null) {
+      painter.circles(this.dots(HIDDEN), {fill: colors.background, stroke: colors.quiet, width: 1.25});
+    }
+    if (recording.coincidences > 0) painter.circles(this.rings(), {stroke: colors.point, width: 1.25});
   }
 
-  /** The dots of the points that are hidden, or of the others. */
-  dots(isHidden) {
+  /** The rings about points with which others coincide. */
+  rings() {
+    const {sx, sy} = this;
+    const {coincident} = this.viewer.playback;
+    const radius = this.pointRadius() + COINCIDENT_RING;
+    const batch = this.circleBatch.clear();
+    for (let point = 0; point < sx.length; ++point) {
+      if (coincident[point] === 0 || !this.isSeen(sx[point], sy[point], radius)) continue;
+      batch.circle(sx[point], sy[point], radius);
+    }
+    return batch;
+  }
+
+  /** The dots of the points that are VISIBLE, or HIDDEN. */
+  dots(which) {
     const {sx, sy} = this;
     const {hidden} = this.viewer;
     const radius = this.pointRadius();
     const batch = this.circleBatch.clear();
     for (let point = 0; point < sx.length; ++point) {
-      if (hidden[point] !== isHidden || !this.isSeen(sx[point], sy[point], radius)) continue;
+      if (hidden[point] !== which || !this.isSeen(sx[point], sy[point], radius)) continue;
       batch.circle(sx[point], sy[point], radius);
     }
     return batch;

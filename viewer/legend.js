@@ -28,6 +28,8 @@ function legendLines(viewer) {
         `events here, up to ${viewer.heat?.most ?? 0}`);
     add(isWeighted, 'border: 2px solid var(--quiet); border-radius: 50%; height: 12px; width: 12px',
         'point that others hide; its disc is dashed');
+    add(recording.coincidences > 0, 'background: var(--point) content-box; border: 1.5px solid var(--point); ' +
+        'border-radius: 50%; height: 11px; padding: 2px; width: 11px', 'points that coincide for a while');
   }
   add(true, line('added', 4), 'edge added now; ring: its point');
   add(true, line('removed', 3, 'dashed'), 'edge removed now');

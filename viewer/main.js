@@ -67,7 +67,7 @@ function consoleObject(viewer) {
     },
     hidden() {
       viewer.place();
-      return Array.from(viewer.hidden.keys()).filter((point) => viewer.hidden[point] === 1);
+      return Array.from(viewer.hidden.keys()).filter((point) => viewer.hidden[point] !== VISIBLE);
     },
     inRange() {
       if (viewer.encounters === null) return null;

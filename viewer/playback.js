@@ -4,12 +4,16 @@
 // forward and backward, and the positions of the points at a time.
 'use strict';
 
+const VISIBLE = 0, HIDDEN = 1, COINCIDENT = 2;
+
 /**
  * A recording at a time. The first `event` rows are executed: those whose exact time is at or
  * before `time`; after a step, those up to the end of its instant. `live` holds the `liveCount`
  * present edges, in no order; `where[edge]` is the index of an edge in `live`, or -1;
  * `triangles` has the triangles at these edges;
- * `current[point]` is the motion in force, or -1 before the point is inserted.
+ * `current[point]` is the motion in force, or -1 before the point is inserted; `shown[point]` is the
+ * point that has its vertex: itself, or one that coincides with it for a while and hides it;
+ * `coincident[point]` is the number of points that this point hides so.
  */
 class Playback {
   constructor(recording) {
@@ -24,6 +28,10 @@ class Playback {
     for (let i = 0; i < recording.rowTriangle[0]; ++i) this.triangles.set(recording, i, true);
     this.current = new Int32Array(recording.points).fill(-1);
     for (let i = 0; i < recording.starting; ++i) this.current[recording.motionPoint[i]] = i;
+    this.shown = Uint32Array.from({length: recording.points}, (_, point) => point);
+    this.coincident = new Uint32Array(recording.points);
+    this.nextCoincidence = 0;
+    this.executeCoincidences(-1);
   }
 
   /** A copy that can be played independently. */
@@ -34,6 +42,8 @@ class Playback {
     copy.where = this.where.slice();
     copy.triangles = this.triangles.clone();
     copy.current = this.current.slice();
+    copy.shown = this.shown.slice();
+    copy.coincident = this.coincident.slice();
     return copy;
   }
 
@@ -49,6 +59,36 @@ class Playback {
     this.where[edge] = -1;
   }
 
+  show(point, shown) {
+    const before = this.shown[point];
+    if (before !== point) --this.coincident[before];
+    if (shown !== point) ++this.coincident[shown];
+    this.shown[point] = shown;
+  }
+
+  /** The other points that coincide with the point for a while. */
+  coincidentWith(point) {
+    const {shown, recording} = this;
+    if (recording.coincidences === 0) return [];
+    return Array.from(shown.keys()).filter((other) => other !== point && shown[other] === shown[point]);
+  }
+
+  executeCoincidences(row) {
+    const {coincidences, coincidenceRow, coincidencePoint, coincidenceShown} = this.recording;
+    for (let i = this.nextCoincidence; i < coincidences && coincidenceRow[i] === row; ++i) {
+      this.show(coincidencePoint[i], coincidenceShown[i]);
+      this.nextCoincidence = i + 1;
+    }
+  }
+
+  undoCoincidences(row) {
+    const {coincidenceRow, coincidencePoint, coincidenceBefore} = this.recording;
+    for (let i = this.nextCoincidence - 1; i >= 0 && coincidenceRow[i] === row; --i) {
+      this.show(coincidencePoint[i], coincidenceBefore[i]);
+      this.nextCoincidence = i;
+    }
+  }
+
   /** Executes the row `event`. */
   execute() {
     const {recording} = this;
@@ -60,6 +100,7 @@ class Playback {
       this.triangles.set(recording, i, triangleAdded[i] === 1);
     }
     for (let i = rowMotion[row]; i < rowMotion[row + 1]; ++i) this.current[motionPoint[i]] = i;
+    this.executeCoincidences(row);
   }
 
   /** Undoes the row before `event`. */
@@ -76,6 +117,7 @@ class Playback {
     for (let i = rowMotion[row + 1] - 1; i >= rowMotion[row]; --i) {
       this.current[motionPoint[i]] = motionPrevious[i];
     }
+    this.undoCoincidences(row);
   }
 
   /** Executes or undoes rows until `event` of them are executed. */
@@ -237,27 +279,30 @@ function sizePoints(playback, time, rs, ws) {
   }
 }
 
-/** Writes to `hidden` which points are there without being vertices, since others hide them: those
- * without an edge. Where there is no edge at all, one point is the only vertex: that of least power
- * anywhere. */
+/** Writes to `hidden` which points are there without being vertices, since others hide them: COINCIDENT
+ * those that coincide with the point that is shown, and with weights HIDDEN the others without an edge.
+ * Where there is no edge at all, one point is the only vertex: that of least power anywhere. */
 function findHidden(playback, xs, ys, ws, hidden) {
-  const {recording, live, liveCount} = playback;
-  if (recording.motionSizes === null) return;  // none is, as before
+  const {recording, live, liveCount, shown} = playback;
+  const hasWeights = recording.motionSizes !== null;
+  if (!hasWeights && recording.coincidences === 0) return;  // none is, as before
   for (let point = 0; point < recording.points; ++point) {
-    hidden[point] = Number.isNaN(xs[point]) ? 0 : 1;
+    hidden[point] = Number.isNaN(xs[point]) ? VISIBLE : shown[point] !== point ? COINCIDENT :
+      hasWeights ? HIDDEN : VISIBLE;
   }
+  if (!hasWeights) return;
   for (let i = 0; i < liveCount; ++i) {
-    hidden[recording.edgeA[live[i]]] = hidden[recording.edgeB[live[i]]] = 0;
+    hidden[recording.edgeA[live[i]]] = hidden[recording.edgeB[live[i]]] = VISIBLE;
   }
   if (liveCount > 0) return;
   let least = Infinity, vertex = -1;
   for (let point = 0; point < recording.points; ++point) {
     const power = xs[point] * xs[point] + ys[point] * ys[point] - ws[point];
-    if (!(power < least)) continue;
+    if (!(power < least) || hidden[point] === COINCIDENT) continue;
     least = power;
     vertex = point;
   }
-  if (vertex >= 0) hidden[vertex] = 0;
+  if (vertex >= 0) hidden[vertex] = VISIBLE;
 }
 
 /**

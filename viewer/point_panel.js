@@ -65,6 +65,7 @@ class PointPanel {
     const labels = ['Position', 'Velocity', 'Speed'];
     if (recording.degree > 1) labels.push('Acceleration');
     if (hasDiscs(recording)) labels.push('Radius');
+    if (recording.coincidences > 0) labels.push('Same place');
     labels.push('Cell area', 'Neighbors');
     if (this.viewer.encounters !== null) labels.push('In range');
     labels.push('Events');
@@ -83,7 +84,9 @@ class PointPanel {
     const motion = playback.current[point], {time} = playback;
     const isThere = !Number.isNaN(viewer.x[point]);
     element('point-says').textContent = !isThere ? 'This point is not there at the time shown.' :
-      viewer.hidden[point] === 1 ? 'Others hide this point: it has no power cell.' : '';
+      viewer.hidden[point] === HIDDEN ? 'Others hide this point: it has no power cell.' :
+      viewer.hidden[point] === COINCIDENT ? `${viewer.pointName(playback.shown[point])} hides this point: they ` +
+        'coincide for a while.' : '';
     const pair = (x, y) => `(${shortNumber(x, 7)}, ${shortNumber(y, 7)})`;
     const say = (label, text) => { parts[label].textContent = isThere ? text() : '\u2013'; };
     const velocity = (k) => motionVelocity(recording, motion, time, k);
@@ -108,7 +111,12 @@ class PointPanel {
     const {viewer, parts, rows} = this;
     const {recording, playback, selectedPoint} = viewer;
     this.shownEvent = playback.event;
-    const neighbors = selectedPoint.edges.map((edge) => selectedPoint.neighborAt(edge)).sort((a, b) => a - b);
+    const {id: point, edges} = selectedPoint, {shown} = playback;
+    const coincident = playback.coincidentWith(point);
+    if (parts['Same place'] !== undefined) this.writePoints(parts['Same place'], coincident);
+    // The one that hides others is their only neighbor.
+    const links = shown[point] === point ? coincident : [shown[point]];
+    const neighbors = [...edges.map((edge) => selectedPoint.neighborAt(edge)), ...links].sort((a, b) => a - b);
     this.writePoints(parts.Neighbors, neighbors);
     let done = 0;
     while (done < rows.length && rows[done] < playback.event) ++done;

@@ -6,6 +6,7 @@
 const CLICK_MOVES = 5;  // pixels that a click may move
 const REACH = {mouse: 9, touch: 18, pen: 12};
 const TIP_OFFSET = 16;
+const MOST_NAMED = 8;  // points that coincide with the one under the pointer
 
 class PointerInput {
   constructor(viewer) {
@@ -114,6 +115,15 @@ class PointerInput {
     picture.classList.toggle('pointing', thing.kind !== 'none');
   }
 
+  /** The points that coincide with the point. */
+  placeText(point) {
+    const {viewer} = this;
+    const others = viewer.playback.coincidentWith(point);
+    if (others.length === 0) return '';
+    const more = others.length > MOST_NAMED ? ` and ${others.length - MOST_NAMED} more` : '';
+    return `\nsame place  ${others.slice(0, MOST_NAMED).map((other) => viewer.pointName(other)).join(', ')}${more}`;
+  }
+
   /** The number that the point's color stands for. */
   colorText(point) {
     const {viewer} = this;
@@ -139,7 +149,8 @@ class PointerInput {
     tip.replaceChildren(name, `position  ${pair(viewer.x[point], viewer.y[point])}\n` +
       `velocity  ${pair(...velocity)}\nspeed  ${shortNumber(Math.hypot(...velocity))}` +
       (recording.motionSizes === null ? '' : `\nradius  ${shortNumber(viewer.r[point], 7)}`) +
-      (viewer.hidden[point] === 1 ? '\nhidden: it has no power cell' : '') + this.colorText(point));
+      (viewer.hidden[point] === HIDDEN ? '\nhidden: it has no power cell' : '') + this.placeText(point) +
+      this.colorText(point));
     const {width, height} = viewer;
     const {x, y} = viewer.pointer;
     const left = x + TIP_OFFSET + tip.offsetWidth > width ? x - TIP_OFFSET - tip.offsetWidth :

@@ -27,6 +27,11 @@ const FIELD_ABOVE = 16, FIELD_BELOW = 32;
  * previous motion of the point, or -1); motionNext; motionData, `stride` numbers each; motionSizes,
  * three each: radius at the epoch, its growth, and the weight beside it; null where points have none.
  *
+ * Arrays by coincidence, a change of the point that has the vertex of a point (that of another point,
+ * which coincides with it for a while and hides it, or its own): coincidenceRow (-1: from the start);
+ * coincidencePoint; coincidenceShown, the point that has the vertex, and coincidenceBefore, the one
+ * before.
+ *
  * Arrays by edge: edgeA < edgeB. The first `initialEdges` are there at the start.
  *
  * Arrays by triangle that is added (triangleAdded is 1) or removed (0), those of the start first:
@@ -83,6 +88,7 @@ function readRecording(text) {
          'an edge is twice in the list of those at the start');
   readEvents(recording, json.events, ids, edges);
   readMotions(recording, json.motions, ids);
+  readCoincidences(recording, json.coincidences, ids);
   recording.edgeA = edges.a.finish();
   recording.edgeB = edges.b.finish();
   findInstants(recording);
@@ -296,6 +302,27 @@ function readMotions(recording, json, ids) {
                             motionRow, motionPoint: point, motionThere: there, motionData: data,
                             motionSizes: sizes,
                             motionPrevious: previous, motionNext: next});
+}
+
+function readCoincidences(recording, json, ids) {
+  const {rows, points} = recording;
+  const {count, starting, ...lists} = json ?? {count: 0, starting: 0, event: '', point: '', shown: ''};
+  const row = Int32Array.from(decodeNumbers(lists.event, 'Uint32', 'the list of events of coincidences'));
+  const point = decodeNumbers(lists.point, ids, 'the list of points that coincide');
+  const shown = decodeNumbers(lists.shown, ids, 'the list of points that are shown');
+  demand(row.length === count && point.length === count && shown.length === count,
+         `it has ${count} coincidences, but ${row.length} events, ${point.length} points and ` +
+         `${shown.length} shown points of them`);
+  const before = new Uint32Array(count), now = new Map();
+  row.fill(-1, 0, starting);
+  for (let i = 0; i < count; ++i) {
+    demand(row[i] < rows && (i === 0 || row[i - 1] <= row[i]), `coincidence ${i} is at a wrong event`);
+    demand(point[i] < points && shown[i] < points, `coincidence ${i} is of a point that is not there`);
+    before[i] = now.get(point[i]) ?? point[i];
+    now.set(point[i], shown[i]);
+  }
+  Object.assign(recording, {coincidences: count, coincidenceRow: row, coincidencePoint: point,
+                            coincidenceShown: shown, coincidenceBefore: before});
 }
 
 /** Whether the points have discs about them. */

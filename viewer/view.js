@@ -26,10 +26,11 @@ class View {
     this.triangleBatch = new Batch(TRIANGLE);
   }
 
-  /** Writes the ids of as many points as there is room for, the lesser ids first. */
+  /** Writes the ids of as many points as there is room for, the lesser ids first; "3 +2" where two others
+   * coincide with the point 3. */
   drawIds(painter) {
     const {sx, sy, width, height, labelWidth} = this;
-    const {colors} = this.viewer;
+    const {colors, hidden, playback: {coincident}} = this.viewer;
     const columns = Math.ceil(width / LABEL_CELL) + 1;
     const cells = columns * (Math.ceil(height / LABEL_CELL) + 1);
     if (this.labeled.length < cells) this.labeled = new Uint8Array(cells);
@@ -38,12 +39,14 @@ class View {
     context.font = LABEL_FONT;
     const style = {color: colors.text, halo: colors.background, font: LABEL_FONT};
     for (let point = 0; point < sx.length; ++point) {
-      if (!this.isSeen(sx[point], sy[point], 0)) continue;
+      if (hidden[point] === COINCIDENT || !this.isSeen(sx[point], sy[point], 0)) continue;
       const name = this.viewer.pointName(point);
       if (labelWidth[point] === 0) labelWidth[point] = context.measureText(name).width + 1;
+      const more = coincident[point] === 0 ? '' : ` +${coincident[point]}`;
+      const width = labelWidth[point] + (more === '' ? 0 : context.measureText(more).width);
       const x = sx[point] + 6, y = sy[point] - 5;
-      if (this.takeRoom(x, y - LABEL_HEIGHT + 3, labelWidth[point], columns)) {
-        painter.text(name, x, y, style);
+      if (this.takeRoom(x, y - LABEL_HEIGHT + 3, width, columns)) {
+        painter.text(name + more, x, y, style);
       }
     }
   }
@@ -163,7 +166,12 @@ class View {
         owner = point;
       }
     }
-    return owner;
+    return this.shownAt(owner);
+  }
+
+  /** The point that is shown in the place of a point; -1 for -1. */
+  shownAt(point) {
+    return point < 0 ? -1 : this.viewer.playback.shown[point];
   }
 
   pointAt(x, y, reach) {
@@ -176,7 +184,7 @@ class View {
         nearest = point;
       }
     }
-    return nearest;
+    return this.shownAt(nearest);
   }
 
   /** The edge nearest to a position on the screen, within reach; or -1. */

@@ -27,7 +27,7 @@ class Viewer {
     this.y = new Float64Array(recording.points);
     this.r = new Float64Array(recording.points);
     this.w = new Float64Array(recording.points);     // weights
-    this.hidden = new Uint8Array(recording.points);  // 1 for those that others hide
+    this.hidden = new Uint8Array(recording.points);  // VISIBLE, or how others hide it
     this.colors = {};
     this.direction = 0;  // of playing: 1, -1, or 0 while paused
     this.pointer = null;

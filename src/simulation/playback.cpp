@@ -112,6 +112,14 @@ const Polynomial_disc_motion_2* Playback::motion(Point_id id) const {
   return motion ? &*motion : nullptr;
 }
 
+std::vector<std::size_t> Playback::numbers_of_coincident() const {
+  std::vector<std::size_t> result(points());
+  for (Point_id id = 0; id < result.size(); ++id) {
+    if (shown_[id] != id) ++result[shown_[id]];
+  }
+  return result;
+}
+
 std::vector<Recorded_place> Playback::places() const {
   std::vector<Recorded_place> result(points());
   for (std::size_t id = 0; id < result.size(); ++id) {

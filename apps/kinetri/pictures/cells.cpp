@@ -93,6 +93,17 @@ std::vector<Cell> cells(const Playback& playback, const std::vector<Recorded_pla
     }
     if (cell.corners.size() > 2) cell.area = area_of(cell.corners);
   }
+  const std::vector<std::size_t> coincident = playback.numbers_of_coincident();
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i].degree += coincident[i];
+    result[i].area /= static_cast<double>(1 + coincident[i]);
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const Point_id shown = playback.shown(static_cast<Point_id>(i));
+    if (shown == i) continue;
+    result[i].degree = 1;
+    result[i].area = result[shown].area;
+  }
   return result;
 }
 

@@ -17,10 +17,11 @@
 namespace kinetri::app {
 
 struct Cell {
-  std::vector<Vector_2> corners;  ///< counterclockwise; none if the cell is unbounded
-  /// NaN if the cell is unbounded or empty.
+  std::vector<Vector_2> corners;  ///< counterclockwise; none if unbounded, or of a hidden point
+  /// NaN if the cell is unbounded or empty. Points that coincide for a while share it equally.
   double area = std::numeric_limits<double>::quiet_NaN();
-  std::size_t degree = 0;  ///< number of neighbors
+  /// Number of neighbors. That of a point that coincides with the one that is shown is this one.
+  std::size_t degree = 0;
 };
 
 /// The cells of all points by id, clipped to the box if there is one. `places` are those of the

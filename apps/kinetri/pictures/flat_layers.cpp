@@ -10,19 +10,21 @@
 namespace kinetri::app {
 namespace {
 
-constexpr int trail_parts = 5;  // each fainter than the previous one
-constexpr int trail_steps = 4;  // per part, if the point accelerates
+constexpr int trail_parts = 5;           // each fainter than the previous one
+constexpr int trail_steps = 4;           // per part, if the point accelerates
+constexpr double coincident_ring = 2.5;  // from the dot to the ring about it
 constexpr std::size_t most_arrows = 1500;
 constexpr std::size_t most_events_shown =
     24;  // before and after the time, apart from those at the time
 
-// Circles of radius(place) about the hidden points, or about the others.
+// Circles of radius(place) about the hidden points, or about the others; without those that
+// coincide with the one that is shown.
 template <class Radius>
 std::vector<Circle> circles_of(const Scene& scene, bool are_hidden, const Radius& radius) {
   std::vector<Circle> result;
-  for (std::size_t i = 0; i < scene.places.size(); ++i) {
+  for (Point_id i = 0; i < scene.places.size(); ++i) {
     const Recorded_place& place = scene.places[i];
-    if (!place.is_there || place.is_hidden != are_hidden) continue;
+    if (!place.is_there || place.is_hidden != are_hidden || scene.playback.shown(i) != i) continue;
     result.push_back({scene.pixels[i], radius(place)});
   }
   return result;
@@ -344,9 +346,16 @@ void draw_points(Svg_drawing& drawing, const Scene& scene) {
                   theme.point.faded(scene.detail.dot_strength()));
   drawing.circles("hidden-points", circles_of(scene, true, radius), theme.background,
                   {theme.quiet, 1.25});
+  const std::vector<std::size_t> coincident = scene.playback.numbers_of_coincident();
+  std::vector<Circle> rings;
+  for (std::size_t i = 0; i < coincident.size(); ++i) {
+    if (coincident[i] == 0) continue;
+    rings.push_back({scene.pixels[i], scene.detail.dot_radius() + coincident_ring});
+  }
+  drawing.circles("coincident", rings, {}, {theme.point, 1.25});
 }
 
-// Draws as many ids as fit, lesser ones first.
+// Draws as many ids as fit, lesser ones first: "3", or "3 +2" if two others coincide with it.
 void draw_ids(Svg_drawing& drawing, const Scene& scene) {
   constexpr double size = 11;
   struct Label {
@@ -354,10 +363,12 @@ void draw_ids(Svg_drawing& drawing, const Scene& scene) {
   };
   std::vector<Label> labels;
   const Theme& theme = scene.view.theme();
-  for (std::size_t i = 0; i < scene.pixels.size(); ++i) {
+  const std::vector<std::size_t> coincident = scene.playback.numbers_of_coincident();
+  for (Point_id i = 0; i < scene.pixels.size(); ++i) {
     const Pixel& pixel = scene.pixels[i];
-    if (!scene.is_seen(pixel)) continue;
-    const std::string name = name_of(scene.page, static_cast<Point_id>(i));
+    if (!scene.is_seen(pixel) || scene.playback.shown(i) != i) continue;
+    std::string name = name_of(scene.page, i);
+    if (coincident[i] > 0) append(name, " +", coincident[i]);
     const Pixel place = {pixel.x + 6, pixel.y - 5};
     const Label label = {place.x, place.y - size, place.x + width_of_text(name, size), place.y + 2};
     const bool is_taken = std::ranges::any_of(labels, [&](const Label& other) {

@@ -67,6 +67,9 @@ class Playback {
   /// The point that has the vertex of the point: another one that coincides with it, or itself.
   Point_id shown(Point_id id) const { return shown_[id]; }
 
+  /// For each shown point, by id, the number of those that coincide with it; 0 for others.
+  std::vector<std::size_t> numbers_of_coincident() const;
+
   /// The positions of all points by id.
   std::vector<Recorded_place> places() const;
 
