@@ -222,6 +222,7 @@ class Playing(Page):
 
 
 # Of runs.RUNS, those that are played.
-RUNS = ("uniform", "box", "discs", "vanishing", "accelerated", "sizes", "lattice", "tracks", "wave", "thinned")
+RUNS = ("uniform", "box", "discs", "vanishing", "accelerated", "sizes", "lattice", "tracks", "together", "wave",
+        "thinned")
 for run_name in RUNS:
     setattr(Playing, f"test_{run_name}", lambda self, name=run_name: self.play(name))

@@ -166,6 +166,48 @@ class Points(Page):
             if box is not None:
                 self.assertTrue(math.isclose(sum(found), (box[2] - box[0]) * (box[3] - box[1]), rel_tol=1e-9))
 
+    def test_points_that_coincide(self):
+        """One of them is shown, and has the cell, which they share; panel, tip and list name the others."""
+        self.open(self.run_of("together").page)
+        state = "[kinetri.hidden(), kinetri.edges().flat()]"
+        for when, hidden in ((1.0, []), (2.0, [1, 2]), (3.0, [1, 2]), (4.0, [2]), (5.0, [2]), (6.0, []), (7.0, []),
+                             (5.5, [2]), (2.5, [1, 2]), (0.0, [])):
+            self.go_to(when)
+            found, ends = self.evaluate(state)
+            self.assertEqual(found, hidden, when)
+            self.assertEqual(sorted(set(ends)), [i for i in range(6) if i not in hidden], when)
+        self.go_to(3.0)
+        points, areas = self.evaluate("[kinetri.positions(), kinetri.areas()]")
+        self.assertEqual(points[0], points[1])
+        whole, is_cut = cell_area([points[0], *points[3:]], 0, [-1e5, -1e5, 1e5, 1e5])
+        self.assertFalse(is_cut)
+        for area in areas[:3]:
+            self.assertTrue(math.isclose(area, whole / 3, rel_tol=1e-9), (area, whole))
+        self.browser.move(*self.place_of(1))
+        self.assertIn("same place  ben, cas", self.text("tip"))
+        self.browser.click(*self.place_of(1))
+        self.assertEqual(self.evaluate("kinetri.point"), 0)
+        self.assertEqual(self.text("point-says"), "")
+        facts = self.text("point-facts")
+        self.assertIn("Same place\n2: ben cas", facts)
+        self.assertIn("Neighbors\n5: ben cas dot eve fin", facts)
+        self.evaluate("document.querySelector('#point-facts [data-point=\"1\"]').click()")
+        self.browser.settle()
+        self.assertEqual(self.text("point-says"), "ann hides this point: they coincide for a while.")
+        facts = self.text("point-facts")
+        self.assertIn("Same place\n2: ann cas", facts)
+        self.assertIn("Neighbors\n1: ann", facts)
+        self.assertIn(f"Cell area\n{whole / 3:.4f}"[:-1], facts)
+        self.browser.key("Escape")
+        self.browser.key("g")
+        self.assertIn("points that coincide for a while", self.text("legend"))
+        self.browser.key("g")
+        self.evaluate("void (location.hash = 'kinds=hide,reveal')")
+        self.browser.settle()
+        rows = self.evaluate("[...document.querySelectorAll('.row:not([hidden]) .change')].map((r) => r.innerText)")
+        self.assertEqual(rows, ["point ben is hidden by ann", "point cas is hidden by ann",
+                                "point ben is no longer hidden by ann", "point cas is no longer hidden by ben"])
+
     def test_colors(self):
         """Each quantity colors points by what it is, and the legend says which."""
         plain = self.look()

@@ -25,6 +25,26 @@ TRACKS = """t,id,x,y
 2,fay,5,-1
 6,fay,6,7
 """
+# cas and ben are with ann from 2 to 4, and with each other until 6.
+TOGETHER = """t,id,x,y
+0,ann,0,0
+4,ann,4,0
+8,ann,4,8
+0,ben,0,4
+2,ben,2,0
+6,ben,6,0
+8,ben,8,0
+0,cas,2,8
+2,cas,2,0
+6,cas,6,0
+8,cas,6,8
+0,dot,9,9
+8,dot,9,9
+0,eve,-3,9
+8,eve,-3,9
+0,fin,3,-6
+8,fin,3,-6
+"""
 
 
 def accelerated_points():
@@ -96,6 +116,7 @@ RUNS = {
     "crowd": (crowd(), 1, ("--range", 30)),
     "lattice": ("lattice --points 16 --movers all", 4, ()),
     "tracks": (TRACKS, 6, ()),
+    "together": (TOGETHER, 8, ()),
     "square": (SQUARE, 1.5, ()),
     "passing": (PASSING, 1.75, ()),
     "touching": (TOUCHING, 2.5, ()),
@@ -136,7 +157,7 @@ class Run:
             points.write_text(source)
         elif source is not None:
             execute(program, "generate", *source.split(), "--output", points)
-        command = {"tracks": "tracks", "wave": "wave"}.get(name, "simulate")
+        command = {"tracks": "tracks", "together": "tracks", "wave": "wave"}.get(name, "simulate")
         inputs = [points] if source is not None else []
         outputs = [word for pair in files.items() for word in pair]
         execute(program, command, *inputs, "--until", self.until, *options, *outputs,

@@ -80,11 +80,12 @@ std::vector<Legend_line> legend_lines(const Viewer_page& page, const View& view,
            }});
     }
     if (!page.recording.coincidences.empty() && is_flat) {
-      result.push_back({"points at one place", [&theme](Svg_drawing& drawing, Pixel at) {
-                          const Pixel middle = {at.x + sample / 2, at.y};
-                          drawing.circles("legend", {{middle, 3}}, theme.point);
-                          drawing.circles("legend", {{middle, 5.5}}, {}, {theme.point, 1.25});
-                        }});
+      result.push_back(
+          {"points that coincide for a while", [&theme](Svg_drawing& drawing, Pixel at) {
+             const Pixel middle = {at.x + sample / 2, at.y};
+             drawing.circles("legend", {{middle, 3}}, theme.point);
+             drawing.circles("legend", {{middle, 5.5}}, {}, {theme.point, 1.25});
+           }});
     }
     add_line(true, "added now", {theme.added, 4});
     add_line(true, "removed now", {theme.removed, 2.5, true, "7 5"});
