@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, overload
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _kinetri
+from . import _arrays, _coincidence, _kinetri
 from ._answers import RunAnswers, cell_limits
 from ._arrays import NO_POINT
 from ._kinetri import Time
@@ -148,16 +148,17 @@ def _motions(positions: ArrayLike, velocities: ArrayLike | None, acceleration: A
 def _triangulation(positions: ArrayLike, velocities: ArrayLike | None, acceleration: ArrayLike | None,
                    jerk: ArrayLike | None, start: TimeLike, epoch: float | None = None,
                    sizes: tuple[ArrayLike | None, ArrayLike | None, ArrayLike | None] | None = None,
-                   ) -> _kinetri.Engine:
+                   *, coincident: str) -> _kinetri.Engine:
     """The engine of a triangulation: a regular one if there are sizes (radius, growth, weight).
 
     The epoch of the motions is the start by default.
     """
     start = Time(start)
+    refuses_coincident = _coincidence.are_refused(coincident)
     motions, _ = _motions(positions, velocities, acceleration, jerk, *(sizes or (None, None, None)),
                           float(start) if epoch is None else epoch)
     is_polynomial = acceleration is not None or jerk is not None
-    return _kinetri.make_triangulation(motions, is_polynomial, sizes is not None, start)
+    return _kinetri.make_triangulation(motions, is_polynomial, sizes is not None, start, refuses_coincident)
 
 
 class MovingPoints(RunAnswers):
@@ -165,6 +166,12 @@ class MovingPoints(RunAnswers):
 
     Points have ids: 0, 1, 2, ... in the order in which they are given. The id of an erased point is not used
     again; arrays by id have NaN (or 0, or `NO_POINT`) in its row.
+
+    Points that have the same motion (and size) from some time on coincide until the motion of one of them changes.
+    The one with the least id hides the others meanwhile: only it is a vertex of edges, triangles and the hull, and
+    `hide` and `reveal` are the events. All of them keep their rows in arrays by id. Where distances count, such as in
+    `neighbors`, `nearest_neighbors` and `encounters`, a hidden one is a neighbor of the one that hides it, at the
+    distance 0. Points that only meet and part hide nothing. The parameter `coincident` can refuse such points.
 
     Objects can be copied and pickled. An object may be used by one thread at a time. Calls that advance time
     release the GIL, so different objects can advance in parallel.
@@ -254,7 +261,7 @@ class MovingPoints(RunAnswers):
         return self._engine.motion(_arrays.one_id("id", id))
 
     def edges(self) -> Ids:
-        """The edges.
+        """The edges of the triangulation; hidden points have none.
 
         Returns
         -------
@@ -280,10 +287,47 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         array of uint32, shape (h,)
-            Its vertices counterclockwise, the least id first. If all points are collinear, all of them
-            in their order along the line.
+            Its vertices counterclockwise, the least id first. If all points are collinear, all that are not
+            hidden, in their order along the line.
         """
         return self._engine.hull()
+
+    def hidden_points(self) -> Ids:
+        """The points that have no edges: they coincide with another for a while, or have an empty power cell.
+
+        Returns
+        -------
+        array of uint32
+            Their ids, ascending. Power cells are empty only with weights, as of discs that differ in size.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[4, 1], [0, 0], [0, 0]], [[0, 0], [1, 0], [1, 0]])
+        >>> kd.hidden_points().tolist(), kd.edges().tolist()
+        ([2], [[0, 1]])
+        """
+        return self._engine.hidden_points()
+
+    def coincident_points(self, id: int) -> Ids:
+        """The points that coincide with a point for a while: they have its motion and weight.
+
+        Parameters
+        ----------
+        id : int
+            The point.
+
+        Returns
+        -------
+        array of uint32
+            The ids of the others, ascending. Of all of them and `id`, the least hides the others.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no such point.
+        """
+        return self._engine.coincident_points(_arrays.one_id("id", id))
 
     # ---- time ----
 
@@ -480,7 +524,7 @@ class MovingPoints(RunAnswers):
         PreconditionError
             If there is no such point, one is given twice, or a shape is wrong.
         CoincidentTrajectoriesError
-            If two points would coincide at all times. Nothing is changed then.
+            If two points would coincide for a while, with ``coincident="refuse"``. Nothing is changed then.
 
         Examples
         --------
@@ -560,7 +604,8 @@ class MovingPoints(RunAnswers):
         -------
         array of uint32, shape (degree,)
             Counterclockwise: for an inner point from the smallest id on, for a hull point from one hull
-            neighbor to the other.
+            neighbor to the other. Of a point that coincides with others for a while: if it is hidden, the point that
+            hides it; else at the end also those that it hides, ascending.
 
         Raises
         ------
@@ -625,7 +670,8 @@ class MovingPoints(RunAnswers):
         -------
         array of float64, shape (n,)
             By id; they sum to the area of the polygon. Computed in float64 from the sides of the exact
-            cells. Of coinciding points the smallest id has the area, the others have 0, as do ids without a point.
+            cells. Points that coincide for a while share the area of their cell equally. Of points that only meet
+            the smallest id has the area, the others have 0, as do ids without a point.
 
         Raises
         ------
@@ -652,9 +698,10 @@ class MovingPoints(RunAnswers):
         -------
         array of float64, shape (n,)
             By id. If walls divide a cell, only the part that contains the point counts (in `voronoi_areas` all
-            parts count). 0 for a point outside of the walkable area (decided exactly; walls belong to it), for
-            coinciding points except the one with the smallest id, for a point without a cell, and for an id
-            without a point. The density at a point is 1 / area.
+            parts count). Points that coincide for a while share the area of their cell equally. 0 for a point
+            outside of the walkable area (decided exactly; walls belong to it), for points that only meet except the
+            one with the smallest id, for a point without a cell, and for an id without a point. The density at a
+            point is 1 / area.
 
         Raises
         ------
@@ -931,21 +978,23 @@ class KineticDelaunay(MovingPoints):
     Parameters
     ----------
     positions : array_like of float, shape (n, 2)
-        Positions at `start`, not rounded. Input may be degenerate: collinear, cocircular, or coinciding, unless
-        points coincide at all times.
+        Positions at `start`, not rounded. Input may be degenerate: collinear, cocircular, or coinciding.
     velocities : array_like of float, shape (n, 2)
         Their velocities there.
     acceleration, jerk : array_like of float, shape (n, 2), optional
         The second and third derivatives at `start`.
     start : float or Time
         The time at which the run begins. Positions are those at `float(start)`.
+    coincident : {'hide', 'refuse'}
+        What happens to points that coincide for a while, now or after a change: the one with the least id hides the
+        others (see `MovingPoints`), or they are an error. Copies, snapshots and files keep it.
 
     Raises
     ------
     PreconditionError
-        If a number is not finite, or a shape is wrong.
+        If a number is not finite, a shape is wrong, or `coincident` is another word.
     CoincidentTrajectoriesError
-        If two points coincide at all times.
+        If two points coincide for a while, and `coincident` is 'refuse'.
 
     Examples
     --------
@@ -958,14 +1007,15 @@ class KineticDelaunay(MovingPoints):
     """
 
     def __init__(self, positions: ArrayLike, velocities: ArrayLike, *, acceleration: ArrayLike | None = None,
-                 jerk: ArrayLike | None = None, start: TimeLike = 0.0) -> None:
-        self._engine = _triangulation(positions, velocities, acceleration, jerk, start)
+                 jerk: ArrayLike | None = None, start: TimeLike = 0.0, coincident: str = "hide") -> None:
+        self._engine = _triangulation(positions, velocities, acceleration, jerk, start, coincident=coincident)
 
     @classmethod
     def _at(cls, positions: Floats, velocities: Floats, acceleration: Floats | None, jerk: Floats | None,
-            epoch: float, start: TimeLike) -> KineticDelaunay:
+            epoch: float, start: TimeLike, coincident: str) -> KineticDelaunay:
         """A triangulation of the points at the time `start`, with motions of another epoch."""
-        return cls._around(_triangulation(positions, velocities, acceleration, jerk, start, epoch))
+        return cls._around(
+            _triangulation(positions, velocities, acceleration, jerk, start, epoch, coincident=coincident))
 
     def next_event_time(self) -> _kinetri.Time | None:
         """The exact time of the next event.
@@ -1010,7 +1060,7 @@ class KineticDelaunay(MovingPoints):
         PreconditionError
             If there is no such point, one is given twice, or a shape is wrong.
         CoincidentTrajectoriesError
-            If two points would coincide at all times. Nothing is changed then.
+            If two points would coincide for a while, with ``coincident="refuse"``. Nothing is changed then.
         """
         self._set_motions(ids, positions, velocities, acceleration, jerk)
 
@@ -1031,7 +1081,7 @@ class KineticDelaunay(MovingPoints):
         Raises
         ------
         CoincidentTrajectoriesError
-            If two points would coincide at all times. Nothing is changed then.
+            If two points would coincide for a while, with ``coincident="refuse"``. Nothing is changed then.
         """
         return self._insert(positions, velocities, acceleration, jerk)
 
@@ -1043,8 +1093,8 @@ class KineticRegular(KineticDelaunay):
 
     Parameters
     ----------
-    positions, velocities, acceleration, jerk, start
-        As in `KineticDelaunay`.
+    positions, velocities, acceleration, jerk, start, coincident
+        As in `KineticDelaunay`; points coincide for a while only if their weights are equal, too.
     radius : float or array_like of float, shape (n,), optional
         Of the discs at `start`; the weight is its square.
     growth : float or array_like of float, shape (n,), optional
@@ -1054,10 +1104,8 @@ class KineticRegular(KineticDelaunay):
 
     Raises
     ------
-    PreconditionError
-        If a number is not finite, or a shape is wrong.
-    CoincidentTrajectoriesError
-        If two points with the same weight coincide at all times.
+    PreconditionError, CoincidentTrajectoriesError
+        As in `KineticDelaunay`.
 
     Examples
     --------
@@ -1070,19 +1118,9 @@ class KineticRegular(KineticDelaunay):
     def __init__(self, positions: ArrayLike, velocities: ArrayLike, *, radius: ArrayLike | None = None,
                  growth: ArrayLike | None = None, weight: ArrayLike | None = None,
                  acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
-                 start: TimeLike = 0.0) -> None:
+                 start: TimeLike = 0.0, coincident: str = "hide") -> None:
         self._engine = _triangulation(positions, velocities, acceleration, jerk, start,
-                                      sizes=(radius, growth, weight))
-
-    def hidden_points(self) -> Ids:
-        """The points that others hide.
-
-        Returns
-        -------
-        array of uint32
-            Their ids, ascending.
-        """
-        return self._engine.hidden_points()
+                                      sizes=(radius, growth, weight), coincident=coincident)
 
     def set_motions(self, ids: IdsLike, positions: ArrayLike, velocities: ArrayLike, *,
                     acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,
@@ -1124,8 +1162,8 @@ class Simulation(MovingPoints):
 
     Parameters
     ----------
-    positions, velocities, acceleration, jerk, start
-        As in `KineticDelaunay`.
+    positions, velocities, acceleration, jerk, start, coincident
+        As in `KineticDelaunay`; discs coincide for a while only if their radii are equal, too.
     radius : float or array_like of float, shape (n,), optional
         Of the discs at `start`.
     growth : float or array_like of float, shape (n,), optional
@@ -1163,8 +1201,9 @@ class Simulation(MovingPoints):
                  growth: ArrayLike | None = None, mass: ArrayLike | str | None = None,
                  box: ArrayLike | None = None, rim: bool = False, collisions: Collisions = None,
                  refuse_overlaps: bool | None = None, acceleration: ArrayLike | None = None,
-                 jerk: ArrayLike | None = None, start: TimeLike = 0.0) -> None:
+                 jerk: ArrayLike | None = None, start: TimeLike = 0.0, coincident: str = "hide") -> None:
         start = Time(start)
+        refuses_coincident = _coincidence.are_refused(coincident)
         size = len(_arrays.point_array("positions", positions))
         given: Any = (radius, growth)
         if radius is not None:
@@ -1193,7 +1232,7 @@ class Simulation(MovingPoints):
         self._engine = _kinetri.make_simulation(
             motions, acceleration is not None or jerk is not None, differs, start,
             _arrays.box_tuple("box", box), bool(rim), common_radius, engine_response(collisions),
-            bool(refuse_overlaps), masses)
+            bool(refuse_overlaps), refuses_coincident, masses)
 
     @staticmethod
     def _masses_by_name(mass: str, radius: Floats | None) -> Floats:
@@ -1338,8 +1377,8 @@ class Simulation(MovingPoints):
         """Schedules the insertion of a point.
 
         Changes of one time are made after its other events: first erasures, then motions, then insertions. A
-        change that is impossible then (outside of the box, or on the trajectory of another point) is dropped,
-        and the call that reaches its time raises the error.
+        change that is impossible then (outside of the box, or to the motion of another point if such points are
+        refused) is dropped, and the call that reaches its time raises the error.
 
         Parameters
         ----------

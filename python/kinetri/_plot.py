@@ -15,6 +15,7 @@ class Drawn(Protocol):
     def positions(self) -> Floats: ...
     def radii(self) -> Floats: ...
     def edges(self) -> Ids: ...
+    def coincident_points(self, id: int) -> Ids: ...
 
 
 def draw(points: Drawn, ax: Any, ids: bool, style: dict[str, Any]) -> Any:
@@ -35,8 +36,11 @@ def draw(points: Drawn, ax: Any, ids: bool, style: dict[str, Any]) -> Any:
             transOffset=ax.transData, facecolors="tab:blue", alpha=0.35, zorder=2))
     ax.scatter(places[there, 0], places[there, 1], s=8, color="tab:blue", zorder=3)
     if ids:
-        for id in np.flatnonzero(there):
-            ax.annotate(str(id), places[id], textcoords="offset points", xytext=(3, 3), fontsize="small")
+        for id in np.flatnonzero(there).tolist():
+            group = [id, *points.coincident_points(id).tolist()]
+            if id == min(group):  # one text, where others would be written over each other
+                ax.annotate(", ".join(map(str, group)), places[id], textcoords="offset points", xytext=(3, 3),
+                            fontsize="small")
     ax.set_aspect("equal")
     ax.autoscale_view()
     return ax

@@ -34,7 +34,7 @@ class SnapshotError(Error, ValueError):
 
 
 class CoincidentTrajectoriesError(Error, ValueError):
-    """Two points would coincide at all times.
+    """Two points would coincide for a while, and such points are refused: `coincident="refuse"`.
 
     Attributes
     ----------

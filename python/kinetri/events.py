@@ -28,10 +28,11 @@ event_colors = _kinetri.event_colors
 #: time, time_lo, time_hi : float64
 #:     The exact time rounded to nearest, and its tightest bounds.
 #: removed, added : two uint32
-#: The ids of the ends of the removed edge, and of the added one, the smaller first; #: `NO_POINT` twice if
-#: there is none.
+#:     The ids of the ends of the removed edge, and of the added one, the smaller first; `NO_POINT` twice if
+#:     there is none.
 #: points : two uint32
-#:     The points concerned: the second, or both, may be `NO_POINT`.
+#:     The points concerned: the second, or both, may be `NO_POINT`. If a point hides or hid the first one, with
+#:     which it coincided (`hide`, `reveal`), it is the second.
 event_dtype: np.dtype[np.void] = np.dtype(_kinetri.event_fields)
 
 

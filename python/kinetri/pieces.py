@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from . import _arrays
+from . import _arrays, _coincidence
 from ._moving import KineticDelaunay, MovingPoints, Simulation
 from ._types import ArrayLike, Events, Floats
 from .errors import PreconditionError
@@ -20,7 +20,7 @@ from .sweeps import map_tasks
 _Motions = tuple[Floats, Floats, "Floats | None", "Floats | None", float]
 
 
-def run_piece(motions: _Motions, start: float, until: float) -> Events:
+def run_piece(motions: _Motions, start: float, until: float, coincident: str = "hide") -> Events:
     """The events after `start`, up to `until`.
 
     Parameters
@@ -29,13 +29,15 @@ def run_piece(motions: _Motions, start: float, until: float) -> Events:
         positions, velocities, acceleration, jerk and epoch, which is the start of the run.
     start, until : float
         The piece.
+    coincident : {'hide', 'refuse'}
+        As of `KineticDelaunay`.
 
     Returns
     -------
     structured array of `event_dtype`
     """
     positions, velocities, acceleration, jerk, epoch = motions
-    return KineticDelaunay._at(positions, velocities, acceleration, jerk, epoch, start).record(until)
+    return KineticDelaunay._at(positions, velocities, acceleration, jerk, epoch, start, coincident).record(until)
 
 
 def _borders(start: float, until: float, pieces: int) -> Floats:
@@ -48,7 +50,8 @@ def _borders(start: float, until: float, pieces: int) -> Floats:
 
 def run_in_pieces(positions: ArrayLike, velocities: ArrayLike | None = None, until: float | None = None,
                   pieces: int = 2, client: Any = None, *, acceleration: ArrayLike | None = None,
-                  jerk: ArrayLike | None = None, start: float = 0.0, workers: int | None = None) -> Events:
+                  jerk: ArrayLike | None = None, start: float = 0.0, coincident: str = "hide",
+                  workers: int | None = None) -> Events:
     """The events of one run, computed in independent pieces of time.
 
     Parameters
@@ -63,6 +66,8 @@ def run_in_pieces(positions: ArrayLike, velocities: ArrayLike | None = None, unt
         Where to run; by default on processes of this machine.
     start : float
         The time at which the run begins.
+    coincident : {'hide', 'refuse'}
+        As of `KineticDelaunay`.
     workers : int, optional
         The number of processes, without a client.
 
@@ -75,6 +80,8 @@ def run_in_pieces(positions: ArrayLike, velocities: ArrayLike | None = None, unt
     ------
     PreconditionError
         If a simulation is given: contacts change motions, so that a piece depends on the earlier ones.
+    CoincidentTrajectoriesError
+        If two points coincide for a while, and `coincident` is 'refuse'.
     """
     if isinstance(positions, MovingPoints):
         if isinstance(positions, Simulation):
@@ -85,6 +92,7 @@ def run_in_pieces(positions: ArrayLike, velocities: ArrayLike | None = None, unt
             f"a {type(positions).__name__} was given; expected positions and velocities")
     if velocities is None or until is None:
         raise PreconditionError("velocities and until are needed; expected positions, velocities, until")
+    _coincidence.are_refused(coincident)
     start = _arrays.one_number("start", start)
     until = _arrays.one_number("until", until)
     if until < start:
@@ -103,5 +111,5 @@ def run_in_pieces(positions: ArrayLike, velocities: ArrayLike | None = None, unt
     if len(borders) < 2:
         borders = [start, until]
     spans = list(zip(borders[:-1], borders[1:]))
-    tasks = [{"motions": motions, "start": a, "until": b} for a, b in spans]
+    tasks = [{"motions": motions, "start": a, "until": b, "coincident": coincident} for a, b in spans]
     return np.concatenate(map_tasks(run_piece, tasks, client, workers))

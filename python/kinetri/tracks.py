@@ -56,7 +56,8 @@ class Tracks(TrackAnswers):
     remarks: list[str]
 
     def __init__(self, times: Floats, places: Floats, offsets: npt.NDArray[np.uint64], labels: list[Any],
-                 radii: Floats | None, max_gap: float | None, origin: np.datetime64 | None) -> None:
+                 radii: Floats | None, max_gap: float | None, origin: np.datetime64 | None,
+                 coincident: str = "hide") -> None:
         self._times = times
         self._places = places
         self._offsets = offsets
@@ -66,13 +67,14 @@ class Tracks(TrackAnswers):
         if self._max_gap <= 0:
             raise PreconditionError(f"max_gap is {max_gap}; expected a time greater than 0")
         self.origin = origin
+        self._refuses_coincident = _coincidence.are_refused(coincident)
         self.remarks = []
 
     @classmethod
     def from_arrays(cls, t: ArrayLike, id: ArrayLike, x: ArrayLike, y: ArrayLike, *,
                     radius: ArrayLike | None = None, max_gap: float | None = None,
                     projection: str | None = None, duplicates: str | None = None,
-                    coincident: str | None = None) -> Tracks:
+                    coincident: str = "hide") -> Tracks:
         """Tracks of columns, one row for each observation, in any order.
 
         Parameters
@@ -99,9 +101,9 @@ class Tracks(TrackAnswers):
         duplicates : str, optional
             Which of several positions of an id at one time is used: `first`, `last` or `mean`; or `refuse`. By
             default the first, but rows are refused if half of the times of an id or more have several.
-        coincident : str, optional
-            How things that coincide for some time are treated: `refuse` (the default; the simulation raises an
-            error at that time), or `leave-out`, which leaves out all of such a group but the first.
+        coincident : {'hide', 'refuse'}
+            What happens to things that coincide for some time, such as a rider and the bus: of their points the one
+            with the least id hides the others meanwhile (see `MovingPoints`), or advancing to that time is an error.
 
         Returns
         -------
@@ -113,7 +115,7 @@ class Tracks(TrackAnswers):
         Raises
         ------
         PreconditionError
-            If a column has another length, a number is not finite, or the projection is unknown.
+            If a column has another length, a number is not finite, or a word is unknown.
         InputError
             If a thing is at two positions at one time, or has two radii (repeated rows are left out). If
             positions are degrees, or look like them, and there is no projection; if names say radians, or x is
@@ -135,10 +137,10 @@ class Tracks(TrackAnswers):
 
     @classmethod
     def _of_columns(cls, t: ArrayLike, id: ArrayLike, x: ArrayLike, y: ArrayLike, radius: ArrayLike | None,
-                    max_gap: float | None, projection: str | None, duplicates: str | None, coincident: str | None,
+                    max_gap: float | None, projection: str | None, duplicates: str | None, coincident: str,
                     caller: str, x_name: Any, y_name: Any) -> Tracks:
         """As `from_arrays`, for `caller`, with the names of the columns, which may be None."""
-        leaves_out = _coincidence.leaves_out(coincident)
+        _coincidence.are_refused(coincident)
         t, origin = _columns.seconds_of(t)
         size = len(t)
         x, y, seen = _columns.seen_places(x, y, size)
@@ -177,33 +179,17 @@ class Tracks(TrackAnswers):
             x_name, y_name, _projection_word(projection), duplicates or "automatic", others)
         kept = [int(thing) for thing in file["ids"]]
         tracks = cls(file["times"], file["places"], file["offsets"], [labels[thing] for thing in kept],
-                     None if radii is None else radii[kept], max_gap, origin)
+                     None if radii is None else radii[kept], max_gap, origin, coincident)
         tracks.remarks = file["remarks"]
         if without_place > 0:
             tracks.remarks.append(f"{without_place} row{'' if without_place == 1 else 's'} left out, having NaN as place")
-        if leaves_out:
-            tracks._leave_out_coincident()
         return tracks
-
-    def _leave_out_coincident(self) -> None:
-        kept, remarks = _coincidence.kept_things(self._times, self._places, self._offsets, self._radii, self._max_gap,
-                                                 self.labels)
-        self.remarks += remarks
-        if not remarks:
-            return
-        ends = self._offsets.astype(np.intp)
-        rows = np.concatenate([np.arange(ends[thing], ends[thing + 1]) for thing in kept])
-        sizes = [ends[thing + 1] - ends[thing] for thing in kept]
-        self._times, self._places = self._times[rows], np.ascontiguousarray(self._places[rows])
-        self._offsets = np.concatenate(([0], np.cumsum(sizes))).astype(np.uint64)
-        self.labels = [self.labels[thing] for thing in kept]
-        self._radii = None if self._radii is None else self._radii[kept]
 
     @classmethod
     def from_dataframe(cls, df: pd.DataFrame | SupportsToPandas, *, t: str = "t", id: str = "id", x: str = "x",
                        y: str = "y", radius: str | None = None, max_gap: float | None = None,
                        projection: str | None = None, duplicates: str | None = None,
-                       coincident: str | None = None) -> Tracks:
+                       coincident: str = "hide") -> Tracks:
         """Tracks of a table, one row for each observation, in any order.
 
         Parameters
@@ -218,7 +204,7 @@ class Tracks(TrackAnswers):
             As in `from_arrays`.
         projection : str, optional
             As in `from_arrays`; the names of the columns x and y say whether positions are degrees.
-        duplicates, coincident : str, optional
+        duplicates, coincident
             As in `from_arrays`.
 
         Returns
@@ -231,7 +217,8 @@ class Tracks(TrackAnswers):
         ------
         PreconditionError
             If there is no such column, or pandas is needed and not installed; and as in `from_arrays`.
-        InputError    As in `from_arrays`.
+        InputError
+            As in `from_arrays`.
         """
         df = _tables.frame_of(df)
         names = {"t": t, "id": id, "x": x, "y": y}
@@ -264,7 +251,7 @@ class Tracks(TrackAnswers):
     def read(cls, path: Path, *, format: str = "auto", fps: float | None = None,
              columns: Mapping[str, str] | None = None, projection: str | None = None,
              date_format: str | None = None, duplicates: str | None = None, unwrap: str | None = None,
-             coincident: str | None = None, max_gap: float | None = None) -> Tracks:
+             coincident: str = "hide", max_gap: float | None = None) -> Tracks:
         """Tracks of a file, in the formats that the program reads, or of Parquet, Feather or Arrow.
 
         Parquet, Feather and Arrow files (the last two with the same content) are read as the table that pandas
@@ -297,7 +284,7 @@ class Tracks(TrackAnswers):
             default the first, but a file is refused if half of the times of an id or more have several.
         unwrap : str, optional
             `nearest` lets atoms that leave a periodic box move to the nearest image of their next position.
-        coincident : str, optional
+        coincident : {'hide', 'refuse'}
             As in `from_arrays`.
         max_gap : float, optional
             As in `from_arrays`.
@@ -313,9 +300,9 @@ class Tracks(TrackAnswers):
             If the file cannot be used; the message names file and line (for Parquet, Feather and Arrow, of the
             CSV). If pandas or pyarrow is needed and not installed.
         PreconditionError
-            If a format, column or projection is unknown, or `fps` is given for a file that has times.
+            If a format, column or word is unknown, or `fps` is given for a file that has times.
         """
-        leaves_out = _coincidence.leaves_out(coincident)
+        _coincidence.are_refused(coincident)
         name, text, unused = str(path), None, None
         columns = _names_of_columns(columns)
         arrow = _tables.arrow_format(name) if format in ("auto", "table") else None
@@ -330,12 +317,10 @@ class Tracks(TrackAnswers):
         # In nanoseconds, as the dates derived from it.
         date = re.sub(r"(\.\d{9})\d+", r"\1", file["origin"].removesuffix("Z"))
         tracks = cls(file["times"], file["places"], file["offsets"], file["ids"], file["radii"], max_gap,
-                     np.datetime64(date) if date else None)
+                     np.datetime64(date) if date else None, coincident)
         tracks.frame_rate = file["frame_rate"]
         tracks.walkable_area = file["walkable_area"] or None
         tracks.remarks = file["remarks"] + ([] if unused is None else [unused])
-        if leaves_out:
-            tracks._leave_out_coincident()
         return tracks
 
     @property
@@ -378,8 +363,8 @@ class Tracks(TrackAnswers):
         Raises
         ------
         CoincidentTrajectoriesError
-            Raised when time advances, if two things have the same trajectory for a while. The message names all
-            such pairs up to a limit; see `coincident` of `from_arrays`.
+            If two things coincide for some time, now or when time advances, and the tracks were made with
+            ``coincident="refuse"``. When time advances, the message names such pairs, up to ten.
         """
         start = self.start if start is None else _arrays.one_number("start", start)
         until = self.end if until is None else _arrays.one_number("until", until)
@@ -390,7 +375,8 @@ class Tracks(TrackAnswers):
         engine, stays = _kinetri.make_tracks(
             self._times, self._places, self._offsets, self._radii, start, until, self._max_gap,
             _arrays.box_tuple("box", box), bool(rim),
-            0.0 if radius is None else _arrays.one_number("radius", radius), engine_response(collisions))
+            0.0 if radius is None else _arrays.one_number("radius", radius), engine_response(collisions),
+            self._refuses_coincident)
         return TracksSimulation._around(engine, collisions=collisions, tracks=self, _start=start, end=until,
                                         stays=stays)
 
@@ -476,7 +462,7 @@ class TracksSimulation(Simulation):
         if max(error.ids) >= len(self.stays):
             return error
         tracks = self.tracks
-        _, pairs, are_all = _kinetri.shared_paths(tracks._times, tracks._places, tracks._offsets, tracks._radii,
+        pairs, are_all = _kinetri.shared_paths(tracks._times, tracks._places, tracks._offsets, tracks._radii,
                                                   self._start, self.end, tracks._max_gap)
         return _coincidence.named(error, [self.label(id) for id in range(len(self.stays))], pairs, are_all)
 

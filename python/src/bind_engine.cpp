@@ -67,15 +67,21 @@ const Algebraic_number* pointer(const std::optional<Algebraic_number>& time) {
   return time ? &*time : nullptr;
 }
 
+Coincident_points coincident_points(bool are_refused) {
+  return are_refused ? Coincident_points::refuse : Coincident_points::hide;
+}
+
 Simulation_options simulation_options(const std::optional<Box>& box, bool rim, double radius,
                                       const py::object& collisions, bool refuses_overlaps,
-                                      const Numbers& masses, const Interrupt_flag& flag) {
+                                      bool refuses_coincident, const Numbers& masses,
+                                      const Interrupt_flag& flag) {
   Simulation_options result;
   if (box) result.box = Box_2{(*box)[0], (*box)[1], (*box)[2], (*box)[3]};
   result.rim_touches = rim;
   result.radius = radius;
   result.response = response_of(collisions, flag);
   result.refuses_overlaps = refuses_overlaps;
+  result.coincident = coincident_points(refuses_coincident);
   if (masses) result.masses.assign(masses->data(), masses->data() + masses->size());
   return result;
 }
@@ -88,10 +94,11 @@ std::shared_ptr<Moving> make_moving_simulation(const Motions& motions, bool is_p
                                                bool has_weight, const py::object& start,
                                                const std::optional<Box>& box, bool rim,
                                                double radius, const py::object& collisions,
-                                               bool refuses_overlaps, const Numbers& masses) {
+                                               bool refuses_overlaps, bool refuses_coincident,
+                                               const Numbers& masses) {
   const Interrupt_flag flag = new_flag();
-  const Simulation_options options =
-      simulation_options(box, rim, radius, collisions, refuses_overlaps, masses, flag);
+  const Simulation_options options = simulation_options(
+      box, rim, radius, collisions, refuses_overlaps, refuses_coincident, masses, flag);
   const Algebraic_number time = time_of(start);
   auto engine = without_gil([&] {
     return make_simulation(motions.columns(), {is_polynomial, has_weight}, time, options);
@@ -104,7 +111,8 @@ std::shared_ptr<Moving> make_moving_simulation(const Motions& motions, bool is_p
 py::tuple make_moving_tracks(const Array<double>& times, const Array<double>& places,
                              const Array<std::uint64_t>& offsets, const Numbers& radii, double from,
                              double until, double longest_gap, const std::optional<Box>& box,
-                             bool rim, double radius, const py::object& collisions) {
+                             bool rim, double radius, const py::object& collisions,
+                             bool refuses_coincident) {
   std::vector<std::vector<Observation_2>> tracks;
   for (py::ssize_t i = 0; i + 1 < offsets.size(); ++i) {
     std::vector<Observation_2>& track = tracks.emplace_back();
@@ -117,8 +125,8 @@ py::tuple make_moving_tracks(const Array<double>& times, const Array<double>& pl
   options.until = until;
   options.longest_gap = longest_gap;
   const Interrupt_flag flag = new_flag();
-  const Simulation_options simulated =
-      simulation_options(box, rim, radius, collisions, false, std::nullopt, flag);
+  const Simulation_options simulated = simulation_options(box, rim, radius, collisions, false,
+                                                          refuses_coincident, std::nullopt, flag);
   std::vector<std::array<std::uint64_t, 3>> rows;
   auto engine = without_gil([&] {
     const std::vector<Stay> stays = stays_of(tracks, options);
@@ -331,6 +339,13 @@ void bind_present(py::class_<Moving, std::shared_ptr<Moving>>& type) {
                           [](auto ids) { return array_of<Point_id>(std::move(ids)); }))
       .def("hidden_points", answer([](Engine& e) { return e.hidden_points(); },
                                    [](auto ids) { return array_of<Point_id>(std::move(ids)); }))
+      .def("coincident_points",
+           [](Moving& moving, Point_id id) {
+             return array_of<Point_id>(moving.with_engine([&](Engine& e) {
+               check_contains(e, {&id, 1});
+               return e.coincident_points(id);
+             }));
+           })
       .def("positions", answer([](Engine& e) { return e.positions(); },
                                [](auto places) { return array_of<double>(std::move(places), 2); }))
       .def("velocities",
@@ -535,10 +550,11 @@ void bind_engine(py::module_& module) {
   bind_time_and_changes(engine);
   bind_answers(engine);
   module.def("make_triangulation", [](const Motions& motions, bool is_polynomial, bool has_weight,
-                                      const py::object& start) {
+                                      const py::object& start, bool refuses_coincident) {
     const Algebraic_number time = time_of(start);
     return std::make_shared<Moving>(without_gil([&] {
-      return make_triangulation(motions.columns(), {is_polynomial, has_weight}, time);
+      return make_triangulation(motions.columns(), {is_polynomial, has_weight}, time,
+                                coincident_points(refuses_coincident));
     }));
   });
   module.def("make_simulation", make_moving_simulation);

@@ -169,8 +169,8 @@ py::dict tracks_file(const std::string& path, const std::optional<std::string>& 
                            options.duplicates);
 }
 
-// Things that share a path: for each thing the first of its group; for at most ten pairs, their
-// stays and the time from which they share it; and whether these are all pairs.
+// Things that share a path: for at most ten pairs, their stays and the time from which they share
+// it; and whether these are all pairs.
 py::tuple shared_paths_of(const Array<double>& times, const Array<double>& places,
                           const Array<std::uint64_t>& offsets,
                           const std::optional<Array<double>>& radii, double from, double until,
@@ -192,8 +192,7 @@ py::tuple shared_paths_of(const Array<double>& times, const Array<double>& place
   py::list pairs;
   for (const auto& [stays, time] : paths.first)
     pairs.append(py::make_tuple(stays[0], stays[1], time));
-  std::vector<std::uint64_t> first(paths.companion.begin(), paths.companion.end());
-  return py::make_tuple(array_of<std::uint64_t>(std::move(first)), pairs, paths.are_all);
+  return py::make_tuple(pairs, paths.are_all);
 }
 
 // The observations of each thing, from offsets[i] on; `rows` are the numbers that name them in

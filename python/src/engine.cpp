@@ -40,9 +40,10 @@ Polynomial_disc_motion_2 Motion_columns::operator[](std::size_t i) const {
 }
 
 std::unique_ptr<Engine> make_triangulation(const Motion_columns& motions, const Motion_kind& kind,
-                                           const Algebraic_number& start) {
+                                           const Algebraic_number& start,
+                                           Coincident_points coincident) {
   return with_traits(kind, [&]<class Traits>(std::type_identity<Traits>) {
-    return make_engine<Traits>(motions, start);
+    return make_engine<Traits>(motions, start, coincident);
   });
 }
 

@@ -26,6 +26,7 @@
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/simulation/tracks.h"
 #include "kinetri/triangulation/audit.h"
+#include "kinetri/triangulation/coincident_points.h"
 #include "kinetri/triangulation/queries_2.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 #include "watch.h"
@@ -90,6 +91,7 @@ class Engine {
   /// Counterclockwise, from the least id on; if all points are collinear, along their line.
   virtual std::vector<Point_id> hull() const = 0;
   virtual std::vector<Point_id> hidden_points() const = 0;
+  virtual std::vector<Point_id> coincident_points(Point_id id) const = 0;
 
   // ---- time ----
   virtual std::optional<Time> next_event_time() = 0;
@@ -157,7 +159,8 @@ enum class Engine_kind {
 
 /// A triangulation of motions of that kind. Columns that the kind does not have must be zero.
 std::unique_ptr<Engine> make_triangulation(const Motion_columns& motions, const Motion_kind& kind,
-                                           const Algebraic_number& start);
+                                           const Algebraic_number& start,
+                                           Coincident_points coincident);
 
 /// A simulation of motions of that kind.
 std::unique_ptr<Engine> make_simulation(const Motion_columns& motions, const Motion_kind& kind,

@@ -108,6 +108,9 @@ class Engine_of final : public Engine {
   std::vector<Triangle_ids> triangles() const override;
   std::vector<Point_id> hull() const override;
   std::vector<Point_id> hidden_points() const override;
+  std::vector<Point_id> coincident_points(Point_id id) const override {
+    return kinetic().coincident_points(id);
+  }
 
   // ---- time ----
 
@@ -429,6 +432,7 @@ Checkpoint Engine_of<Core, Traits>::snapshot() const {
   } else {
     Simulation_snapshot<Traits> snapshot;
     snapshot.triangulation = core_->snapshot();
+    snapshot.options.coincident = core_->coincident();
     result.simulation = std::move(snapshot);
   }
   return result;

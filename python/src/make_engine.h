@@ -15,7 +15,8 @@ namespace kinetri::python {
 /// @{
 /// As make_triangulation, make_simulation and restore, for the motions of the traits.
 template <class Traits>
-std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start);
+std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start,
+                                    Coincident_points coincident);
 template <class Traits>
 std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start,
                                     const Simulation_options& options);

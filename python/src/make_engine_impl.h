@@ -11,9 +11,10 @@
 namespace kinetri::python {
 
 template <class Traits>
-std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start) {
+std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start,
+                                    Coincident_points coincident) {
   return engine_of(std::make_unique<Kinetic_triangulation_2<Traits>>(
-      motions_of<typename Traits::Motion>(motions), start));
+      motions_of<typename Traits::Motion>(motions), start, Traits(), coincident));
 }
 
 template <class Traits>
@@ -37,7 +38,8 @@ std::unique_ptr<Engine> make_engine(const Simulation_snapshot<Traits>& snapshot,
         "that of a triangulation: restore it as a Simulation");
   }
   using Kinetic = Kinetic_triangulation_2<Traits>;
-  return engine_of(std::unique_ptr<Kinetic>(new Kinetic(Kinetic::restore(snapshot.triangulation))));
+  return engine_of(std::unique_ptr<Kinetic>(new Kinetic(
+      Kinetic::restore(snapshot.triangulation, Traits(), snapshot.options.coincident))));
 }
 
 template <class Traits>
@@ -46,8 +48,8 @@ std::unique_ptr<Engine> make_engine(std::unique_ptr<Simulation_2<Traits>> simula
 }
 
 #define KINETRI_PYTHON_INSTANTIATE(Traits)                                                 \
-  template std::unique_ptr<Engine> make_engine<Traits>(const Motion_columns&,              \
-                                                       const Algebraic_number&);           \
+  template std::unique_ptr<Engine> make_engine<Traits>(                                    \
+      const Motion_columns&, const Algebraic_number&, Coincident_points);                  \
   template std::unique_ptr<Engine> make_engine<Traits>(                                    \
       const Motion_columns&, const Algebraic_number&, const Simulation_options&);          \
   template std::unique_ptr<Engine> make_engine<Traits>(const Simulation_snapshot<Traits>&, \

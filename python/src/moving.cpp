@@ -44,7 +44,8 @@ std::size_t Moving::guarded(const Run& run) {
     return run();
   } catch (const Negative_radius_error&) {
     throw;
-  } catch (const Coincident_trajectories_error&) {  // from a scheduled change, which is dropped
+  } catch (const Coincident_trajectories_error&) {
+    // Such points are refused, and a scheduled change has been dropped.
     throw;
   } catch (const Outside_box_error&) {
     throw;
