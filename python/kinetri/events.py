@@ -31,8 +31,8 @@ event_colors = _kinetri.event_colors
 #:     The ids of the ends of the removed edge, and of the added one, the smaller first; `NO_POINT` twice if
 #:     there is none.
 #: points : two uint32
-#:     The points concerned: the second, or both, may be `NO_POINT`. If a point hides or hid the first one, with
-#:     which it coincided (`hide`, `reveal`), it is the second.
+#:     The points concerned: the second, or both, may be `NO_POINT`. Of `hide` and `reveal` of a point that
+#:     coincides with another for a while, the second is that other, which hides, or hid, the first.
 event_dtype: np.dtype[np.void] = np.dtype(_kinetri.event_fields)
 
 

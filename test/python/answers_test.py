@@ -16,9 +16,13 @@ def squared_distance(p, q, time):
                for a, v, b, w in zip(p[0], p[1], q[0], q[1]))
 
 
-def scene(seed, n=12):
+def scene(seed, n=12, companions=0):
+    """Random points, the last of which are companions: they go with the first ones."""
     rng = np.random.default_rng(seed)
-    return rng.uniform(0, 20, (n, 2)), rng.uniform(-2, 2, (n, 2))
+    columns = rng.uniform(0, 20, (n, 2)), rng.uniform(-2, 2, (n, 2))
+    for column in columns:
+        column[n - companions:] = column[:companions]
+    return columns
 
 
 def near_pairs(points, time, distance):
@@ -28,8 +32,9 @@ def near_pairs(points, time, distance):
 
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("kind", [kinetri.KineticDelaunay, kinetri.Simulation])
-def test_encounters_are_the_near_pairs_of_every_time(seed, kind):
-    positions, velocities = scene(seed)
+@pytest.mark.parametrize("companions", [0, 3])
+def test_encounters_are_the_near_pairs_of_every_time(seed, kind, companions):
+    positions, velocities = scene(seed, companions=companions)
     points = list(zip(positions, velocities))
     table = kind(positions, velocities).encounters(3, until=4)
     assert (table["a"] < table["b"]).all() and table["begin"].is_monotonic_increasing
@@ -53,8 +58,9 @@ def test_discs_have_gaps():
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_components_are_those_of_the_near_pairs(seed):
-    positions, velocities = scene(seed)
+@pytest.mark.parametrize("companions", [0, 3])
+def test_components_are_those_of_the_near_pairs(seed, companions):
+    positions, velocities = scene(seed, companions=companions)
     points = list(zip(positions, velocities))
     table = kinetri.KineticDelaunay(positions, velocities).components(3, until=4)
     assert table["kind"][0] == "start" and table["a"].isna()[0] and table["b"].isna()[0]
@@ -76,17 +82,20 @@ def test_components_are_those_of_the_near_pairs(seed):
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_neighbor_lives_are_the_edges_of_every_time(seed):
-    positions, velocities = scene(seed)
+@pytest.mark.parametrize("companions", [0, 3])
+def test_neighbor_lives_are_the_edges_of_every_time(seed, companions):
+    positions, velocities = scene(seed, companions=companions)
     table = kinetri.KineticDelaunay(positions, velocities).neighbor_lives(until=4, ridge=0.5)
     kd = kinetri.KineticDelaunay(positions, velocities)
+    companionships = [(a, 12 - companions + a) for a in range(companions)]
     for step in range(32):
         time = step / 8 + 1 / 64  # no event is at such a time
         kd.advance_to(time)
         now = table[(table["begin_lo"] <= time) & (table["end_hi"] >= time)]
-        assert sorted(zip(now["a"], now["b"])) == [tuple(edge) for edge in kd.edges().tolist()]
+        assert sorted(zip(now["a"], now["b"])) == sorted([*map(tuple, kd.edges().tolist()), *companionships])
     assert set(table["begins_by"]) <= {"run", "exchange"} and table["short"].dtype == bool
-    assert (table["begins_by"] == "run").sum() == len(kinetri.KineticDelaunay(positions, velocities).edges())
+    assert (table["begins_by"] == "run").sum() == companions + len(
+        kinetri.KineticDelaunay(positions, velocities).edges())
 
 
 def test_exchanges_are_counted_by_point():
@@ -119,8 +128,9 @@ def test_certificates_are_those_of_all_events():
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_nearest_neighbor_changes_lead_to_the_nearest_neighbors(seed):
-    positions, velocities = scene(seed)
+@pytest.mark.parametrize("companions", [0, 3])
+def test_nearest_neighbor_changes_lead_to_the_nearest_neighbors(seed, companions):
+    positions, velocities = scene(seed, companions=companions)
     table = kinetri.KineticDelaunay(positions, velocities).nearest_neighbor_changes(until=4)
     assert table["before"].isna().sum() == 12 and not pd.isna(table["after"]).any()
     kd = kinetri.KineticDelaunay(positions, velocities)

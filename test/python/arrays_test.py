@@ -14,8 +14,8 @@ SQUARE = [[0, 0], [4, 0], [0, 3], [5, 4]]
 REST = [[0, 0]] * 4
 
 
-def triangulation(positions, velocities=REST):
-    return kinetri.KineticDelaunay(positions, velocities)
+def triangulation(positions, velocities=REST, **options):
+    return kinetri.KineticDelaunay(positions, velocities, **options)
 
 
 EXPECTED = triangulation(SQUARE).triangles().tolist()
@@ -314,9 +314,9 @@ def test_a_bad_call_is_refused_and_changes_nothing(call, message):
 
 def test_points_in_one_place_at_all_times_are_named():
     with pytest.raises(kinetri.CoincidentTrajectoriesError) as raised:
-        triangulation([[0, 0], [1, 1], [2, 2], [1, 1]])
+        triangulation([[0, 0], [1, 1], [2, 2], [1, 1]], coincident="refuse")
     assert raised.value.ids == (1, 3)
-    kd = triangulation(SQUARE)
+    kd = triangulation(SQUARE, coincident="refuse")
     before = kd.snapshot()
     for call in (lambda: kd.set_motions([0, 1], [[9, 9]] * 2, [[1, 1]] * 2),
                  lambda: kd.insert([[9, 9], [4, 0]], [[0, 0]] * 2)):

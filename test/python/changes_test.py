@@ -3,7 +3,7 @@
 and answers what it is asked."""
 import numpy as np
 from hypothesis import given, settings, strategies as st
-from support import few
+from support import few, trajectory
 
 import kinetri
 
@@ -18,31 +18,32 @@ class Run:
         self.size = int(self.random.integers(2, 7))
         self.make = [self.delaunay, self.accelerated, self.regular, self.equal_discs, self.discs][seed % 5]
         self.response = RESPONSES[seed // 5 % 5]
+        self.coincident = "hide" if seed // 25 % 3 > 0 else "refuse"
         self.points = self.make(*self.motions(int(self.random.integers(0, 8))))
 
     def motions(self, n):
         return self.random.integers(0, self.size, (n, 2)), self.random.integers(-1, 2, (n, 2))
 
     def delaunay(self, positions, velocities):
-        return kinetri.KineticDelaunay(positions, velocities)
+        return kinetri.KineticDelaunay(positions, velocities, coincident=self.coincident)
 
     def accelerated(self, positions, velocities):
-        return kinetri.KineticDelaunay(positions, velocities,
+        return kinetri.KineticDelaunay(positions, velocities, coincident=self.coincident,
                                        acceleration=self.random.integers(-1, 2, positions.shape))
 
     def regular(self, positions, velocities):
         n = len(positions)
         return kinetri.KineticRegular(positions, velocities, radius=self.random.integers(0, 3, n),
-                                      growth=self.random.integers(-1, 2, n))
+                                      growth=self.random.integers(-1, 2, n), coincident=self.coincident)
 
     def equal_discs(self, positions, velocities):
         return kinetri.Simulation(positions, velocities, radius=0.25, box=(-1, -1, 8, 8),
-                                  collisions=self.response)
+                                  collisions=self.response, coincident=self.coincident)
 
     def discs(self, positions, velocities):
         return kinetri.Simulation(positions, velocities, box=(-1, -1, 8, 8), collisions=self.response,
                                   radius=self.random.uniform(0.1, 0.4, len(positions)),
-                                  refuse_overlaps=False)
+                                  refuse_overlaps=False, coincident=self.coincident)
 
     def change(self):
         points, random = self.points, self.random
@@ -71,8 +72,18 @@ class Run:
         assert report, report
         ids = points.ids.tolist()
         assert len(ids) == len(points) and np.isfinite(points.positions()[ids]).all()
-        assert set(points.edges().ravel().tolist()) <= set(ids)
-        assert set(points.hull().tolist()) <= set(ids)
+        hidden = set(points.hidden_points().tolist())
+        assert set(points.edges().ravel().tolist()) <= set(ids) - hidden
+        assert set(points.hull().tolist()) <= set(ids) - hidden
+        groups = {}
+        for id in ids:
+            groups.setdefault(str(trajectory(points.motion(id))), []).append(id)
+        for group in groups.values():
+            assert hidden >= set(group[1:]) and (self.coincident == "hide" or len(group) == 1)
+            for id in group:
+                assert points.coincident_points(id).tolist() == [other for other in group if other != id]
+        if self.make != self.regular and self.make != self.discs:
+            assert len(hidden) == len(ids) - len(groups)
         assert np.isclose(points.voronoi_areas((-3, -3, 9, 9)).sum(), 144 if ids else 0)
         for id in ids[:3]:
             assert set(points.neighbors(id).tolist()) <= set(ids) - {id}

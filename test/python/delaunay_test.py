@@ -6,6 +6,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from scipy.spatial import Delaunay, KDTree
+from support import nearest_of_all_pairs
 
 import kinetri
 
@@ -63,22 +64,16 @@ def test_of_the_events_those_of_some_kinds_are_kept(kinds):
     assert kd.time == 5 and kd.statistics()["events"]["flip"] == (events["kind"] == "flip").sum()
 
 
-def nearest_of_all_pairs(kd, k):
-    """The ids of the k nearest by integers, at a time at which positions are small integers."""
-    places = {id: kd.positions()[id].astype(int).tolist() for id in kd.ids.tolist()}
-    rows = np.full((kd.next_id, k), kinetri.NO_POINT, dtype=np.uint32)
-    for id, (x, y) in places.items():
-        others = sorted(((x - p)**2 + (y - q)**2, other) for other, (p, q) in places.items() if other != id)
-        rows[id, :len(others)] = [other for _, other in others][:k]
-    return rows
-
-
 @pytest.mark.parametrize("k", [1, 2, 5, 39, 40, 60])
 @pytest.mark.parametrize("side", [4, 12, 40])
-def test_the_k_nearest_are_those_of_all_pairs(k, side):
+@pytest.mark.parametrize("companions", [0, 6])
+def test_the_k_nearest_are_those_of_all_pairs(k, side, companions):
     rng = np.random.default_rng(side)
-    # On small grids many points are equally near, and coincide.
-    kd = kinetri.KineticDelaunay(rng.integers(0, side, (42, 2)), rng.permutation(84).reshape(42, 2) - 42)
+    # On small grids many points are equally near, and coincide. The companions go with others, also with 7.
+    positions, velocities = rng.integers(0, side, (42, 2)), rng.permutation(84).reshape(42, 2) - 42
+    for columns in (positions, velocities):
+        columns[30:30 + companions] = columns[4:4 + companions]
+    kd = kinetri.KineticDelaunay(positions, velocities)
     kd.erase([7, 20])
     for time in (0, 1, 3):
         kd.advance_to(time)

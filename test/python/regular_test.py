@@ -125,7 +125,7 @@ def test_bad_sizes():
     with pytest.raises(kinetri.PreconditionError, match="weight is an array of <U1"):
         kinetri.KineticRegular(*square, weight=["a"] * 4)
     with pytest.raises(kinetri.CoincidentTrajectoriesError) as raised:
-        kinetri.KineticRegular([[0, 0], [1, 1], [1, 1]], [[0, 0]] * 3, radius=2)
+        kinetri.KineticRegular([[0, 0], [1, 1], [1, 1]], [[0, 0]] * 3, radius=2, coincident="refuse")
     assert raised.value.ids == (1, 2)
     # In one place with different weights: one hides the other.
     assert kinetri.KineticRegular([[0, 0], [1, 1], [1, 1]], [[0, 0]] * 3,

@@ -341,7 +341,7 @@ def test_scheduled_changes():
 
 
 def test_a_scheduled_change_that_is_impossible_is_dropped_and_raises_once():
-    sim = kinetri.Simulation([[1, 1], [2, 2]], [[0, 0], [0, 0]], box=(0, 0, 4, 4))
+    sim = kinetri.Simulation([[1, 1], [2, 2]], [[0, 0], [0, 0]], box=(0, 0, 4, 4), coincident="refuse")
     sim.schedule_motion(1, 0, [9, 9], [0, 0])
     sim.schedule_motion(1, 1, [3, 3], [0, 0])
     sim.schedule_insert(2, [1, 1], [0, 0])

@@ -3,9 +3,12 @@
 import os
 import pathlib
 import subprocess
+from fractions import Fraction
 
 import numpy as np
 from hypothesis import HealthCheck, settings
+
+import kinetri
 
 #: Settings of every test with hypothesis: the same examples in each run.
 few = settings(derandomize=True, deadline=None, database=None, max_examples=60,
@@ -32,6 +35,32 @@ def write_points(path, **columns):
     rows = zip(*[np.asarray(values, dtype=float).tolist() for values in columns.values()])
     lines = [",".join(columns)] + [",".join(map(repr, row)) for row in rows]
     pathlib.Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def trajectory(motion):
+    """Of a `motion()`, the coefficients in t of x, y and the weight, in fractions."""
+    def of_time(coefficients):
+        result = []
+        for factor in reversed(coefficients):  # by Horner's rule, in t - epoch
+            shifted = [Fraction(0), *result]
+            result = [a - Fraction(motion["epoch"]) * b for a, b in zip(shifted, [*result, Fraction(0)])]
+            result[0] += Fraction(factor)
+        return result
+
+    radius, growth, weight = (Fraction(motion[name]) for name in ("radius", "growth", "weight"))
+    return [of_time([motion["position"][i], motion["velocity"][i], Fraction(motion["acceleration"][i]) / 2,
+                     Fraction(motion["jerk"][i]) / 6]) for i in (0, 1)] + [
+        of_time([radius**2 + weight, 2 * radius * growth, growth**2])]
+
+
+def nearest_of_all_pairs(points, k):
+    """The ids of the k nearest by integers, at a time at which positions are small integers."""
+    places = {id: points.positions()[id].astype(int).tolist() for id in points.ids.tolist()}
+    rows = np.full((points.next_id, k), kinetri.NO_POINT, dtype=np.uint32)
+    for id, (x, y) in places.items():
+        others = sorted(((x - p)**2 + (y - q)**2, other) for other, (p, q) in places.items() if other != id)
+        rows[id, :len(others)] = [other for _, other in others][:k]
+    return rows
 
 
 def edge_set(edges):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rows of tracks that are merged or left out: several places at one time, things that share a path, no place."""
+"""Rows of tracks that are merged or left out, and things that share a path."""
 import re
 import subprocess
 import sys
@@ -38,36 +38,39 @@ def test_things_that_share_a_path_are_named_by_their_labels():
                    lambda tracks: list(tracks.simulation().events()), lambda tracks: tracks.record(),
                    lambda tracks: tracks.closest(1), lambda tracks: tracks.areas([0, 15], cutoff=3)):
             with pytest.raises(kinetri.CoincidentTrajectoriesError) as raised:
-                go(make())
+                go(make(coincident="refuse"))
             assert str(raised.value) == (
                 "'A' and 'B' from t = 5 on go the same way; expected different positions at one of two observations, or "
-                "tracks that are made with coincident='leave-out', which leaves out all but the first of each such group")
+                "tracks that are made with coincident='hide'")
             assert sorted(raised.value.ids) == [0, 1]
 
 
-def test_all_but_the_first_are_left_out(tmp_path):
+def test_of_things_that_share_a_path_the_first_hides_the_other(tmp_path):
     pd.DataFrame(BENCH).to_csv(tmp_path / "t.csv", index=False)
+    run_program("tracks", "t.csv", "--events", "events.csv", directory=tmp_path)
+    logged = pd.read_csv(tmp_path / "events.csv")
     for make in (*ways_to_make(BENCH), lambda **more: Tracks.read(tmp_path / "t.csv", **more)):
-        tracks = make(coincident="leave-out")
-        assert tracks.labels == ["A", "C"]
-        assert tracks.remarks == ["1 id left out, being at one place with another for some time: 'B' with 'A'"]
-        assert set(tracks.record()["kind"]) > {"erase"}
-        assert make(coincident="refuse").labels == ["A", "B", "C"]
-        with pytest.raises(kinetri.PreconditionError, match="coincident is 'keep'; expected one of 'refuse', 'leave-out'"):
-            make(coincident="keep")
-    done = run_program("tracks", "t.csv", "--coincident", "leave-out", directory=tmp_path)
-    assert tracks.remarks[0] in done.stderr
-    apart = Tracks.from_arrays([0, 1, 0, 1], [1, 1, 2, 2], [0, 1, 5, 6], [0, 0, 0, 0], coincident="leave-out")
-    assert apart.labels == [1, 2] and apart.remarks == []
+        for tracks in (make(), make(coincident="hide")):
+            assert tracks.labels == ["A", "B", "C"] and tracks.remarks == []
+            simulation = tracks.simulation()
+            events = simulation.record(simulation.end)
+            hidden = events[np.isin(events["kind"], ["hide", "reveal"])]
+            assert hidden["kind"].tolist() == ["hide", "reveal"] and hidden["time"].tolist() == [5, 10]
+            assert hidden["points"].tolist() == [[1, 0]] * 2
+            assert events["kind"].tolist() == logged["kind"].tolist()
+            assert events["time"].tolist() == logged["time"].tolist()
+        with pytest.raises(kinetri.PreconditionError, match="^coincident is 'leave-out'; expected 'hide' or 'refuse'$"):
+            make(coincident="leave-out")
 
 
-def test_radii_and_the_rest_stay_with_their_things():
-    tracks = Tracks.from_arrays(*BENCH.values(), radius=[1] * 8 + [2] * 2, coincident="leave-out")
-    assert tracks.labels == ["A", "C"]
-    simulation = tracks.simulation()
-    assert simulation.radii().tolist() == [1, 2] and simulation.positions().tolist() == [[-5, 0], [3, 3]]
-    # Discs of two sizes share no path.
-    assert len(Tracks.from_arrays(*BENCH.values(), radius=[1] * 4 + [3] * 4 + [2] * 2, coincident="leave-out")) == 3
+def test_discs_of_two_sizes_share_no_path():
+    for radii, expected in (([1] * 8 + [2] * 2, [[1], [0], []]), ([1] * 4 + [3] * 4 + [2] * 2, [[], [], []])):
+        simulation = Tracks.from_arrays(*BENCH.values(), radius=radii).simulation()
+        simulation.advance_to(7)
+        assert [simulation.coincident_points(id).tolist() for id in range(3)] == expected
+        # The larger disc hides the smaller one, which has an empty power cell.
+        assert simulation.hidden_points().tolist() == [1 if radii[4] == 1 else 0]
+        assert simulation.radii().tolist() == [radii[0], radii[4], radii[8]] and simulation.audit()
 
 
 def test_other_pairs_are_named():
@@ -76,7 +79,7 @@ def test_other_pairs_are_named():
     columns["x"][10:] += 100
     with pytest.raises(kinetri.CoincidentTrajectoriesError, match="^'A' and 'B' from t = 5 on go the same way, and so do 'D' "
                        "and 'E' from t = 5 on; expected"):
-        Tracks.from_arrays(*columns.values()).record()
+        Tracks.from_arrays(*columns.values(), coincident="refuse").record()
 
 
 # ---- several places at one time ----

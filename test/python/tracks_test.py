@@ -289,7 +289,7 @@ def test_nothing_and_one_observation():
 
 
 def test_two_things_on_one_track_are_named():
-    tracks = Tracks.from_arrays([0, 2, 1, 3], ["a", "a", "b", "b"], [0, 2, 1, 3], [0, 0, 0, 0])
+    tracks = Tracks.from_arrays([0, 2, 1, 3], ["a", "a", "b", "b"], [0, 2, 1, 3], [0, 0, 0, 0], coincident="refuse")
     with pytest.raises(kinetri.CoincidentTrajectoriesError) as raised:
         tracks.record()
     assert raised.value.ids == (0, 1)

@@ -132,6 +132,11 @@ def test_a_plot_has_edges_discs_and_ids(axes):
     assert low < 0 and high > 10
 
 
+def test_points_that_coincide_have_one_text(axes):
+    kinetri.KineticDelaunay([[5, 5], [0, 0], [5, 5], [9, 0]], [[0, 0]] * 4).plot(axes, ids=True)
+    assert [text.get_text() for text in axes.texts] == ["0, 2", "1", "3"]
+
+
 def test_plots_of_few_points(axes):
     from matplotlib import pyplot
 
