@@ -54,7 +54,8 @@ class Edge_tests {
     return is_empty;
   }
 
-  // The edges that pass a test, sorted.
+  // The edges that pass a test, and those of hidden points with the points that coincide with them,
+  // sorted.
   template <class Test>
   std::vector<Edge_ids> all(const Test& is_edge_of_graph) const {
     std::vector<Edge_ids> result;
@@ -63,6 +64,12 @@ class Edge_tests {
       const auto& [face, i] = edge;
       result.push_back(edge_ids(face->vertex(Topology::cw(i))->point().id(),
                                 face->vertex(Topology::ccw(i))->point().id()));
+    }
+    if (kinetic_.number_of_hidden_points() > 0) {
+      for (Point_id id = 0; id < kinetic_.next_id(); ++id) {
+        if (!kinetic_.contains(id) || !kinetic_.is_hidden(id)) continue;
+        result.push_back(edge_ids(kinetic_.vertex(id)->point().id(), id));
+      }
     }
     std::ranges::sort(result);
     return result;

@@ -19,6 +19,8 @@ using test::seeds;
 
 // ---- the oracle: all triples, by the signs of polynomials just after the time ----
 
+// Of points with the same trajectory only the first counts; the others have an edge with it.
+
 template <class Traits>
 class Oracle {
  public:
@@ -28,8 +30,15 @@ class Oracle {
       : time_(triangulation.current_time()) {
     for (Point_id id = 0; id < triangulation.next_id(); ++id) {
       if (!triangulation.contains(id)) continue;
+      const Motion& motion = triangulation.motion(id);
+      const auto same = std::ranges::find_if(
+          motions_, [&](const Motion& other) { return do_coincide(motion, other); });
+      if (same != motions_.end()) {
+        links_.push_back({ids_[static_cast<std::size_t>(same - motions_.begin())], id});
+        continue;
+      }
       ids_.push_back(id);
-      motions_.push_back(triangulation.motion(id));
+      motions_.push_back(motion);
     }
   }
 
@@ -55,6 +64,12 @@ class Oracle {
  private:
   static constexpr int degree = std::same_as<Motion, Linear_motion_2> ? 2 : 6;
 
+  // Cubic polynomials that are equal at four times are equal.
+  static bool do_coincide(const Motion& a, const Motion& b) {
+    bool result = true;
+    for (int t = 0; t < 4; ++t) result = result && test::place_at(a, t) == test::place_at(b, t);
+    return result;
+  }
   static Rational squared(const Motion& p, const Motion& q, const Rational& t) {
     return CGAL::squared_distance(test::place_at(p, t), test::place_at(q, t));
   }
@@ -63,7 +78,7 @@ class Oracle {
   }
   template <class Allows>
   std::vector<Edge_ids> edges(const Allows& allows) const {
-    std::vector<Edge_ids> result;
+    std::vector<Edge_ids> result = links_;
     for (std::size_t a = 0; a < ids_.size(); ++a) {
       for (std::size_t b = a + 1; b < ids_.size(); ++b) {
         bool is_edge = true;
@@ -73,12 +88,14 @@ class Oracle {
         if (is_edge) result.push_back({ids_[a], ids_[b]});
       }
     }
+    std::ranges::sort(result);
     return result;
   }
 
   Algebraic_number time_;
   std::vector<Point_id> ids_;
   std::vector<Motion> motions_;
+  std::vector<Edge_ids> links_;
 };
 
 template <class Traits>
@@ -161,6 +178,25 @@ TEST(Proximity_graphs, of_accelerated_motions_are_those_of_all_triples) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     run_and_check<Polynomial_kinetic_traits_2>(test::polynomial_grid_motions(7, 4, 2, 3, seed), 5);
   }
+}
+
+TEST(Proximity_graphs, join_points_that_coincide_for_a_while_with_the_first_of_them) {
+  const Kinetic_triangulation_2<Linear_kinetic_traits_2> triangulation(
+      at_rest({{0, 0}, {2, 0}, {0, 0}, {2, 0}, {0, 0}}));
+  const std::vector<Edge_ids> expected = {{0, 1}, {0, 2}, {0, 4}, {1, 3}};
+  EXPECT_EQ(gabriel_edges(triangulation), expected);
+  EXPECT_EQ(relative_neighbor_edges(triangulation), expected);
+}
+
+TEST(Proximity_graphs, of_points_of_which_some_coincide_are_those_of_all_triples) {
+  std::size_t hidden = 0;
+  for (unsigned seed = 0; seed < seeds(15); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto motions = test::coincident_motions(3 + seed % 8, seed);
+    hidden += Kinetic_triangulation_2<Linear_kinetic_traits_2>(motions).number_of_hidden_points();
+    run_and_check(motions, 4);
+  }
+  EXPECT_GT(hidden, 10U);
 }
 
 TEST(Proximity_graphs, of_points_that_come_and_go_are_those_of_all_triples) {

@@ -159,6 +159,34 @@ TEST(Widest_path, of_points_on_a_line_is_without_gaps) {
   EXPECT_TRUE(widest_path(kinetic, {0.5, 1}, {0.5, -1}).gaps.empty());
 }
 
+// Each point has another one at its position, which moves with it.
+TEST(Widest_path, is_the_same_if_points_coincide_for_a_while) {
+  std::size_t gaps = 0;
+  int ends = 0;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    auto motions = test::random_motions(20, 10, 1, seed);
+    const Kinetic single(motions);
+    for (std::size_t i = 0; i < 20; ++i) motions.push_back(motions[(7 * i) % 20]);
+    const Kinetic kinetic(motions);
+    ASSERT_EQ(kinetic.number_of_hidden_points(), 20u);
+    for (const Vector_2& to : {Vector_2{6, 5}, Vector_2{-5, 3}}) {
+      const Widest_path path = widest_path(kinetic, {3, 4}, to);
+      const Widest_path expected = widest_path(single, {3, 4}, to);
+      EXPECT_EQ(path.gaps, expected.gaps);
+      EXPECT_EQ(path.narrowest, expected.narrowest);
+      // Outside of the convex hull it may be any of some edges.
+      if (path.around_from.size() == 3 && path.around_to.size() == 3) {
+        ++ends;
+        EXPECT_EQ(end_of_path(kinetic, path, 0.25), end_of_path(single, expected, 0.25));
+      }
+      gaps += path.gaps.size();
+    }
+  }
+  EXPECT_GT(gaps, 20u);
+  EXPECT_GT(ends, 5);
+}
+
 // Two points that approach each other between two that rest: the way between them is as wide as
 // their distance, 4 - 2t, and closes at 4 - 2t = width.
 TEST(Widest_path, ends_where_a_gap_is_closed) {

@@ -6,6 +6,9 @@
 // Every edge of the relative neighborhood graph is one of the Gabriel graph, and each of these is
 // in every Delaunay triangulation. So cocircular points make no difference. The edge from a point
 // to a nearest neighbor, and a minimum spanning tree, are in both.
+//
+// Of points that coincide for a while (Coincident_points), the one that hides the others stands for
+// all of them; each of the others has one edge in both graphs, of length 0, with that one.
 #ifndef KINETRI_OBSERVERS_PROXIMITY_GRAPHS_H
 #define KINETRI_OBSERVERS_PROXIMITY_GRAPHS_H
 
@@ -18,7 +21,8 @@ namespace kinetri {
 
 /// The edges of the Gabriel graph just after the current time, exactly, sorted: the pairs of points
 /// a and b with no other point inside the circle whose diameter is ab, or on it. So |ac|^2 + |bc|^2
-/// > |ab|^2 for each other point c.
+/// > |ab|^2 for each other point c. A point that is hidden by another one, since the two coincide
+/// for a while, has only an edge with that one, and does not count otherwise.
 ///
 /// Cost: for each edge of the triangulation the signs of two polynomials.
 ///
@@ -32,7 +36,7 @@ requires HasNearestNeighbors<Traits> std::vector<Edge_ids> gabriel_edges(
 
 /// The edges of the relative neighborhood graph just after the current time, exactly, sorted: the
 /// pairs of points a and b with no other point c that is nearer to both than they are to each
-/// other, max(|ac|, |bc|) < |ab|.
+/// other, max(|ac|, |bc|) < |ab|. Points that coincide for a while are treated as by gabriel_edges.
 ///
 /// Cost: that of gabriel_edges and, for each of its edges, a comparison of distances for each point
 /// that is nearer to one end than the other end is, and for the neighbors of these: O(1) for most

@@ -13,6 +13,7 @@
 // their union and its dual complex, whose edges are shorter than w, separate the same positions. An
 // edge that is shorter than w and not in the complex is opposite to an obtuse angle in one of its
 // triangles; the other edges of that triangle are shorter, and the disc has no position in it.
+// Points that coincide for a while make no difference: the one that hides the others is named.
 // Sources: C. O'Dunlaing, C. K. Yap, A "retraction" method for planning the motion of a disc,
 // Journal of Algorithms 6, 1985; H. Edelsbrunner, The union of balls and its dual shape, Discrete &
 // Computational Geometry 13, 1995.
