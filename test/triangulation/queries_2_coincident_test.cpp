@@ -204,10 +204,12 @@ TEST(Queries_of_coincident_points, that_join_and_part_are_answered_as_by_a_look_
     std::mt19937_64 random(seed);
     Kinetic_delaunay kinetic(test::coincident_motions(8, seed));
     for (int k = 0; k < 3; ++k) {
-      kinetic.set_motion(static_cast<Point_id>(random() % 4),
-                         kinetic.motion(static_cast<Point_id>(4 + random() % 4)));
-      kinetic.set_motion(static_cast<Point_id>(4 + random() % 4),
-                         test::coincident_motions(1, seed + 100).front());
+      const auto joins = static_cast<Point_id>(random() % 4);
+      const auto other = static_cast<Point_id>(4 + random() % 4);
+      const Linear_motion_2 motion = kinetic.motion(other);
+      kinetic.set_motion(joins, motion);
+      const auto parts = static_cast<Point_id>(4 + random() % 4);
+      kinetic.set_motion(parts, test::coincident_motions(1, seed + 100).front());
       if (k == 2) kinetic.erase(static_cast<Point_id>(random() % 2));
       hidden += ask_along(kinetic, seed);
       if (HasFatalFailure()) return;

@@ -13,7 +13,6 @@
 // their union and its dual complex, whose edges are shorter than w, separate the same positions. An
 // edge that is shorter than w and not in the complex is opposite to an obtuse angle in one of its
 // triangles; the other edges of that triangle are shorter, and the disc has no position in it.
-// Points that coincide for a while make no difference: the one that hides the others is named.
 // Sources: C. O'Dunlaing, C. K. Yap, A "retraction" method for planning the motion of a disc,
 // Journal of Algorithms 6, 1985; H. Edelsbrunner, The union of balls and its dual shape, Discrete &
 // Computational Geometry 13, 1995.
@@ -34,7 +33,8 @@ struct Widest_path {
   Vector_2 from;  ///< the begin
   Vector_2 to;    ///< the end
   /// The pairs of points between which it passes, in this order. None if both positions are in one
-  /// triangle, or outside of the convex hull.
+  /// triangle, or outside of the convex hull. Of points that coincide for a while, here and below,
+  /// the one that hides the others is named.
   std::vector<Edge_ids> gaps;
   /// The narrowest of the gaps: the bottleneck. None if there is no gap; the width is then
   /// unbounded.
