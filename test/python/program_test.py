@@ -60,6 +60,11 @@ def discs(seed, n=60):
             "radius": rng.uniform(0.5, 3, n), "mass": rng.uniform(0.1, 9, n)}
 
 
+def together(columns):
+    """The columns, with the first ten motions once more."""
+    return {name: np.concatenate([values, values[:10]]) for name, values in columns.items()}
+
+
 BOX = (0, 0, 90, 90)
 
 
@@ -111,6 +116,10 @@ CASES = {
         "growth": np.random.default_rng(8).uniform(0, 1, 60)}, {}, ["--regular"]),
     "walls": (kinetri.Simulation, dict(zip(("positions", "velocities"), uniform(60, 9, side=89))),
               {"box": BOX}, ["--box", "0,0,90,90"]),
+    "coincident": (kinetri.KineticDelaunay, together(dict(zip(("positions", "velocities"), uniform(60, 17)))), {}, []),
+    "coincident, walls": (kinetri.Simulation, together(dict(zip(("positions", "velocities"), uniform(60, 18, side=89)))),
+                          {"box": BOX}, ["--box", "0,0,90,90"]),
+    "coincident, log": (kinetri.Simulation, together(discs(19)), {"collisions": "log"}, ["--collisions", "log"]),
     "elastic": (kinetri.Simulation, discs(10), {"box": BOX, "rim": True, "collisions": "elastic"},
                 ["--box", "0,0,90,90", "--rim", "--collisions", "elastic"]),
     "elastic, equal": (kinetri.Simulation, {**discs(11), "radius": np.full(60, 2.5)},
