@@ -123,10 +123,10 @@ def test_the_area_of_a_cell_is_shared_equally(kind):
 
     assert points.voronoi_areas(BOX) == shared(others.voronoi_areas(BOX))
     assert points.cell_areas(square, cutoff=6) == shared(others.cell_areas(square, cutoff=6))
-    table, expected = (object.mean_areas(until=1, walkable=square, tolerance=1e-9) for object in (points, others))
+    table, expected = (run.mean_areas(until=1, walkable=square, tolerance=1e-9) for run in (points, others))
     assert table["id"].tolist() == list(range(7)) and set(table["from"]) == {0} and set(table["until"]) == {1}
     assert table["area"].to_numpy() == shared(expected["area"].to_numpy())
-    table, expected = (object.areas([2.5], walkable=square) for object in (points, others))
+    table, expected = (run.areas([2.5], walkable=square) for run in (points, others))
     assert table["area"].to_numpy() == shared(expected["area"].to_numpy())
     assert table["density"].to_numpy() == pytest.approx(1 / table["area"].to_numpy())
     assert points.voronoi_areas(BOX).sum() == pytest.approx(2500)
@@ -324,7 +324,8 @@ def test_neighbors_and_trees_of_two_who_go_together():
     assert lives["begin"].tolist()[1:] == lives["end"].tolist()[:-1]
     square = [[-20, -20], [60, -20], [60, 70], [-20, 70]]
     areas = tracks.areas([5], walkable=square)["area"].tolist()
-    alone = Tracks.from_arrays(*(values[4:] for values in MEETING.values())).areas([5], walkable=square)["area"].tolist()
+    others = Tracks.from_arrays(*(values[4:] for values in MEETING.values()))
+    alone = others.areas([5], walkable=square)["area"].tolist()
     assert areas == pytest.approx([alone[0] / 2, alone[0] / 2, alone[1]])
 
 
@@ -410,15 +411,15 @@ def test_a_change_that_is_refused_changes_nothing(kind, tmp_path):
     points.advance_to(1)
     points.save(tmp_path / "state")
     sizes = {"radius": 0.5} if kind is regular else {}
-    for object in (points, points.snapshot().restore(), copy.deepcopy(points), type(points).load(tmp_path / "state")):
-        expected = object.snapshot().restore()
-        for change in (lambda: object.set_motions([0, 1], [[3, 3]] * 2, [[1, 1]] * 2),
-                       lambda: object.insert([[4, 4], [4, 4]], [[0, 1]] * 2, **sizes)):
+    for other in (points, points.snapshot().restore(), copy.deepcopy(points), type(points).load(tmp_path / "state")):
+        expected = other.snapshot().restore()
+        for change in (lambda: other.set_motions([0, 1], [[3, 3]] * 2, [[1, 1]] * 2),
+                       lambda: other.insert([[4, 4], [4, 4]], [[0, 1]] * 2, **sizes)):
             with pytest.raises(kinetri.CoincidentTrajectoriesError):
                 change()
-            assert len(object) == 4 and np.array_equal(object.positions()[:4], expected.positions())
-            assert object.hidden_points().tolist() == [] and object.audit()
-        assert object.record(until=8).tobytes() == expected.record(until=8).tobytes()
+            assert len(other) == 4 and np.array_equal(other.positions()[:4], expected.positions())
+            assert other.hidden_points().tolist() == [] and other.audit()
+        assert other.record(until=8).tobytes() == expected.record(until=8).tobytes()
 
 
 def test_velocities_that_are_refused():

@@ -117,8 +117,8 @@ CASES = {
     "walls": (kinetri.Simulation, dict(zip(("positions", "velocities"), uniform(60, 9, side=89))),
               {"box": BOX}, ["--box", "0,0,90,90"]),
     "coincident": (kinetri.KineticDelaunay, together(dict(zip(("positions", "velocities"), uniform(60, 17)))), {}, []),
-    "coincident, walls": (kinetri.Simulation, together(dict(zip(("positions", "velocities"), uniform(60, 18, side=89)))),
-                          {"box": BOX}, ["--box", "0,0,90,90"]),
+    "coincident, walls": (kinetri.Simulation, together(dict(zip(
+        ("positions", "velocities"), uniform(60, 18, side=89)))), {"box": BOX}, ["--box", "0,0,90,90"]),
     "coincident, log": (kinetri.Simulation, together(discs(19)), {"collisions": "log"}, ["--collisions", "log"]),
     "elastic": (kinetri.Simulation, discs(10), {"box": BOX, "rim": True, "collisions": "elastic"},
                 ["--box", "0,0,90,90", "--rim", "--collisions", "elastic"]),
