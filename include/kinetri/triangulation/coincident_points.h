@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "kinetri/base/platform.h"
+
 namespace kinetri {
 
 /// What happens to points with the same trajectory and, if they have weights, the same weight, from
