@@ -111,8 +111,9 @@ class Picture {
     add_lines("edges", "#6f8fa8", line, inner);
     add_lines("hull", "#0072b2", std::max(2 * line, 0.8), frame_.hull);
     const auto dot = [&](std::size_t) { return std::clamp(0.08 * spacing, 0.5, 3.4); };
-    add_circles("points", "fill=\"#d55e00\"", false, dot);
+    // Below the others, with which they may coincide.
     add_circles("hidden-points", "fill=\"#fdfdfb\" stroke=\"#808080\"", true, dot);
+    add_circles("points", "fill=\"#d55e00\"", false, dot);
     add_caption();
     add("</svg>\n");
     out << text_;

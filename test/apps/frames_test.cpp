@@ -213,6 +213,19 @@ TEST_F(Frames, may_take_the_place_of_an_empty_directory) {
   EXPECT_EQ(entries_of("f").size(), 2U);
 }
 
+TEST_F(Frames, have_discs_that_coincide_with_others_as_hidden) {
+  const std::string points = "x,y,vx,vy\n0,0,1,0\n5,0,0,0\n0,5,0,0\n0,0,1,0\n";
+  EXPECT_EQ(simulate(points, {"--until", "1", "--collisions", "log", "--radius", "0.5", "--frames",
+                              "f", "--fps", "1"})
+                .exit_code,
+            0);
+  const std::string svg = read("f/frame_000001.svg");
+  // A disc and a dot of each point, in four groups.
+  EXPECT_EQ(count(svg, "<circle "), 8U);
+  EXPECT_EQ(count(svg, "class=\"hidden-points\""), 1U);
+  EXPECT_EQ(count(svg, "class=\"hidden-discs\""), 1U);
+}
+
 // ---- what is refused ----
 
 TEST_F(Frames, of_a_run_that_fails_are_not_there) {

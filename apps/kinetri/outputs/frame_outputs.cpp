@@ -51,7 +51,11 @@ template <class Traits>
 Frame_2 frame_of_simulation(const Simulation_2<Traits>& simulation) {
   Frame_2 frame = frame_of(simulation.triangulation());
   const double radius = simulation.options().radius;
-  if (radius > 0) frame.discs.emplace(frame.ids.size(), Frame_2::Disc{radius});
+  if (radius == 0) return frame;
+  frame.discs.emplace();
+  for (const Point_id id : frame.ids) {
+    frame.discs->push_back({radius, simulation.triangulation().is_hidden(id)});
+  }
   return frame;
 }
 
