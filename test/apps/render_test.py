@@ -205,6 +205,25 @@ class Pictures(Rendering):
             self.assertAlmostEqual(radius, right, delta=0.01)
         self.assertAlmostEqual(picture.circles("hidden-discs")[0][2] / scale, 1, delta=0.01)
 
+    def test_points_that_coincide(self):
+        # Points 1 and 3, discs of one size with --regular.
+        points = "x,y,vx,vy,radius\n2,2,0,0,1\n8,2,0,1,2\n5,8,0,0,1\n8,2,0,1,2\n1,9,0,0,1\n"
+        self.write("p.csv", points)
+        for discs in ((), ("--regular",)):
+            self.run_("simulate", "p.csv", "--until", 1, "--html", "run.html", "--quiet", *discs)
+            picture = self.picture("--at", 0.5, "--view", "show=ids&legend=on&color=degree")
+            circles = picture.circles("points")
+            self.assertEqual(len(circles), 4)
+            (ring,) = picture.circles("coincident")
+            self.assertEqual(ring[:2], circles[1][:2])
+            self.assertGreater(ring[2], circles[1][2])
+            self.assertEqual(picture.circles("hidden-points") + picture.circles("hidden-discs"), [])
+            self.assertEqual(len(picture.circles("discs")), 4 if discs else 0)
+            texts = picture.texts()
+            self.assertIn("1 +1", texts)
+            self.assertNotIn("3", texts)
+            self.assertIn("points that coincide for a while", texts)
+
     def test_links_and_components(self):
         self.uniform("--range", 6, "--html-view", "hide=ids")
         self.run_("simulate", "p.csv", "--until", 3, "--range", 6, "--encounters", "n.csv", "--quiet")
