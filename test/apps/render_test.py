@@ -211,7 +211,7 @@ class Pictures(Rendering):
         self.write("p.csv", points)
         for discs in ((), ("--regular",)):
             self.run_("simulate", "p.csv", "--until", 1, "--html", "run.html", "--quiet", *discs)
-            picture = self.picture("--at", 0.5, "--view", "show=ids&legend=on&color=degree")
+            picture = self.picture("--at", 0.5, "--view", "show=ids&legend=on")
             circles = picture.circles("points")
             self.assertEqual(len(circles), 4)
             (ring,) = picture.circles("coincident")
