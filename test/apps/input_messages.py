@@ -78,6 +78,7 @@ def number_cases():
     yield case("experiment --single 101", option="--single", text="101", highest=100)
     for option, word, choices in (("--audit", "all", "none, end or events"),
                                   ("--progress", "loud", "auto, always or never"),
+                                  ("--coincident", "keep", "hide or refuse"),
                                   ("--collisions", "bump", "none, log, swap, elastic, stop or remove")):
         yield simulate(f"{option} {word}", option=option, text=word, choices=choices)
     yield case("tracks t.csv --format xml", option="--format", text="xml", choices=FORMATS)
