@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -39,11 +38,6 @@ auto key(const Piece& piece) {
 
 class Search {
  public:
-  Search(std::span<const Stay> stays, std::size_t tracks) : stays_(stays) {
-    result_.companion.resize(tracks);
-    std::iota(result_.companion.begin(), result_.companion.end(), std::size_t{0});
-  }
-
   // Adds pieces of one velocity.
   void add(std::span<const Piece> pieces) {
     if (pieces.size() < 2) return;
@@ -53,9 +47,6 @@ class Search {
   }
 
   Shared_paths result() {
-    for (std::size_t track = 0; track < result_.companion.size(); ++track) {
-      result_.companion[track] = least(track);
-    }
     for (const auto& [pair, time] : pairs_) result_.first.push_back({pair, time});
     std::ranges::sort(result_.first, {},
                       [](const Shared_path& path) { return std::pair(path.time, path.stays); });
@@ -70,8 +61,7 @@ class Search {
   void add_line(std::vector<Piece>& pieces) {
     std::ranges::sort(pieces, {},
                       [](const Piece& piece) { return std::tuple(piece.begin, piece.stay); });
-    // The present pieces: as many as a message names, and the one that stays longest, which
-    // suffices to join later ones.
+    // The present pieces: as many as a message names.
     std::vector<const Piece*> present;
     for (const Piece& piece : pieces) {
       std::erase_if(present, [&](const Piece* other) { return !(other->end > piece.begin); });
@@ -80,9 +70,6 @@ class Search {
       }
       if (present.size() > most_pairs) {
         result_.are_all = false;
-        const auto last =
-            std::ranges::max_element(present, {}, [](const Piece* other) { return other->end; });
-        if (piece.end > (*last)->end) *last = &piece;
       } else {
         present.push_back(&piece);
       }
@@ -90,26 +77,11 @@ class Search {
   }
 
   void add_pair(const Piece& a, const Piece& b) {
-    join(stays_[a.stay].track, stays_[b.stay].track);
     const std::array<std::size_t, 2> pair = {std::min(a.stay, b.stay), std::max(a.stay, b.stay)};
     const auto [known, is_new] = pairs_.emplace(pair, b.begin);
     if (!is_new) known->second = std::min(known->second, b.begin);
   }
 
-  std::size_t least(std::size_t track) {
-    while (result_.companion[track] != track) {
-      result_.companion[track] = result_.companion[result_.companion[track]];
-      track = result_.companion[track];
-    }
-    return track;
-  }
-
-  void join(std::size_t a, std::size_t b) {
-    const auto [less, greater] = std::minmax({least(a), least(b)});
-    result_.companion[greater] = less;
-  }
-
-  std::span<const Stay> stays_;
   Shared_paths result_;
   std::map<std::array<std::size_t, 2>, double> pairs_;
 };
@@ -131,7 +103,7 @@ Shared_paths shared_paths(std::span<const std::vector<Observation_2>> tracks,
     }
   }
   std::ranges::sort(pieces, {}, key);
-  Search search(stays, tracks.size());
+  Search search;
   for (std::size_t begin = 0; begin < pieces.size();) {
     std::size_t end = begin + 1;
     while (end < pieces.size() && key(pieces[end]) == key(pieces[begin])) ++end;

@@ -21,13 +21,12 @@ struct Shared_path {
 
 /// The stays that share a path, decided exactly.
 struct Shared_paths {
-  std::vector<Shared_path> first;      ///< the first of each pair, by time; at most ten
-  bool are_all = true;                 ///< whether there are no more pairs
-  std::vector<std::size_t> companion;  ///< of each track, the least track of its group
+  std::vector<Shared_path> first;  ///< the first of each pair, by time; at most ten
+  bool are_all = true;             ///< whether there are no more pairs
 };
 
-/// The `stays` of `tracks` (see stays_of) that share a path between `from` and `until`. Groups are
-/// of tracks with equal radii; `radii` is by track, or empty. Cost: O(n log n) for n observations,
+/// The `stays` of `tracks` (see stays_of) that share a path between `from` and `until`, and have
+/// equal radii; `radii` is by track, or empty. Cost: O(n log n) for n observations,
 /// and exact arithmetic for pairs of equal velocities.
 Shared_paths shared_paths(std::span<const std::vector<Observation_2>> tracks,
                           std::span<const Stay> stays, std::span<const double> radii, double from,
