@@ -55,6 +55,7 @@ TEST_F(Resume, a_run_in_two_parts_is_the_run_in_one) {
         run({"generate", "lattice-jitter", "--points", "49", "--speed", "5", "--seed", "2"}).out);
   write("free.csv", run({"generate", "uniform", "--points", "60", "--seed", "3"}).out);
   write("grid.csv", run({"generate", "lattice", "--points", "25", "--seed", "4"}).out);
+  write("twice.csv", read("free.csv") + rows("free.csv"));  // each hides another, until they turn
   write("falling.csv", falling_balls);
   write("sizes.csv", discs_of_many_sizes());
   const std::vector<Arguments> runs = {
@@ -66,6 +67,8 @@ TEST_F(Resume, a_run_in_two_parts_is_the_run_in_one) {
        "area", "--growth", "0.0625"},
       {"simulate", "sizes.csv", "--regular", "--growth", "1.5"},
       {"simulate", "free.csv"},
+      {"simulate", "twice.csv", "--box", "-1,-1,101,101", "--collisions", "elastic", "--radius",
+       "0.5"},
       {"simulate", "grid.csv", "--from", "-2"}};
   for (const Arguments& command : runs) {
     done(command + Arguments{"--until", "6", "--events", "whole.csv", "--edges", "edges.csv"});

@@ -82,6 +82,28 @@ TEST_F(Simulate, summary_goes_to_standard_error_unless_quiet) {
   EXPECT_EQ(simulate(one_flip, {"--until", "3", "--quiet"}).err, "");
 }
 
+TEST_F(Simulate, points_that_coincide_are_hidden_or_refused) {
+  const std::string twice = std::string(one_flip) + "4,0,0,0\n3,3,1,1\n";
+  const Outcome done =
+      simulate(twice, {"--until", "3", "--events", "e.csv", "--edges", "-", "--audit", "events"});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(done.out, simulate(one_flip, {"--until", "3", "--edges", "-"}).out);
+  EXPECT_NE(done.err.find("coincident   2 points at the start, the first is 4, with 1\n"),
+            std::string::npos)
+      << done.err;
+  // At the corner of the box the points 3 and 5 turn one after the other.
+  const Outcome turned = simulate(
+      twice, {"--until", "3", "--box", "0,0,5,5", "--events", "-", "--quiet", "--audit", "events"});
+  EXPECT_EQ(turned.exit_code, 0) << turned.err;
+  EXPECT_NE(turned.out.find(",reveal,2,2,2,,,,,5,3,"), std::string::npos) << turned.out;
+  EXPECT_NE(turned.out.find(",hide,2,2,2,,,,,5,3,"), std::string::npos) << turned.out;
+  const Outcome refused = simulate(twice, {"--until", "3", "--coincident", "refuse"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find(":6: the point has the same place and velocity as the one in line 3"),
+            std::string::npos)
+      << refused.err;
+}
+
 TEST_F(Simulate, every_event_at_or_before_the_end_happens) {
   const auto events = [&](const char* until) {
     return lines(simulate(one_flip, {"--until", until, "--events", "-", "--quiet"}).out) - 1;

@@ -235,6 +235,13 @@ TEST(Viewer_page_reader, reads_points_that_coincide_for_a_while) {
   const std::vector<double> radii = {1, 2, 2, 1, 3, 1, 1, 2, 1, 9, 1, 1, 1, 2};
   const auto discs = [&] { return simulate_tracks(walks, radii, stays, 0); };
   EXPECT_GT(expect_same(discs, 11, 100'000, {}).recording.coincidences.size(), 10u);
+  // Two by two, until walls and contacts turn one after the other.
+  std::vector<Linear_motion_2> pairs = test::random_motions(20, 40, 5, 9);
+  for (std::size_t i = 0; i < 20; ++i) pairs.push_back(pairs[i]);
+  for (const auto& response : {collide_elastically, erase_both}) {
+    const auto turning = maker(pairs, test::discs({0, 0, 40, 40}, 0.5, response));
+    EXPECT_GT(expect_same(turning, 5, 100'000, {}).recording.coincidences.size(), 20u);
+  }
   // Two at one place, without an edge.
   const Linear_motion_2 one = {{1, 2}, {3, 4}};
   expect_same(maker(std::vector<Linear_motion_2>{one, one}, Simulation_options()), 2, 100, {});
