@@ -313,10 +313,13 @@ function readCoincidences(recording, json, ids) {
   demand(row.length === count && point.length === count && shown.length === count,
          `it has ${count} coincidences, but ${row.length} events, ${point.length} points and ` +
          `${shown.length} shown points of them`);
+  demand(Number.isInteger(starting) && starting >= 0 && starting <= count,
+         'it does not say which coincidences are those of the start');
   const before = new Uint32Array(count), now = new Map();
   row.fill(-1, 0, starting);
   for (let i = 0; i < count; ++i) {
-    demand(row[i] < rows && (i === 0 || row[i - 1] <= row[i]), `coincidence ${i} is at a wrong event`);
+    demand(row[i] < rows && row[i] >= (i < starting ? -1 : 0) && (i === 0 || row[i - 1] <= row[i]),
+           `coincidence ${i} is at a wrong event`);
     demand(point[i] < points && shown[i] < points, `coincidence ${i} is of a point that is not there`);
     before[i] = now.get(point[i]) ?? point[i];
     now.set(point[i], shown[i]);

@@ -131,6 +131,15 @@ class Damaged(Page):
             self.damage("have no colors", events={**events, "colors": colors})
         self.damage("places of them", motions={**motions, "data": cut(motions["data"], 40)})
 
+    def test_wrong_coincidences(self):
+        right = {"count": 1, "starting": 1, "event": "AAAAAA==", "point": "AQA=", "shown": "AAA="}
+        damage = lambda expected, **members: self.damage(expected, coincidences={**right, **members})
+        damage("1 coincidences, but 0 events", event="")
+        damage("coincidences are those of the start", starting=2)
+        damage("coincidence 0 is at a wrong event", starting=0, event="//8AAA==")
+        damage("coincidence 0 is at a wrong event", starting=0, event="/////w==")
+        damage("coincidence 0 is of a point that is not there", point="//8=")
+
     def test_wrong_edges(self):
         self.damage("the ids end with 3", points=4)
         there = self.recording["triangles"]["initial"]
