@@ -205,8 +205,8 @@ void Experiments::write() const {
 }
 
 void Experiments::write_runs(std::ostream& out) const {
-  // The kinds that can occur: no point is inserted or erased, and equal discs are hidden only if they
-  // coincide, which random ones do not.
+  // The kinds that can occur: no point is inserted or erased, and equal discs are hidden only if
+  // they coincide, which random ones do not.
   std::vector<Event_kind> kinds = {Event_kind::rebuild,     Event_kind::hull_insert,
                                    Event_kind::hull_remove, Event_kind::flip,
                                    Event_kind::wall,        Event_kind::collision};
