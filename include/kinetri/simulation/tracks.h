@@ -59,7 +59,8 @@ Linear_motion_2 motion_after(const std::vector<Observation_2>& track, std::size_
 /// result of stays_of for these tracks, with options.from = start; the velocities are finite.
 ///
 /// Throws the exceptions of the constructor of Simulation_2. Advancing the simulation throws
-/// Coincident_trajectories_error if two things have the same trajectory between observations.
+/// Coincident_trajectories_error if two things have the same trajectory between observations and
+/// such points are refused.
 std::unique_ptr<Simulation_2<>> simulate_tracks(std::span<const std::vector<Observation_2>> tracks,
                                                 std::span<const Stay> stays, double start,
                                                 const Simulation_options& options = {},
