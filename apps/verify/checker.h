@@ -17,6 +17,9 @@ class Checker : Certified_triangulation {
   std::size_t check(const std::vector<Edge>& initial_edges, const std::vector<Edge>* final_edges) {
     try {
       for (const Edge& e : initial_edges) add_edge(e);
+      find_witness();
+      for (const Id v : moved_) set_hidden(v);  // without a row
+      if (is_on_line_ && !hidden_.empty()) check_radii();
       while (++row_ < std::ssize(rows_) && !refuted_) {
         enter(rows_[static_cast<std::size_t>(row_)]);
         if (row_ % 100'000 == 99'999) std::cerr << row_ + 1 << " of " << rows_.size() << " rows\n";
@@ -75,18 +78,34 @@ class Checker : Certified_triangulation {
       has_change_ = true;
       return change(row);
     }
+    end_passes();
     if (!row.changes.empty()) refute("it has a motion, but a " + row.kind + " changes none");
     if (is_flip(row)) return flip(row);
     (row.kind == "rebuild" ? has_rebuild_ : has_hidden_) = true;
     for (const Edge& e : row.removed) remove_edge(e);
     for (const Edge& e : row.added) add_edge(e);
-    for (const Id v : row.points) {
-      if (!is_present(v) || (hidden_.contains(v) != told_.contains(v)) == (row.kind == "hide")) {
-        refute("point " + std::to_string(v) + " is so already, or is not there");
-      }
-      if (told_.erase(v) == 0) told_.insert(v);
-      touched_.insert(v);
+    for (const Id v : row.points) hide_or_reveal(row, v);
+  }
+
+  // What the row says must be so just after it, with the changes of motions up to it.
+  void hide_or_reveal(const Row& row, Id v) {
+    const std::string which = "point " + std::to_string(v);
+    if (!is_present(v) || (was_hidden(v) != told_.contains(v)) == (row.kind == "hide")) {
+      refute(which + " is so already, or is not there");
     }
+    if (row.by == v) refute(which + " does not hide itself");
+    const Id by = row.by.value_or(v);
+    if (row.kind == "hide" ? shown(v) != by : is_twin(v)) {
+      refute(which + " is hidden by " + hider(v, shown(v)));
+    }
+    if (row.kind == "reveal" && !may_have_been_hidden_by(v, by)) {
+      refute(which + " was not hidden by " + hider(v, by));
+    }
+    if (told_.erase(v) == 0) told_.insert(v);
+    touched_.insert(v);
+  }
+  static std::string hider(Id v, Id other) {
+    return other == v ? "a triangle" : "point " + std::to_string(other);
   }
 
   // Whether the row is the first one of its instant. Without the column `instant`, a row belongs to
@@ -104,7 +123,8 @@ class Checker : Certified_triangulation {
     check_rebuild();
     Time time = exactly(row.lo);
     const bool is_now = compare(time, now_) == 0;
-    if (!is_binary64(row) || !is_now) pass_before(time);
+    // An exact time that is no binary64 number is inside its interval.
+    if (!is_binary64(row) || !is_now) pass_before(time, !is_binary64(row));
     if (!is_binary64(row)) time = time_of_instant(row);
     if (has_rows_ && compare(time, now_) == 0) refute("it is of the time of the row before");
     open(time);
@@ -112,6 +132,7 @@ class Checker : Certified_triangulation {
     has_rebuild_ = false;
     has_hidden_ = false;
     has_change_ = false;
+    regrouping_ = {};
   }
 
   // The time of the instant that begins with this row: the first failure of a certificate that its
@@ -343,7 +364,7 @@ class Checker : Certified_triangulation {
   // Rows of a rebuild are valid only if flips alone do not lead to the triangulation just after: if
   // more than one certificate is zero, or all points are on a line. A single flip is not a rebuild.
   void check_rebuild() {
-    if (!has_rows_ || is_on_line_ || present_ - hidden_.size() < 4) return;
+    if (!has_rows_ || is_on_line_ || groups_.size() - hidden_.size() < 4) return;
     std::size_t removed = 0;
     std::size_t added = 0;
     std::set<Id> points;
@@ -398,6 +419,14 @@ class Checker : Certified_triangulation {
   // ---- walls, collisions, and changes of motions ----
 
   void change(const Row& row) {
+    // Points that change at once are in order. Several contacts are never one change.
+    const bool may_be_more_of_a_change = row_ > first_row_ && !is_contact(row) &&
+                                         (&row)[-1].kind == row.kind &&
+                                         (&row)[-1].points.front() < row.points.front();
+    if (!may_be_more_of_a_change) {
+      end_passes();
+      regrouping_ = {};
+    }
     for (const Id v : row.points) {
       if (is_present(v) == (row.kind == "insert")) {
         refute("point " + std::to_string(v) + (is_present(v) ? " is there" : " is not there"));
@@ -428,13 +457,13 @@ class Checker : Certified_triangulation {
       if (!is_contact(row) && row.kind != "insert" && hits_wall(change.id)) {
         refute("it has no row of a wall that point " + std::to_string(change.id) + " hits first");
       }
-      if (row.kind == "trajectory") {  // the position may jump
+      if (row.kind != "insert") {  // the position may jump; in a contact, as it is rounded
         touched_.insert(change.id);
         touched_.insert(neighbors_[change.id].begin(), neighbors_[change.id].end());
       }
       end_passes(change.id);
       set_motion(change);
-      end_passes(change.id);
+      changing_.insert(change.id);
       if (is_contact(row) && change.motion && !certifier_.goes_on(*old, course(change.id), row)) {
         refute("the motion of point " + std::to_string(change.id) + " does not go on");
       }

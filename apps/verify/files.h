@@ -61,6 +61,7 @@ struct Row {
   Dyadic lo, hi;
   std::vector<Edge> removed, added;  // at most one edge each
   std::vector<Id> points;
+  std::optional<Id> by;         // the point that hides the other one
   std::vector<Change> changes;  // of motions
 };
 
@@ -285,6 +286,10 @@ inline void read_events(const std::string& path, std::vector<Row>& rows) {
     table.append_edge("added_a", "added_b", row.added);
     for (const char* name : {"point_a", "point_b"}) {
       if (!table.field(name).empty()) row.points.push_back(static_cast<Id>(table.index(name)));
+    }
+    if ((row.kind == "hide" || row.kind == "reveal") && row.points.size() == 2) {
+      row.by = row.points.back();
+      row.points.pop_back();
     }
     const auto refute = [&](const std::string& message) {
       throw Refuted{std::ssize(rows) - 1, message};

@@ -21,6 +21,15 @@ struct Course {
   Polynomial radius;
 };
 
+// An order of trajectories and weights, as polynomials: neither of two is before the other if and
+// only if the points coincide at all times (Lemma 8).
+struct Is_before {
+  bool operator()(const Course* a, const Course* b) const {
+    if (a->place != b->place) return a->place < b->place;
+    return a->radius != b->radius && a->radius * a->radius < b->radius * b->radius;
+  }
+};
+
 // Multiplies lengths by one integer, so that positions and radii are polynomials with integer
 // coefficients: 2^(bits + degree * time_bits), times 6 for the thirds and halves of motions.
 class Scale {

@@ -21,6 +21,7 @@ class Certified_triangulation {
     for (const Row& row : rows) std::ranges::for_each(row.changes, note_id);
     courses_.resize(size);
     neighbors_.resize(size);
+    groups_of_.resize(size, groups_.end());
     begins_.resize(size);
     workers_.resize(options.threads - 1);
     push_instant(exactly(options.from));
@@ -169,13 +170,8 @@ class Certified_triangulation {
     }
     hull_.clear();
     touched_.clear();
-    const auto has_other_radius = [&](const Course* c) {
-      return c != nullptr && c->radius != witness_.front()->radius;
-    };
-    if (!hidden_.empty() && std::ranges::any_of(courses_, has_other_radius)) {
-      throw Bad_input("hidden points among points on one line are not supported");
-    }
-    if (present_ > 0 && edges_ + 1 != present_)
+    if (!hidden_.empty()) check_radii();
+    if (!groups_.empty() && edges_ + 1 != groups_.size())
       refute("the points on a line have no path of edges");
     for (Id v = 0; v < courses_.size(); ++v) {
       const std::set<Id>& n = neighbors_[v];
@@ -189,6 +185,16 @@ class Certified_triangulation {
       left_[key(v, infinite)] = *n.begin();
       left_[key(infinite, v)] = *n.rbegin();
       changed_.insert({v, infinite});
+    }
+  }
+
+  // Not supported are points on one line some of which are hidden by others of other radii.
+  void check_radii() const {
+    const auto has_other_radius = [&](const Course* c) {
+      return c != nullptr && c->radius != witness_.front()->radius;
+    };
+    if (std::ranges::any_of(courses_, has_other_radius)) {
+      throw Bad_input("hidden points among points on one line are not supported");
     }
   }
 
@@ -275,10 +281,13 @@ class Certified_triangulation {
     }
   }
 
-  // Processes the earlier times at which triangles may change without a row (Lemma 5).
-  void pass_before(Time time) {
+  // Processes the earlier times, and this one if it is included, at which triangles may change
+  // without a row (Lemma 5).
+  void pass_before(Time time, bool is_included = false) {
     close();
-    while (!specials_.empty() && compare(specials_.front().time, time) < 0) {
+    while (!specials_.empty()) {
+      const int order = compare(specials_.front().time, time);
+      if (is_included ? order > 0 : order >= 0) break;
       push_special();
       close();
     }
@@ -307,10 +316,13 @@ class Certified_triangulation {
     if (instant_->rows_end != row_) {
       instant_ = std::make_shared<const Instant>(Instant{now_, instant_->first_row, row_});
     }
+    end_passes();
     const long row = std::exchange(blamed_, instant_->blamed());
     if (is_witness_lost_) find_witness();
     note_hidden();
     is_on_line_ ? make_path() : remake();
+    touched_.clear();
+    check_contacts_of_twins();
     for (const Id v : moved_) {
       const bool is_boxed = is_present(v) && !options_.box.empty();
       renew(box_life, key(v, v),
@@ -346,25 +358,133 @@ class Certified_triangulation {
     if (count != 1) refute("the hull goes around " + std::to_string(count) + " times");
   }
 
-  // A present point without edges is hidden, and each such change must have a row (Lemma 6).
+  // ---- hidden points ----
+
+  // The point of least id with the trajectory and weight of the point.
+  Id shown(Id v) const { return *groups_of_[v]->second.begin(); }
+  // Whether the point is hidden by another one (Lemma 8).
+  bool is_twin(Id v) const { return is_present(v) && shown(v) != v; }
+  // Whether the point is hidden in a triangle, if the edges are right (Lemma 6).
+  bool is_in_triangle(Id v) const {
+    return is_present(v) && !is_twin(v) && neighbors_[v].empty() && groups_.size() > 1;
+  }
+  // Whether it was when its row was due the last time, or before the first row.
+  bool was_hidden(Id v) const { return hidden_.contains(v) || twins_.contains(v); }
+
+  void set_hidden(Id v) {
+    if (is_twin(v)) {
+      twins_.insert(v);
+    } else {
+      twins_.erase(v);
+    }
+    if (is_in_triangle(v)) {
+      hidden_.try_emplace(v, Triangle{absent, absent, absent});
+    } else if (hidden_.erase(v) > 0) {
+      renew(hidden_life, key(v, v), std::nullopt);
+    }
+  }
+
+  // Each point that is hidden or revealed must have a row, and no other point.
   void note_hidden() {
+    if (is_on_line_ && edges_ == 0 && groups_.size() > 1) check_radii();
     std::set<Id> looked_at = touched_;
-    for (const auto& more : {moved_, told_}) looked_at.insert(more.begin(), more.end());
+    for (const auto& more : {moved_, regrouped_, told_}) {
+      looked_at.insert(more.begin(), more.end());
+    }
+    regrouped_.clear();
     for (const Id v : looked_at) {
       const std::string which = "point " + std::to_string(v);
-      if (!is_present(v) && !neighbors_[v].empty()) refute(which + " still has edges");
-      const bool is_hidden = is_present(v) && neighbors_[v].empty() && present_ > 1;
+      if (!neighbors_[v].empty()) {
+        if (!is_present(v)) refute(which + " still has edges");
+        if (is_twin(v))
+          refute(which + " has edges, but point " + std::to_string(shown(v)) + " hides it");
+      }
+      const bool is_hidden = is_twin(v) || is_in_triangle(v);
       const bool is_told = told_.erase(v) > 0;
-      const bool has_changed = is_hidden != hidden_.contains(v);
-      if (has_changed != is_told && !moved_.contains(v)) {
+      if (is_present(v) && (is_hidden != was_hidden(v)) != is_told) {
         refute(which + (is_told ? " is neither hidden nor revealed" : " is hidden or revealed"));
       }
-      if (is_hidden) {
-        hidden_.try_emplace(v, Triangle{absent, absent, absent});
-      } else if (hidden_.erase(v) > 0) {
-        renew(hidden_life, key(v, v), std::nullopt);
-      }
+      set_hidden(v);
     }
+  }
+
+  // ---- points that coincide (Lemma 8) ----
+
+  // Changes in adjacent rows, which may have been made at once, or some before others, as long as
+  // no row would be missing in between. The states before each of these are remembered.
+  struct Regrouping {
+    template <class Value>
+    struct Past {
+      std::vector<Value> values;
+      std::size_t last = 0;  // the number of the change that has given it its present value
+    };
+    std::map<const Course*, Past<Id>, Is_before> shown;
+    std::map<Id, Past<const Course*>> courses;
+    std::size_t changes = 0;
+    std::size_t complete = 0;  // the last but one, or an earlier one, after which no row is missing
+    std::set<Id> lacking_rows;  // points that must have one
+  };
+
+  // The value that is replaced may have been one before some changes that were made at once.
+  template <class Value>
+  void remember(Regrouping::Past<Value>& past, Value value) {
+    if (regrouping_.complete >= past.last) past.values.push_back(value);
+    past.last = regrouping_.changes;
+  }
+
+  void begin_regrouping() {
+    if (regrouping_.lacking_rows.empty() || !has_one_radius_) {
+      regrouping_.complete = regrouping_.changes;
+    }
+    ++regrouping_.changes;
+  }
+
+  void note_regrouped(Id v) {
+    regrouped_.insert(v);
+    regrouping_.lacking_rows.erase(v);
+    if (is_present(v) && is_twin(v) != (was_hidden(v) != told_.contains(v))) {
+      regrouping_.lacking_rows.insert(v);
+    }
+  }
+
+  void leave_group(Id v) {
+    const auto group = groups_of_[v];
+    auto& [course, points] = *group;
+    remember(regrouping_.shown[course], shown(v));
+    remember(regrouping_.courses[v], course);
+    points.erase(v);
+    if (points.empty()) {
+      groups_.erase(group);
+    } else {
+      note_regrouped(*points.begin());
+    }
+  }
+
+  void join_group(Id v) {
+    const auto group = groups_.try_emplace(courses_[v]).first;
+    groups_of_[v] = group;
+    auto& points = group->second;
+    if (!points.empty()) remember(regrouping_.shown[group->first], *points.begin());
+    points.insert(v);
+    if (*points.begin() == v && points.size() > 1) note_regrouped(*std::next(points.begin()));
+  }
+
+  // Whether a point may have been hidden by another one when the changes of the present rows were
+  // made; or by none, if that is the point itself.
+  bool may_have_been_hidden_by(Id v, Id other) const {
+    const auto possible = [&](const auto& pasts, const auto& key, const auto& now) {
+      const auto found = pasts.find(key);
+      auto values = found == pasts.end() ? std::vector{now} : found->second.values;
+      if (found != pasts.end() && regrouping_.complete >= found->second.last) values.push_back(now);
+      return values;
+    };
+    const auto courses = possible(regrouping_.courses, v, courses_[v]);
+    return std::ranges::any_of(courses, [&](const Course* course) {
+      const auto group = groups_.find(course);
+      const Id now = group == groups_.end() ? absent : *group->second.begin();
+      const auto points = possible(regrouping_.shown, course, now);
+      return std::ranges::find(points, other) != points.end();
+    });
   }
 
   // Finds the triangle of each hidden point.
@@ -455,13 +575,42 @@ class Certified_triangulation {
            " is missing");
   }
 
+  // Checks the contacts of discs that coincide with others: with these, when they get one motion
+  // and grow; and, if one of them is in contact with another disc, those of all the others with it.
+  void check_contacts_of_twins() {
+    if (twins_.empty() || !options_.has_contacts) return;
+    for (const Id v : moved_) {
+      if (!is_present(v) || derivative(course(v).radius).empty()) continue;
+      for (const Id other : groups_of_[v]->second) {
+        if (other != v) check_contact_before(edge(v, other));
+      }
+    }
+    std::set<Edge> done;  // points that are the least of their groups
+    for (const std::vector<Id>& points : contacts_) {
+      if (points.size() < 2) continue;
+      const Edge pair = {points.front(), points.back()};
+      const Edge least = {shown(pair.first), shown(pair.second)};
+      if (least.first == least.second || !passing_.contains(pair) || !done.insert(least).second) {
+        continue;
+      }
+      for (const Id a : groups_of_[pair.first]->second) {
+        for (const Id b : groups_of_[pair.second]->second) check_contact_before(edge(a, b));
+      }
+    }
+  }
+
   // Discs that have passed through each other may make contact again after they have separated.
+  // Those whose motions change together are looked at before and after that.
   void end_passes(Id v) {
     std::erase_if(passing_, [&](const auto& entry) {
       const auto [a, b] = entry.first;
-      if (a != v && b != v) return false;
+      if ((a != v && b != v) || changing_.contains(a == v ? b : a)) return false;
       return !is_present(a) || !is_present(b) || sign_at(gap(course(a), course(b)), now_) > 0;
     });
+  }
+
+  void end_passes() {
+    for (const Id v : std::exchange(changing_, {})) end_passes(v);
   }
 
   // ---- motions ----
@@ -477,9 +626,14 @@ class Certified_triangulation {
     }
     if (hull_.contains(v)) changed_.insert({v, infinite});
     begins_[v] = now_;
-    if (old != nullptr) --present_;
-    if (change.motion) ++present_;
+    begin_regrouping();
+    if (old != nullptr) leave_group(v);
     courses_[v] = change.motion ? &motions_.emplace_back(scale_.course(*change.motion)) : nullptr;
+    if (change.motion) {
+      join_group(v);
+      if (courses_[v]->radius != motions_.front().radius) has_one_radius_ = false;
+    }
+    note_regrouped(v);
     if (is_on_line_ || std::ranges::find(witness_, old) != witness_.end()) is_witness_lost_ = true;
     moved_.insert(v);
   }
@@ -563,8 +717,10 @@ class Certified_triangulation {
   const Scale scale_;
   const Certifier certifier_;
   std::deque<Course> motions_;
-  std::vector<const Course*> courses_;  // of the points that are present
-  std::size_t present_ = 0;
+  std::vector<const Course*> courses_;                       // of the points that are present
+  std::map<const Course*, std::set<Id>, Is_before> groups_;  // of points that coincide
+  std::vector<decltype(groups_)::iterator> groups_of_;       // by id, of the points present
+  bool has_one_radius_ = true;                               // all discs so far
   std::vector<const Course*> witness_;
   bool is_witness_lost_ = true;
   bool is_on_line_ = true;  // all points, at all times
@@ -573,13 +729,17 @@ class Certified_triangulation {
   std::size_t edges_ = 0;
   std::unordered_map<std::uint64_t, Id> left_;  // apexes
   std::set<Id> hull_;
-  std::map<Id, Triangle> hidden_;
-  std::vector<Time> begins_;      // of motions
-  std::map<Edge, Time> passing_;  // the last collision of discs that did not change them
+  std::map<Id, Triangle> hidden_;  // in triangles
+  std::set<Id> twins_;             // hidden by other points
+  std::vector<Time> begins_;       // of motions
+  std::map<Edge, Time> passing_;   // the last collision of discs that did not change them
 
   // In this instant:
   std::set<Id> touched_;  // points whose triangles must be made anew
   std::set<Id> moved_;
+  std::set<Id> changing_;   // points whose motions the last rows have changed
+  std::set<Id> regrouped_;  // points that are the least of a group now, or were
+  Regrouping regrouping_;
   std::set<Edge> changed_;  // edges whose ends or apexes changed
   std::set<Id> told_;       // points that are hidden or revealed
   std::set<std::vector<Id>> contacts_;
