@@ -102,6 +102,7 @@ class Checker : Certified_triangulation {
       refute(which + " was not hidden by " + hider(v, by));
     }
     if (told_.erase(v) == 0) told_.insert(v);
+    regrouping_.lacking_rows.erase(v);
     touched_.insert(v);
   }
   static std::string hider(Id v, Id other) {
@@ -425,8 +426,9 @@ class Checker : Certified_triangulation {
                                          (&row)[-1].points.front() < row.points.front();
     if (!may_be_more_of_a_change) {
       end_passes();
-      regrouping_ = {};
+      begin_regrouping();
     }
+    continue_regrouping();
     for (const Id v : row.points) {
       if (is_present(v) == (row.kind == "insert")) {
         refute("point " + std::to_string(v) + (is_present(v) ? " is there" : " is not there"));

@@ -432,11 +432,22 @@ class Certified_triangulation {
     past.last = regrouping_.changes;
   }
 
-  void begin_regrouping() {
+  // The next row changes motions, maybe together with the row before.
+  void continue_regrouping() {
     if (regrouping_.lacking_rows.empty() || !has_one_radius_) {
       regrouping_.complete = regrouping_.changes;
     }
     ++regrouping_.changes;
+  }
+
+  // The next row is not of the same change as the row before.
+  void begin_regrouping() {
+    for (const Id v : regrouping_.lacking_rows) {
+      if (!is_twin(v) && !has_one_radius_) continue;  // a triangle may hide it
+      blamed_ = row_ - 1;
+      refute("point " + std::to_string(v) + " is hidden or revealed");
+    }
+    regrouping_ = {};
   }
 
   void note_regrouped(Id v) {
@@ -626,7 +637,6 @@ class Certified_triangulation {
     }
     if (hull_.contains(v)) changed_.insert({v, infinite});
     begins_[v] = now_;
-    begin_regrouping();
     if (old != nullptr) leave_group(v);
     courses_[v] = change.motion ? &motions_.emplace_back(scale_.course(*change.motion)) : nullptr;
     if (change.motion) {

@@ -1,31 +1,39 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Verifies the logs of runs whose points often get the motion of another one: 400 of them, or as many times
-more as the environment variable KINETRI_TEST_MULTIPLIER says.
+more as the environment variable KINETRI_TEST_MULTIPLIER says. `lies` tells lies about the first ones.
 
-usage: coincident_test.py LOGS VERIFY FOLDER
+usage: coincident_test.py true|lies LOGS VERIFY FOLDER
 """
 import collections
 import os
 import pathlib
+import random
 import shutil
 import subprocess
 import sys
 
+import lies
+import verify_test
+
 BATCH = 400
 
 
-def main():
-    logs, verify, folder = sys.argv[1:]
+def written(logs, folder, first, number):
+    """The lines that the program prints."""
+    shutil.rmtree(folder, ignore_errors=True)
+    pathlib.Path(folder).mkdir(parents=True)
+    return subprocess.run([logs, folder, str(first), str(number)], capture_output=True, text=True,
+                          check=True).stdout.splitlines()
+
+
+def check_true(logs, verify, folder):
     counts = collections.Counter()
     batches = int(os.environ.get("KINETRI_TEST_MULTIPLIER", "1"))
     for batch in range(batches):
-        shutil.rmtree(folder, ignore_errors=True)
-        pathlib.Path(folder).mkdir(parents=True)
         first = batch * BATCH
-        written = subprocess.run([logs, folder, str(first), str(BATCH)], capture_output=True, text=True, check=True)
-        lines = written.stdout.splitlines()
-        assert len(lines) > 0.9 * BATCH, written.stdout
+        lines = written(logs, folder, first, BATCH)
+        assert len(lines) > 0.9 * BATCH, len(lines)
         for number, line in enumerate(lines):
             seed, *options = line.split()
             edges = ("--initial-edges", f"{seed}.initial.csv", "--edges", f"{seed}.edges.csv")
@@ -44,6 +52,28 @@ def main():
     for kind in ("hide", "reveal", "hide by a point", "reveal by a point", "wall", "collision"):
         assert counts[kind] > BATCH / 20, counts
     assert counts["not supported"] < batches * BATCH / 20, counts
+
+
+def check_lies(logs, verify, folder):
+    lines = written(logs, folder, 0, BATCH // 2 * int(os.environ.get("KINETRI_TEST_MULTIPLIER", "1")))
+    case = verify_test.Case("", verify, pathlib.Path(folder) / "lies")
+    counts = verify_test.new_counts()
+    for line in lines:
+        seed, _, until, *options = line.split()
+        files = [
+            [row.split(",") for row in pathlib.Path(folder, f"{seed}.{name}.csv").read_text("utf-8").splitlines()[1:]]
+            for name in ("events", "motions", "initial", "edges")
+        ]
+        run = verify_test.Run([None], *files, 0.0, float(until))
+        if case.verify(run, options, case.motions)[0] == 0:  # else it is not supported
+            verify_test.tell(case, lies.TWINS, counts, run, random.Random(seed), options, case.motions)
+    verify_test.report(counts)
+    assert len(counts) == len(lies.TWINS) and all(c["told"] >= 5 for c in counts.values()), counts
+
+
+def main():
+    what, *arguments = sys.argv[1:]
+    check_lies(*arguments) if what == "lies" else check_true(*arguments)
 
 
 if __name__ == "__main__":

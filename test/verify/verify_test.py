@@ -321,8 +321,22 @@ def tell(case, table, counts, run, generator, options=(), points=None):
             counts[name]["wrong"].append(f"{case.folder} expected {expected}: {text[:200]}")
 
 
+def new_counts():
+    """Of each kind of lie."""
+    return collections.defaultdict(lambda: {"told": 0, "refuted": 0, "right": 0, "wrong": []})
+
+
+def report(counts):
+    print(f"{'lie':40} {'told':>5} {'refuted':>8} {'right row':>10}")
+    for name, count in sorted(counts.items()):
+        print(f"{name:40} {count['told']:5} {count['refuted']:8} {count['right']:10}")
+    print(f"{len(counts)} kinds")
+    failed = {name: c["wrong"][:2] for name, c in counts.items() if c["right"] < c["told"]}
+    assert not failed, failed
+
+
 def check_lies(case, seeds):
-    counts = collections.defaultdict(lambda: {"told": 0, "refuted": 0, "right": 0, "wrong": []})
+    counts = new_counts()
     for kind in KINDS:
         for seed in range(seeds):
             generator = random.Random(f"{kind} {seed}")
@@ -347,12 +361,7 @@ def check_lies(case, seeds):
         tell(case, lies.NONE, counts, run, generator, ["--collisions", "none"])
         run = tracks(case, generator)
         tell(case, lies.TRACKS, counts, run, generator, points=case.motions)
-    print(f"{'lie':40} {'told':>5} {'refuted':>8} {'right row':>10}")
-    for name, count in sorted(counts.items()):
-        print(f"{name:40} {count['told']:5} {count['refuted']:8} {count['right']:10}")
-    print(f"{len(counts)} kinds")
-    failed = {name: c["wrong"][:2] for name, c in counts.items() if c["right"] < c["told"]}
-    assert not failed, failed
+    report(counts)
     assert len(counts) >= 40 and all(c["told"] >= 2 for c in counts.values()), counts
 
 
