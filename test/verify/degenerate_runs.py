@@ -113,7 +113,29 @@ def tracks(generator):
     return "\n".join(rows) + "\n", f"tracks FILE {more}"
 
 
-KINDS = (plain, accelerated, in_box, regular, discs, sizes, growing, wave, tracks)
+def copies(generator):
+    """Points of another kind, some of them twice or more, so that they coincide from the start."""
+    text, command = generator.choice((plain, accelerated, in_box, regular, discs, sizes, growing))(generator)
+    header, *rows = text.splitlines()
+    rows += [generator.choice(rows) for _ in range(generator.randint(1, 5))]
+    generator.shuffle(rows)
+    return "\n".join([header, *rows]) + "\n", command
+
+
+def crowds(generator):
+    """Things on the tracks of a tiny grid: many of them go the same way for a while."""
+    rows = ["t,id,x,y"]
+    size = generator.randint(1, 2)
+    for thing in range(generator.randint(4, 12)):
+        first = generator.choice((0, 0, 1, 2))
+        for step in range(generator.randint(2, 7)):
+            x, y = generator.randint(0, size), generator.randint(0, size)
+            rows.append(f"{first + step},{thing},{x},{y}")
+    more = generator.choice(("", "", "--collisions log --radius 0.125"))
+    return "\n".join(rows) + "\n", f"tracks FILE {more}"
+
+
+KINDS = (plain, accelerated, in_box, regular, discs, sizes, growing, wave, tracks, copies, crowds)
 
 
 def main():

@@ -6,8 +6,8 @@ any three points are on a line or any four on a circle, with Sturm sequences. Be
 times nothing can change, so it looks at one rational time there, in fractions: whether the edges
 that the log implies do not cross, are as many as a triangulation has, and each have a circle
 through their ends without points inside. Where four points are on one circle at all times, it is
-the determinant with x y, and then that with x^2, in place of x^2 + y^2 that decides. The cost is that of all sets of four points, at each
-critical time.
+the determinant with x y, and then that with x^2, in place of x^2 + y^2 that decides. Of points with one motion the first one has the
+edges, and the others have none. The cost is that of all sets of four points, at each critical time.
 """
 import itertools
 from fractions import Fraction
@@ -193,9 +193,8 @@ def is_delaunay(places, edges):
 # ---- the log ----
 
 
-def critical_times(points, start, until):
+def critical_times(points, ids, start, until):
     """Lists of roots that are one time, each with its set of points, in order."""
-    ids = range(len(points))
     polynomials = {}
     for a, b in itertools.combinations(ids, 2):
         polynomials[a, b] = common_divisor(*(add(points[a][i], points[b][i], -1) for i in (0, 1)))
@@ -248,7 +247,8 @@ def check(motions, rows, initial, final, start, until):
     number of rows is the end. Rows have kind, low, high, the edge removed and the edge added."""
     start, until = Fraction(start), Fraction(until)
     points = [tuple(trim([Fraction(m[i]), Fraction(m[i + 2])]) for i in (0, 1)) for m in motions]
-    critical = critical_times(points, start, until + 1)
+    shown = [i for i, point in enumerate(points) if points.index(point) == i]
+    critical = critical_times(points, shown, start, until + 1)
     edges, done = set(initial), 0
     for index in range(-1, len(critical)):
         first = done
@@ -272,7 +272,10 @@ def check(motions, rows, initial, final, start, until):
                 (low if low.low < low.high and low.p else high).refine()
                 high.refine()
         t = (low.high + high.low) / 2
-        if not is_delaunay([tuple(value(c, t) for c in p) for p in points], edges):
+        are_shown = all(end in shown for edge in edges for end in edge)
+        numbered = {tuple(map(shown.index, edge)) for edge in edges} if are_shown else set()
+        places = [tuple(value(c, t) for c in points[i]) for i in shown]
+        if not are_shown or not is_delaunay(places, numbered):
             return done if done == first and index >= 0 else done - 1
     if done < len(rows):
         return done

@@ -78,6 +78,13 @@ def make_points(kind, generator, number=None):
     return points
 
 
+def with_copies(points, generator):
+    """The points and some of them again, as points that coincide at all times; in random order."""
+    points = points + [generator.choice(points) for _ in range(generator.randint(1, 4))]
+    generator.shuffle(points)
+    return points
+
+
 class Case:
     """The files of a run in a folder, and the programs."""
 
@@ -175,6 +182,16 @@ def scenarios(kind, generator):
     if kind == "random":
         falling = [p + tuple(generator.uniform(-1, 1) for _ in range(4)) for p in points[:7]]
         yield falling, ["--radius", "0.2"], [*box, "--collisions", "elastic"], 3
+    copies = with_copies(points, generator)
+    yield copies, [], [], 5
+    yield copies, [], box, 8
+    for response in ("swap", "elastic", "stop", "remove", "log"):
+        yield copies, radius, [*box, "--collisions", response], 4
+    yield with_copies(falling, generator), [], [], 3
+    if kind != "line":
+        weights = [p + (generator.choice((0, 1, 2)), generator.choice((0, 0, 1, 0.5))) for p in points]
+        yield with_copies(weights, generator), ["--regular"], [], 5
+        yield with_copies(weights, generator), ["--regular"], box, 5
 
 
 def check_true(case, seeds):
@@ -394,7 +411,8 @@ def check_second(case, seeds):
     for kind in KINDS:
         for seed in range(seeds):
             generator = random.Random(f"second {kind} {seed}")
-            run = case.simulate(make_points(kind, generator, generator.randint(3, 5)), 5)
+            points = make_points(kind, generator, generator.randint(3, 5))
+            run = case.simulate(with_copies(points, generator) if seed % 2 else points, 5)
             assert second_answer(run) is None and case.verify(run)[0] == 0, f"{kind} {seed}"
             for name in ("a_row_left_out", "neighbors_swapped", "another_initial_edge", "cut_off"):
                 false_run = copy.deepcopy(run)
