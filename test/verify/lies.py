@@ -751,3 +751,16 @@ def a_motion_that_becomes_almost_the_same(run, generator):
     k = generator.randint(2, 5)
     motion[k] = repr(math.nextafter(float(motion[k]), math.inf))
     return i
+
+
+@lie(TWINS)
+def a_contact_of_one_that_coincides_left_out(run, generator):
+    """Another one of the same instant stays, of two discs with the same trajectories; their motions do not change."""
+    def both(k):
+        return {trajectory(motion_of(run, point, k)) for point in run.rows[k][9:11]}
+
+    changed = {run.rows[int(motion[0])][11] for motion in run.motions if motion[0]}
+    contacts = [k for k, row in enumerate(run.rows) if row[1] == "collision" and row[11] not in changed]
+    found = [i for i in contacts for k in contacts
+             if i != k and run.rows[i][11] == run.rows[k][11] and len(both(i)) == 2 and both(i) == both(k)]
+    return remove(run, generator.choice(found)) if found else None

@@ -213,7 +213,7 @@ def check_true(case, seeds):
                 expected = f"verified: {len(points)} points, {len(run.rows)} events, "
                 assert text.startswith(expected), text
                 counts[kind] += 1
-                if kind == "random":  # no two exact times are that near
+                if kind == "random" and len(set(points)) == len(points):  # no two exact times are that near
                     for row in run.rows:
                         del row[len(COLUMNS):]
                     code, text, _ = case.verify(run, both)
@@ -295,19 +295,16 @@ def check_circle(case):
 
 def tracks(case, generator):
     """People who come and go, on a grid that makes for degenerate times."""
-    while True:
-        rows = ["t,id,x,y"]
-        for thing in range(generator.randint(3, 9)):
-            first, x, y = generator.randint(0, 5), generator.randint(0, 9), generator.randint(0, 9)
-            for step in range(generator.randint(2, 6)):
-                rows.append(f"{(first + step) / 4},{thing},{x / 2},{y / 2}")
-                x, y = x + generator.randint(-1, 1), y + generator.randint(-1, 1)
-        file = case.folder / "tracks.csv"
-        file.write_text("\n".join(rows) + "\n", encoding="utf-8")
-        times = [float(row.split(",")[0]) for row in rows[1:]]
-        outputs = case.outputs(["tracks", str(file)])
-        if outputs:  # not two that go the same way
-            return Run([None] * 9, *outputs, min(times), max(times))
+    rows = ["t,id,x,y"]
+    for thing in range(generator.randint(3, 9)):
+        first, x, y = generator.randint(0, 5), generator.randint(0, 9), generator.randint(0, 9)
+        for step in range(generator.randint(2, 6)):
+            rows.append(f"{(first + step) / 4},{thing},{x / 2},{y / 2}")
+            x, y = x + generator.randint(-1, 1), y + generator.randint(-1, 1)
+    file = case.folder / "tracks.csv"
+    file.write_text("\n".join(rows) + "\n", encoding="utf-8")
+    times = [float(row.split(",")[0]) for row in rows[1:]]
+    return Run([None] * 9, *case.outputs(["tracks", str(file)]), min(times), max(times))
 
 
 # ---- lies ----
