@@ -23,6 +23,7 @@ class Certified_triangulation {
     neighbors_.resize(size);
     groups_of_.resize(size, groups_.end());
     begins_.resize(size);
+    past_motions_.resize(size);
     workers_.resize(options.threads - 1);
     push_instant(exactly(options.from));
     for (const Change& change : points) set_motion(change);
@@ -568,9 +569,38 @@ class Certified_triangulation {
     return std::nullopt;
   }
 
-  // Whether the log may be that of a resumed run, in which discs may pass through each other at the
-  // start.
+  // Whether the log may be that of a resumed run, in which discs may pass through each other from
+  // the start until they separate.
   bool continues() const { return rows_.empty() || rows_.front().number != 0; }
+
+  // Whether two discs have overlapped at all times from the start until now.
+  bool have_always_overlapped(const Edge& pair) const {
+    const std::vector<Past_motion>& first = past_motions_[pair.first];
+    const std::vector<Past_motion>& second = past_motions_[pair.second];
+    Time begin = exactly(options_.from);
+    for (const auto* motions : {&first, &second}) {
+      Time since = motions->front().begin;
+      if (compare(since, begin) > 0) return false;
+    }
+    for (std::size_t i = 0, k = 0; i < first.size() && k < second.size();) {
+      const Polynomial p = gap(*first[i].course, *second[k].course);
+      Time of_first = i + 1 < first.size() ? first[i + 1].begin : now_;
+      Time of_second = k + 1 < second.size() ? second[k + 1].begin : now_;
+      const int order = compare(of_first, of_second);
+      Time end = order < 0 ? of_first : of_second;
+      if (compare(begin, end) < 0) {
+        if (sign_just_after(p, begin) > 0) return false;
+        for (Time& root : verify::roots_in(p, begin.lo, end.hi)) {
+          const bool is_between = compare(root, begin) > 0 && compare(root, end) < 0;
+          if (is_between && sign_just_after(p, root) > 0) return false;
+        }
+      }
+      begin = end;
+      if (order <= 0) ++i;
+      if (order >= 0) ++k;
+    }
+    return true;
+  }
 
   // Checks that two discs that become neighbors and overlap did not make contact without a row.
   void check_contact_before(const Edge& pair) {
@@ -578,7 +608,7 @@ class Certified_triangulation {
     std::optional<Time> first = first_contact(pair, now_.hi);
     if (!first || compare(*first, now_) > 0) return;
     Time start = exactly(options_.from);
-    if (continues() && compare(*first, start) == 0) {
+    if (continues() && (compare(*first, start) == 0 || have_always_overlapped(pair))) {
       passing_.insert_or_assign(pair, start);
       return;
     }
@@ -640,6 +670,7 @@ class Certified_triangulation {
     if (old != nullptr) leave_group(v);
     courses_[v] = change.motion ? &motions_.emplace_back(scale_.course(*change.motion)) : nullptr;
     if (change.motion) {
+      if (continues()) past_motions_[v].push_back({now_, courses_[v]});
       join_group(v);
       if (courses_[v]->radius != motions_.front().radius) has_one_radius_ = false;
     }
@@ -742,7 +773,12 @@ class Certified_triangulation {
   std::map<Id, Triangle> hidden_;  // in triangles
   std::set<Id> twins_;             // hidden by other points
   std::vector<Time> begins_;       // of motions
-  std::map<Edge, Time> passing_;   // the last collision of discs that did not change them
+  struct Past_motion {
+    Time begin;
+    const Course* course;
+  };
+  std::vector<std::vector<Past_motion>> past_motions_;  // by id, if the log may continue a run
+  std::map<Edge, Time> passing_;  // the last collision of discs that did not change them
 
   // In this instant:
   std::set<Id> touched_;  // points whose triangles must be made anew

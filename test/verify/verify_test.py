@@ -18,6 +18,7 @@ import subprocess
 import sys
 from fractions import Fraction
 
+import degenerate_runs
 import false_logs
 import lies
 import second_checker
@@ -293,6 +294,23 @@ def check_circle(case):
         assert code == 0, text
 
 
+def check_resumed(case):
+    """Discs that pass through each other when the first part of a run ends, and then turn back before they have
+    separated: without a contact. Some of them coincide with others."""
+    for seed in (30, 45, 99, 106, 171, 194):
+        generator = random.Random(seed)
+        header, *rows = degenerate_runs.lattice(generator).splitlines()
+        until = generator.randint(4, 12)
+        for copies in ([], rows[:2]):
+            pathlib.Path(case.points).write_text("\n".join([header, *rows, *copies]) + "\n", encoding="utf-8")
+            checkpoint = str(case.folder / "checkpoint")
+            first = ["simulate", case.points, "--until", str(until / 2), "--radius", "1.4", "--collisions", "log",
+                     "--box=-4,-4,13,13", "--checkpoint", checkpoint]
+            for command in (first, ["resume", checkpoint, "--until", str(until), "--verify"]):
+                result = subprocess.run([case.kinetri, *command, "--quiet"], capture_output=True, text=True, check=False)
+                assert result.returncode == 0, f"{seed}: {command}: {result.stdout}{result.stderr}"
+
+
 def tracks(case, generator):
     """People who come and go, on a grid that makes for degenerate times."""
     rows = ["t,id,x,y"]
@@ -485,6 +503,7 @@ def main():
         check_true(case, 8)
         check_instants(case)
         check_circle(case)
+        check_resumed(case)
     elif what == "lies":
         check_lies(case, 4 * int(os.environ.get("KINETRI_TEST_MULTIPLIER", "1")))
         check_false_logs(case)
