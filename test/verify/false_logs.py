@@ -45,6 +45,12 @@ SIDES = edges("0-1", "0-2", "1-2")
 LEAVING = [row("erase", 1.0, points="0-"), row("erase", 1.0, points="1-")]
 SIDES_GO = [row("rebuild", 1.0, removed=side) for side in ("0-1", "0-2", "1-2")]
 
+RIDER = motion(3, 4.0, 0.0)  # coincides with 1
+GOING = [motion(0, 0.0, 0.0), motion(1, 4.0, 0.0, 1.0), motion(2, 0.0, 4.0), motion(3, 4.0, 0.0, 1.0)]
+TOLD = row("trajectory", 1.0, points="3-")
+ON_A_LINE = [motion(0, 0.0, 0.0, radius=0.5), motion(1, 4.0, 0.0, radius=0.25), motion(2, 4.0, 0.0, radius=0.25)]
+GROWING = [[*motion(k, 0.0, 0.0, radius=0.5)[:11], "0.25", "0.0"] for k in range(2)]
+
 QUADRANGLE = [motion(0, -1.0, 0.0), motion(1, 1.0, 0.0), motion(2, 0.0, 1.0), motion(3, 0.0, -2.0, vy=1.0)]
 DIAGONAL = edges("0-1", "0-2", "0-3", "1-2", "1-3")
 FLIP = row("flip", 1.0, "0-1", "2-3")
@@ -91,6 +97,32 @@ LOGS = (
     Log("two points leave, before all would be on a line", "", [*LEAVING, *SIDES_GO],
         [*TRIANGLE[:2], motion(2, 0.0, 4.0, vy=-1.0), gone(0, 0), gone(1, 1)], SIDES, 6.0),
     Log("two points at one place", "the start", [], [motion(0, 1.0, 1.0), motion(1, 1.0, 1.0)], edges("0-1"), 1.0),
+    Log("a point coincides with another", "", [], [*TRIANGLE, RIDER], SIDES, 1.0),
+    Log("the greater one has the edges", "the start", [], [*TRIANGLE, RIDER], edges("0-2", "0-3", "2-3"), 1.0),
+    Log("both have edges", "the start", [], [*TRIANGLE, RIDER], edges("0-1", "0-2", "0-3", "1-2", "2-3"), 1.0),
+    Log("a point that almost coincides with another", "the start", [], [*TRIANGLE, motion(3, 4.0, 5e-324)], SIDES, 1.0),
+    Log("a motion in other numbers", "", [TOLD], [*GOING, motion(3, 5.0, 0.0, 1.0, event=0, epoch=1.0)], SIDES, 2.0),
+    Log("a motion told in other numbers, as a separation", "row 1", [TOLD, row("reveal", 1.0, points="3-1")],
+        [*GOING, motion(3, 5.0, 0.0, 1.0, event=0, epoch=1.0)], SIDES, 2.0),
+    Log("a separation that is not told", "row 0", [TOLD],
+        [*GOING, motion(3, 5.0, 0.0, 1.0 + 2**-52, event=0, epoch=1.0)], SIDES, 2.0),
+    Log("the last of those that coincide", "", [row("erase", 1.0, points="1-"), row("reveal", 1.0, points="3-1"),
+        *(row("rebuild", 1.0, removed=side) for side in ("0-1", "1-2")),
+        *(row("rebuild", 1.0, added=side) for side in ("0-3", "2-3"))], [*TRIANGLE, RIDER, gone(1, 0)], SIDES, 2.0),
+    Log("one is erased, and no other one takes its place", "row 2", [row("erase", 1.0, points="1-"),
+        *(row("rebuild", 1.0, removed=side) for side in ("0-1", "1-2"))], [*TRIANGLE, RIDER, gone(1, 0)], SIDES, 2.0),
+    Log("discs of two radii on a line, two of which coincide", "", [], ON_A_LINE, edges("0-1"), 1.0),
+    Log("discs that coincide and do not grow", "", [], ON_A_LINE, edges("0-1"), 1.0,
+        ("--collisions", "log")),
+    Log("discs that coincide and grow", "", [row("collision", 0.0, points="0-1")], GROWING, [], 1.0,
+        ("--collisions", "log")),
+    Log("the contact of discs that coincide and grow is left out", "row 4",
+        [row("trajectory", 0.5, points="1-"), row("hide", 0.5, points="1-0"),
+         *(row("rebuild", 0.5, removed=side) for side in ("0-1", "1-2")), row("rebuild", 0.5, added="0-2")],
+        [*GROWING[:1], motion(1, 4.0, 0.0, radius=0.5), motion(2, 8.0, 0.0, radius=0.5),
+         [*motion(1, 0.0, 0.0, radius=0.5, event=0)[:11], "0.25", "0.0"]], edges("0-1", "1-2"), 1.0, ("--collisions", "log")),
+    Log("a contact of discs that coincide and do not grow", "row 0", [row("collision", 0.0, points="1-2")], ON_A_LINE,
+        edges("0-1"), 1.0, ("--collisions", "log")),
     Log("a diagonal is flipped", "", [FLIP], QUADRANGLE, DIAGONAL, 1.5),
     Log("a point turns at a flip", "row 0", [FLIP], [*QUADRANGLE, motion(2, 0.0, 1.0, 1.0, 1.0, event=0)],
         DIAGONAL, 1.5),
