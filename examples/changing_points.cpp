@@ -32,12 +32,13 @@ static void by_calls(const std::vector<kinetri::Linear_motion_2>& drones) {
   kdt.advance_to(4);
   print_edges(kdt);
 
-  // Two points with the same trajectory cannot both be vertices.
-  try {
-    kdt.set_motion(0, kdt.motion(2));
-  } catch (const kinetri::Coincident_trajectories_error& error) {
-    std::cout << "refused: " << error.what() << '\n';  // and nothing has changed
-  }
+  // Of two points with the same trajectory the one with the least id hides the other, until one of
+  // them changes.
+  const kinetri::Linear_motion_2 alone = kdt.motion(0);
+  kdt.set_motion(0, kdt.motion(2));
+  std::cout << "together: point 2 is " << (kdt.is_hidden(2) ? "hidden" : "not hidden") << '\n';
+  print_edges(kdt);
+  kdt.set_motion(0, alone);
 
   // The id is not used again.
   kdt.erase(id);

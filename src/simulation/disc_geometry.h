@@ -15,9 +15,10 @@ namespace kinetri::detail {
 /// The discs at the present time of the triangulation.
 ///
 /// A *neighbor* of a point is one with which it has an edge or a link. A point that coincides with
-/// others for a while is *linked* with the one that hides it, which has the edges. A point of radius
-/// 0 that a triangle hides is linked with its corners: when it enters a disc, no third disc need
-/// overlap both, but one of these corners contains the point as well (docs/MATH.md, section 8).
+/// others for a while is *linked* with the one that hides it, which has the edges. A point of
+/// radius 0 that a triangle hides is linked with its corners: when it enters a disc, no third disc
+/// need overlap both, but one of these corners contains the point as well (docs/MATH.md, section
+/// 8).
 template <class Traits>
 class Simulation_types<Traits>::Disc_geometry {
  public:

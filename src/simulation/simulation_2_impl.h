@@ -25,8 +25,9 @@ template <ContactKineticTraits_2 Traits>
 Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
                                    const Simulation_options& options, const Time& start,
                                    const Traits& traits)
-    : core_(std::make_unique<detail::Simulation_core<Traits>>(
-          traits, options, [&] { return Triangulation(motions, start, traits, options.coincident); })) {
+    : core_(std::make_unique<detail::Simulation_core<Traits>>(traits, options, [&] {
+        return Triangulation(motions, start, traits, options.coincident);
+      })) {
   KINETRI_PRECONDITION(core_->setup.problem().empty(), core_->setup.problem());
   KINETRI_PRECONDITION(options.masses.empty() || options.masses.size() == motions.size(),
                        "masses, but not one for each point");
@@ -99,8 +100,7 @@ template <ContactKineticTraits_2 Traits>
 Simulation_2<Traits>::Simulation_2(Restoration /*restores*/, const Snapshot& snapshot,
                                    Collision_response response, const Traits& traits)
     : core_(std::make_unique<detail::Simulation_core<Traits>>(traits, snapshot.options, [&] {
-        return Triangulation::restore(snapshot.triangulation, traits,
-                                      snapshot.options.coincident);
+        return Triangulation::restore(snapshot.triangulation, traits, snapshot.options.coincident);
       })) {
   KINETRI_PRECONDITION(
       !snapshot.has_response == !response,

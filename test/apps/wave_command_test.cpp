@@ -73,7 +73,9 @@ TEST_F(Wave, the_page_of_a_run_with_names_has_them) {
 
 TEST_F(Wave, the_page_of_a_failing_run_is_not_there) {
   write("p.csv", "x,y,vx,vy\n0,0,0,0\n0,0,0,0\n");
-  EXPECT_EQ(run({"simulate", "p.csv", "--until", "1", "--html", "p.html"}).exit_code, 2);
+  EXPECT_EQ(run({"simulate", "p.csv", "--coincident", "refuse", "--until", "1", "--html", "p.html"})
+                .exit_code,
+            2);
   EXPECT_EQ(entries(), Entries{"p.csv"});
 }
 

@@ -378,7 +378,7 @@ TEST_F(Damaged_checkpoint, says_what_is_wrong) {
   expect_refusal("x,y,vx,vy\n1,2,3,4\n", "is no checkpoint: it begins with 'x,y,vx,vy';");
   expect_refusal(std::string(100, '\0'), "is no checkpoint:");
   expect_refusal("kinetri checkpoint 2\n{}\n",
-                 "is a checkpoint of version '2'; expected version 6");
+                 "is a checkpoint of version '2'; expected version 7");
   expect_refusal(text + "\n", "is cut short, or has more");
   std::string damaged = text;
   damaged[text.size() / 2] ^= 1;

@@ -97,7 +97,7 @@ const std::vector<Reader>& readers() {
        of_tables},
       {"checkpoint",
        [](std::istream& in) { read_checkpoint(in, "in"); },
-       {"kinetri checkpoint 7\n", "kinetri checkpoint 6\n{\n\"motion\":\""},
+       {"kinetri checkpoint 7\n", "kinetri checkpoint 7\n{\n\"motion\":\""},
        of_checkpoints}};
   return all;
 }

@@ -5,12 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "kinetri/triangulation/field_2.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 #include "kinetri/triangulation/kinetic_regular_triangulation_2.h"
-#include "kinetri/triangulation/queries_2.h"
 #include "support/kinetic_parts.h"
-#include "support/message_of.h"
 
 namespace kinetri::coincident_points_test {
 namespace {
@@ -118,16 +115,6 @@ TEST(Coincident_points, are_refused_on_request_without_any_change) {
   const Kinetic hides(std::vector<Linear_motion_2>(2, resting(1, 1)));
   EXPECT_EQ(hides.coincident(), Coincident_points::hide);
   EXPECT_THROW(Kinetic::restore(hides.snapshot(), {}, Coincident_points::refuse), Snapshot_error);
-}
-
-TEST(Coincident_points, are_not_taken_by_queries_and_fields) {
-  const Kinetic kinetic(square, {}, {}, Coincident_points::hide);
-  const auto ask = [&] { Kinetic_queries_2 queries(kinetic); };
-  const auto interpolate = [&] { Kinetic_field_2 field(kinetic, 1); };
-  EXPECT_NE(test::message_of<Precondition_error>(ask).find("Coincident_points::refuse"),
-            std::string::npos);
-  EXPECT_NE(test::message_of<Precondition_error>(interpolate).find("Coincident_points::refuse"),
-            std::string::npos);
 }
 
 }  // namespace

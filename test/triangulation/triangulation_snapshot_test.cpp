@@ -207,9 +207,10 @@ TEST(Triangulation_snapshot, is_not_taken_within_an_event) {
 
 // ---- what is no state ----
 
-std::string refusal(const Snapshot& snapshot) {
+std::string refusal(const Snapshot& snapshot,
+                    Coincident_points coincident = Coincident_points::refuse) {
   return test::message_of<Snapshot_error>(
-      [&snapshot] { const auto restored = Kinetic_delaunay::restore(snapshot); });
+      [&] { const auto restored = Kinetic_delaunay::restore(snapshot, {}, coincident); });
 }
 
 bool is_refused_for(const Snapshot& snapshot, const std::string& reason) {
