@@ -16,6 +16,7 @@ using nlohmann::json;
 constexpr double shares[] = {0, 0.01, 0.1, 0.5,
                              1};              // of the points whose velocities change at a step
 constexpr double lengths[] = {0.01, 0.1, 1};  // of a step, in distances of neighbors
+constexpr double jumps[] = {0.01, 0.1, 0.3};  // of all points, in distances of neighbors
 constexpr double neighbor_distance = 10;      // there are 100 points in 100 x 100
 constexpr int measured_steps = 2;
 
@@ -65,6 +66,33 @@ json measure_round(const Setup& setup, double share, double duration, std::mt199
           {"kinetic_over_rebuild", ratio(kept, rebuilt)}};
 }
 
+// The same if all points jump to given positions, where they rest until the next step.
+json measure_jumps(const Setup& setup, double length, std::mt19937_64& random) {
+  const std::vector<Linear_motion_2> motions = setup.motions();
+  std::vector<Vector_2> places;
+  for (const Linear_motion_2& motion : motions) places.push_back(motion.position);
+  Kinetic_delaunay_triangulation_2<> kinetic(motions);
+  std::normal_distribution<double> shift(0, length * neighbor_distance / std::sqrt(2.0));
+  double kept = 0;
+  double rebuilt = 0;
+  for (int step = 0; step <= measured_steps; ++step) {
+    std::vector<Static_kernel::Point_2> static_places;
+    for (Vector_2& place : places) {
+      place = {place.x + shift(random), place.y + shift(random)};
+      static_places.emplace_back(place.x, place.y);
+    }
+    const Stopwatch watch_kinetic;
+    kinetic.set_positions(places);
+    if (step > 0) kept += watch_kinetic.seconds();
+    const Stopwatch watch_static;
+    const Static_triangulation anew(static_places.begin(), static_places.end());
+    if (step > 0) rebuilt += watch_static.seconds();
+  }
+  return {{"kinetic_seconds", kept / measured_steps},
+          {"rebuild_seconds", rebuilt / measured_steps},
+          {"kinetic_over_rebuild", ratio(kept, rebuilt)}};
+}
+
 }  // namespace
 
 json measure_steps(const Setup& setup) {
@@ -80,7 +108,13 @@ json measure_steps(const Setup& setup) {
       settings.push_back(std::move(setting));
     }
   }
-  return {{"settings", std::move(settings)}};
+  json jumping = json::array();
+  for (const double length : jumps) {
+    json setting = median_round([&] { return measure_jumps(setup, length, random); });
+    setting["length"] = length;
+    jumping.push_back(std::move(setting));
+  }
+  return {{"settings", std::move(settings)}, {"positions", std::move(jumping)}};
 }
 
 }  // namespace kinetri::bench

@@ -20,6 +20,7 @@ void Simulation_core<Traits>::start() {
 template <class Traits>
 std::size_t Simulation_core<Traits>::advance_to(const Time& time,
                                                 const std::function<bool()>& may_go_on) {
+  kinetic().schedule.schedule_deferred();
   if constexpr (has_region_runs<Traits>) {
     if (may_run_by_regions()) return Contact_runs<Traits>::advance_to(*this, time, may_go_on);
   }

@@ -145,6 +145,15 @@ Basic_disc_motion_2<CenterMotion> at_rest_at(const Basic_disc_motion_2<CenterMot
   return {center, there.radius, 0, there.weight};
 }
 
+/// The disc with its center at rest at a position, and with the same radius and weight at all
+/// times.
+template <class CenterMotion>
+Basic_disc_motion_2<CenterMotion> at_rest_in(const Basic_disc_motion_2<CenterMotion>& disc,
+                                             const Vector_2& place) {
+  return {at_rest_in(static_cast<const CenterMotion&>(disc), place), disc.radius, disc.growth,
+          disc.weight};
+}
+
 /// Whether neither the position nor the radius ever changes.
 template <class CenterMotion>
 bool is_at_rest(const Basic_disc_motion_2<CenterMotion>& disc) {

@@ -25,6 +25,13 @@ concept MotionWithVelocity_2 = requires(const Motion motion, const Vector_2 velo
   { with_velocity_at(motion, velocity, 1.0) } -> std::same_as<Motion>;
 };
 
+/// A motion that can be put at rest: `at_rest_in(motion, place)` is the motion that is at the
+/// position at all times, as for Linear_motion_2.
+template <class Motion>
+concept MotionWithPosition_2 = requires(const Motion motion, const Vector_2 place) {
+  { at_rest_in(motion, place) } -> std::same_as<Motion>;
+};
+
 /// What the kinetic triangulation requires of a model of motion. The model has these types:
 ///
 /// | Type | What it is |

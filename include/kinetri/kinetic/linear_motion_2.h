@@ -71,6 +71,11 @@ inline Linear_motion_2 at_rest_at(const Linear_motion_2& motion, double t) {
   return with_velocity_at(motion, {}, t);
 }
 
+/// The motion at rest at a position.
+inline Linear_motion_2 at_rest_in(const Linear_motion_2& motion, const Vector_2& place) {
+  return {place, {}, motion.epoch};
+}
+
 /// Whether the position never changes.
 inline bool is_at_rest(const Linear_motion_2& motion) {
   return motion.velocity == Vector_2();

@@ -61,6 +61,11 @@ inline Polynomial_motion_2 at_rest_at(const Polynomial_motion_2& motion, double 
   return {with_velocity_at(motion, {}, t).position, {}, {}, {}, t};
 }
 
+/// The motion at rest at a position.
+inline Polynomial_motion_2 at_rest_in(const Polynomial_motion_2& motion, const Vector_2& place) {
+  return {place, {}, {}, {}, motion.epoch};
+}
+
 /// Whether the position never changes.
 inline bool is_at_rest(const Polynomial_motion_2& motion) {
   constexpr Vector_2 zero = {};

@@ -75,8 +75,11 @@ class Auditor {
   void check_hidden_points();
   void check_reference();
   void check_certificates();
-  void check_hidden_certificates(const Certification<Traits>& exact);
+  template <class Function>
+  void for_each_failure(const Function& function) const;
   std::optional<Failure> next_failure(const Edge& edge, const Certification<Traits>& exact) const;
+  std::optional<Failure> next_failure(Vertex_handle hidden,
+                                      const Certification<Traits>& exact) const;
   void check_entry(const std::string& name, Queue_handle handle,
                    const std::optional<Failure>& failure);
 
@@ -140,7 +143,14 @@ Audit_report Auditor<Traits>::run(Audit_level level) {
 template <class Traits>
 void Auditor<Traits>::place_points() {
   const Time& now = schedule_.current_time();
-  Time end = queue_.empty() ? Time(Rational(now.upper() + 1)) : queue_.time_of(queue_.top());
+  Time end = Time(Rational(now.upper() + 1));
+  if (schedule_.is_deferred()) {
+    for_each_failure([&](const std::string&, Queue_handle, const std::optional<Failure>& failure) {
+      if (failure) end = std::min(end, failure->time);
+    });
+  } else if (!queue_.empty()) {
+    end = queue_.time_of(queue_.top());
+  }
   do {
     const Rational time = simplest_between(now, end);
     places_.clear();
@@ -212,6 +222,10 @@ void Auditor<Traits>::check_links() {
     }
     fail("point " + std::to_string(id) + " is hidden by point " + std::to_string(twin.shown) +
          ", which has another trajectory, or no vertex");
+  }
+  if (schedule_.is_deferred()) {
+    if (!queue_.empty()) fail("certificates are deferred, but the queue has entries");
+    return;
   }
   if (!queue_.is_valid()) fail("the queue is out of order");
   if (!queue_.empty() && queue_.time_of(queue_.top()) <= schedule_.current_time()) {
@@ -406,35 +420,45 @@ auto Auditor<Traits>::next_failure(const Edge& edge, const Certification<Traits>
 }
 
 template <class Traits>
-void Auditor<Traits>::check_certificates() {
+auto Auditor<Traits>::next_failure(Vertex_handle hidden, const Certification<Traits>& exact) const
+    -> std::optional<Failure> {
+  Certificate_counters unused;
+  auto [index, next] = exact.hidden_certificate(hidden, schedule_.current_time(), unused);
+  while (next.kind == Certificate::Kind::holds) {
+    std::tie(index, next) = exact.hidden_certificate(hidden, Time(next.bounds.lower), unused);
+  }
+  if (next.kind == Certificate::Kind::never_fails) return std::nullopt;
+  if (next.failure) return Failure{Entry_kind::hidden, std::move(*next.failure)};
+  return Failure{Entry_kind::hidden,
+                 exact.failure_time(exact.hidden_points(hidden, index), next.bounds)};
+}
+
+// Calls `function` with the name of each edge and hidden point, its handle and its failure, if it
+// has one.
+template <class Traits>
+template <class Function>
+void Auditor<Traits>::for_each_failure(const Function& function) const {
   const Certification<Traits> exact(certification_.traits().exact(), topology_);
-  check_hidden_certificates(exact);
+  if constexpr (is_weighted) {
+    for (const Vertex_handle v : triangulation_.hidden_vertex_handles()) {
+      function("the hidden point " + std::to_string(v->point().id()), v->event(),
+               next_failure(v, exact));
+    }
+  }
   if (triangulation_.dimension() < 1) return;
   for (const Edge& edge : triangulation_.all_edges()) {
     if (triangulation_.dimension() == 1 && triangulation_.is_infinite(edge)) continue;
-    check_entry(name(edge), edge.first->event(edge.second), next_failure(edge, exact));
+    function(name(edge), edge.first->event(edge.second), next_failure(edge, exact));
   }
 }
 
 template <class Traits>
-void Auditor<Traits>::check_hidden_certificates(const Certification<Traits>& exact) {
-  if constexpr (is_weighted) {
-    Certificate_counters unused;
-    for (const Vertex_handle v : triangulation_.hidden_vertex_handles()) {
-      auto [index, next] = exact.hidden_certificate(v, schedule_.current_time(), unused);
-      while (next.kind == Certificate::Kind::holds) {
-        std::tie(index, next) = exact.hidden_certificate(v, Time(next.bounds.lower), unused);
-      }
-      std::optional<Failure> failure;
-      if (next.kind == Certificate::Kind::fails) {
-        failure =
-            Failure{Entry_kind::hidden,
-                    next.failure ? std::move(*next.failure)
-                                 : exact.failure_time(exact.hidden_points(v, index), next.bounds)};
-      }
-      check_entry("the hidden point " + std::to_string(v->point().id()), v->event(), failure);
-    }
-  }
+void Auditor<Traits>::check_certificates() {
+  if (schedule_.is_deferred()) return;
+  for_each_failure(
+      [this](const std::string& what, Queue_handle handle, const std::optional<Failure>& failure) {
+        check_entry(what, handle, failure);
+      });
 }
 
 // Whether what the queue holds for the edge or hidden point agrees with its failure.

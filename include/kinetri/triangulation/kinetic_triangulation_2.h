@@ -239,10 +239,16 @@ class Kinetic_triangulation_2 {
 
   // Changes of many points at once compute each certificate once, on all threads of oneTBB if there
   // are many. What throws Coincident_trajectories_error or Precondition_error changes nothing.
-  // Points whose triangles stay embedded cost O(1) certificates each, and O(n) together; if more
-  // than an eighth of the points jump, are inserted or erased, the triangulation is rebuilt, O(n
-  // log n). There is one event for each point, in the order of the ids, then rebuild events for the
-  // edges that have changed.
+  // There is one event for each point, in the order of the ids, then rebuild events for the edges
+  // that have changed. Points whose triangles stay embedded cost O(1) certificates each, and O(n)
+  // together; if more than an eighth of the points jump, are inserted or erased, the triangulation
+  // is rebuilt, O(n log n).
+  //
+  // If more than a quarter of the points change, and these are more than 16, certificates are
+  // computed only when time is to go on: by next_event_time, step, advance_to, or another change.
+  // If all of these stay, and have no weights, a few triangles may turn over: their points are
+  // inserted again, and the others are flipped, which costs less than a construction
+  // (detail::Repair).
 
   /// Gives the points `ids` these motions from now on, as set_motion does: an event `trajectory`
   /// for each point. Throws Coincident_trajectories_error if two points have the same trajectory
@@ -256,6 +262,17 @@ class Kinetic_triangulation_2 {
   /// contained, and named once; velocities and positions are finite.
   void set_velocities(std::span<const Point_id> ids, std::span<const Vector_2> velocities) requires
       MotionWithVelocity_2<typename Traits::Motion>;
+
+  /// Moves the points `ids` to these positions, at which they stay at rest (`at_rest_in`): as
+  /// set_motions. Throws what set_motions throws. Precondition: as many positions as ids; each id
+  /// is contained, and named once; the positions are finite.
+  void set_positions(std::span<const Point_id> ids, std::span<const Vector_2> positions) requires
+      MotionWithPosition_2<typename Traits::Motion>;
+
+  /// Moves all points: positions[k] is that of the point with the k-th least id. Precondition: as
+  /// many positions as points, which are finite.
+  void set_positions(std::span<const Vector_2> positions) requires
+      MotionWithPosition_2<typename Traits::Motion>;
 
   /// Inserts points, which get consecutive ids, and returns the first id: an event `insert` for
   /// each point. Throws what set_motions throws. Precondition: the motions are finite, and there

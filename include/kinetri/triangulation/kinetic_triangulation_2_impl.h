@@ -263,6 +263,36 @@ void Kinetic_triangulation_2<Traits>::set_velocities(std::span<const Point_id> i
 }
 
 template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::set_positions(std::span<const Point_id> ids,
+                                                    std::span<const Vector_2> positions) requires
+    MotionWithPosition_2<typename Traits::Motion> {
+  KINETRI_PRECONDITION(ids.size() == positions.size(),
+                       std::to_string(ids.size()) + " ids and " + std::to_string(positions.size()) +
+                           " positions; expected a position for each id");
+  std::vector<Motion> motions;
+  motions.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    motions.push_back(at_rest_in(motion(ids[i]), positions[i]));
+  }
+  set_motions(ids, motions);
+}
+
+template <KineticTraits_2 Traits>
+void Kinetic_triangulation_2<Traits>::set_positions(std::span<const Vector_2> positions) requires
+    MotionWithPosition_2<typename Traits::Motion> {
+  KINETRI_PRECONDITION(positions.size() == number_of_points(),
+                       std::to_string(number_of_points()) + " points and " +
+                           std::to_string(positions.size()) +
+                           " positions; expected a position for each point");
+  std::vector<Point_id> ids;
+  ids.reserve(positions.size());
+  for (Point_id id = 0; id < next_id(); ++id) {
+    if (contains(id)) ids.push_back(id);
+  }
+  set_positions(ids, positions);
+}
+
+template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::erase(std::span<const Point_id> ids) {
   const detail::Flag_while changing = core_.reporter.start_change();
   std::vector<Change> changes;

@@ -40,6 +40,7 @@ void Kinetic_types<Traits>::Kinetic_core::start_with(std::span<const Point_2> po
 template <class Traits>
 std::size_t Kinetic_types<Traits>::Kinetic_core::advance_to(
     const Time& time, const std::function<bool()>& may_go_on) {
+  schedule.schedule_deferred();
   if constexpr (has_region_runs<Traits>) {
     if (may_pay_by_regions(topology.number_of_vertices(), threads)) {
       return Region_runs<Traits>::advance_to(*this, time, may_go_on);

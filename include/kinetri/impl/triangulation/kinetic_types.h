@@ -77,6 +77,7 @@ struct Kinetic_types {
   class Event_reporter;
   class Decisions;
   class Updates;
+  class Repair;
   class Hidden_events;
   class Event_loop;
   class Point_changes;

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "kinetri/impl/kinetic/rounded_places.h"
 #include "kinetri/impl/triangulation/event_loop.h"
 #include "kinetri/impl/triangulation/updates.h"
 
@@ -17,7 +18,8 @@ namespace kinetri::detail {
 /// Plans and makes changes of points. A point changes *in place* if its triangles stay embedded, so
 /// that only certificates change; else it *jumps*: it is removed from its triangles and inserted
 /// elsewhere. Edges that a change leaves violated fail at the present time, and are flipped
-/// (docs/MATH.md, section 5).
+/// (docs/MATH.md, section 5). If many points change, and few triangles turn over, all *move* at
+/// once (Repair).
 template <class Traits>
 class Kinetic_types<Traits>::Point_changes {
  public:
@@ -55,6 +57,7 @@ class Kinetic_types<Traits>::Point_changes {
     std::vector<Change> in_place;
     std::vector<Jump> jumps;
     std::optional<Triangulation> rebuilt;  // if everything is rebuilt
+    std::optional<Rounded_places> moved;   // if all points move: their new positions
   };
 
   struct Joined {
@@ -75,6 +78,7 @@ class Kinetic_types<Traits>::Point_changes {
   void separate_twins(Vertex_changes& planned) const;
   void join_twins(std::span<const Edge_ids> coincident, Vertex_changes& planned) const;
   Plan plan_vertices(std::span<const Change> changes, std::vector<Edge_ids>& coincident);
+  std::optional<Rounded_places> places_if_all_move(std::span<const Change> changes) const;
   void find_changes_in_place(std::span<const Change> changes, Plan& plan);
   void find_coincident_in_place(std::span<const Change> changes, std::span<const Change> in_place,
                                 std::vector<Edge_ids>& coincident) const;
@@ -89,7 +93,8 @@ class Kinetic_types<Traits>::Point_changes {
   void note_weights(std::span<const Change> changes);
   void note_separated(const Vertex_changes& planned);
   Changed_edges set_twins(const Vertex_changes& planned);
-  void make(std::span<const Change> changes, Plan& plan);
+  void make(Vertex_changes& planned);
+  void move(Vertex_changes& planned);
   void set_point(const Change& change);
   void change_in_place(std::span<const Change> changes);
   bool take_out(std::span<const Jump> jumps);

@@ -15,6 +15,7 @@
 #include "kinetri/impl/triangulation/event_loop_impl.h"
 #include "kinetri/impl/triangulation/point_changes.h"
 #include "kinetri/impl/triangulation/region_runs.h"
+#include "kinetri/impl/triangulation/repair.h"
 
 namespace kinetri::detail {
 
@@ -42,8 +43,8 @@ Changed_edges Kinetic_types<Traits>::Point_changes::perform(std::span<const Even
   reporter_.report(events.front(), [&] {
     reporter_.start_noting();
     note_separated(planned);
-    make(planned.changes, planned.plan);
-    loop_.execute_due_events();
+    make(planned);
+    if (!schedule_.is_deferred()) loop_.execute_due_events();
     links = set_twins(planned);
   });
   reporter_.report_happened(events.subspan(1));
@@ -133,6 +134,8 @@ auto Kinetic_types<Traits>::Point_changes::plan_vertices(std::span<const Change>
                                                          std::vector<Edge_ids>& coincident)
     -> Plan {
   Plan result;
+  result.moved = places_if_all_move(changes);
+  if (result.moved) return result;
   find_changes_in_place(changes, result);
   if constexpr (is_weighted) find_coincident_in_place(changes, result.in_place, coincident);
   if (result.jumps.empty()) return result;
@@ -174,6 +177,25 @@ template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::should_schedule_all(std::size_t points) const {
   constexpr std::size_t few = 16;
   return points > few && points > topology_.number_of_vertices() / 4;
+}
+
+// The new positions of all points, if many change, all of them stay vertices, and few triangles
+// turn over. Points that coincide are found by the change itself; so not if they are refused.
+template <class Traits>
+std::optional<Rounded_places> Kinetic_types<Traits>::Point_changes::places_if_all_move(
+    std::span<const Change> changes) const {
+  if constexpr (!is_weighted && HasRoundedPlace<Motion>) {
+    const auto stays = [&](const Change& change) {
+      return change.motion && topology_.has_vertex(change.point);
+    };
+    if (topology_.refuses_twins() || triangulation_.dimension() < 2 ||
+        !should_schedule_all(changes.size()) || !std::ranges::all_of(changes, stays)) {
+      return std::nullopt;
+    }
+    Rounded_places places(points_after(changes), schedule_.current_time());
+    if (Repair(topology_, reporter_).may_pay(places)) return places;
+  }
+  return std::nullopt;
 }
 
 // Separates points that change in place from the others. Meanwhile points have their new motions,
@@ -397,11 +419,15 @@ Changed_edges Kinetic_types<Traits>::Point_changes::set_twins(const Vertex_chang
 }
 
 template <class Traits>
-void Kinetic_types<Traits>::Point_changes::make(std::span<const Change> changes, Plan& plan) {
+void Kinetic_types<Traits>::Point_changes::make(Vertex_changes& planned) {
+  const std::span<const Change> changes = planned.changes;
+  Plan& plan = planned.plan;
+  if (plan.moved) return move(planned);
   const auto set_points = [&] {
     for (const Change& change : changes) set_point(change);
   };
   if (plan.rebuilt) return updates_.rebuild(set_points, std::move(plan.rebuilt));
+  schedule_.schedule_deferred();
   // Hidden points leave first: a point that changes in place may get the motion and weight of one.
   const auto is_hidden = [&](const Jump& jump) {
     return topology_.has_vertex(jump.change.point) && topology_.is_hidden(jump.change.point);
@@ -416,6 +442,38 @@ void Kinetic_types<Traits>::Point_changes::make(std::span<const Change> changes,
   loop_.execute_due_events();  // removing a vertex requires a Delaunay triangulation
   if (!take_out(jumps.subspan(hidden))) return updates_.rebuild(set_points);
   put_in(jumps, plan.in_place.empty());
+}
+
+// Moves all points. If that fails, constructs the triangulation, without the points that coincide
+// with others.
+template <class Traits>
+void Kinetic_types<Traits>::Point_changes::move(Vertex_changes& planned) {
+  if constexpr (!is_weighted) {
+    updates_.show_current_time();
+    if (Repair(topology_, reporter_).move(planned.changes, *planned.plan.moved)) {
+      return schedule_.defer();
+    }
+    std::vector<Point_2> points = topology_.points();
+    std::vector<Edge_ids> coincident;
+    Triangulation rebuilt = updates_.build_now(points, coincident);
+    while (!coincident.empty()) {
+      Coincident_groups groups;
+      for (const auto& [a, b] : coincident) groups.link(a, b);
+      const std::vector<Edge_ids> others = groups.others();
+      for (const auto& [least, id] : others) {
+        planned.joined.push_back({topology_.point(id), least});
+        std::erase_if(points, [id = id](const Point_2& p) { return p.id() == id; });
+      }
+      coincident.clear();
+      rebuilt = updates_.build_now(points, coincident);
+    }
+    const auto remove_joined = [&] {
+      for (const Joined& joined : planned.joined) {
+        topology_.set_point({joined.point.id(), std::nullopt});
+      }
+    };
+    updates_.rebuild(remove_joined, std::move(rebuilt));
+  }
 }
 
 // Changes the vertex of a point before a reconstruction.

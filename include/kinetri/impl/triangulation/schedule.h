@@ -110,9 +110,10 @@ struct Kinetic_types<Traits>::Entry : Scheduled {
 
 /// The present time, and the entries of edges and hidden points.
 ///
-/// Invariant, except while edges are changed: each edge and each hidden point whose certificate may
-/// fail has one entry: its failure, or a time up to which the certificate certainly holds. The two
-/// faces at the edge, or the hidden vertex, store the handle of the entry.
+/// Invariant, except while edges are changed, or certificates are deferred: each edge and each
+/// hidden point whose certificate may fail has one entry: its failure, or a time up to which the
+/// certificate certainly holds. The two faces at the edge, or the hidden vertex, store the handle
+/// of the entry.
 template <class Traits>
 class Kinetic_types<Traits>::Schedule {
  public:
@@ -204,6 +205,18 @@ class Kinetic_types<Traits>::Schedule {
   /// Schedules all edges, on all threads of oneTBB, and all hidden points. Precondition: the queue
   /// is empty.
   void schedule_all();
+  /// Empties the queue; all certificates are computed when the first of them is needed.
+  /// Precondition: the triangulation is Delaunay just after the present time.
+  void defer() {
+    queue_.clear();
+    is_deferred_ = true;
+  }
+  bool is_deferred() const { return is_deferred_; }
+  /// Computes the certificates that have been deferred, if they have. settle() and settle_now() do
+  /// so.
+  void schedule_deferred() {
+    if (is_deferred_) schedule_all();
+  }
   /// Removes the entry of an edge from the queue, if it has one; the faces keep the handle.
   KINETRI_ALWAYS_INLINE void unschedule(const Edge_with_mirror& edge) {
     unschedule(edge, counters_);
@@ -252,6 +265,8 @@ class Kinetic_types<Traits>::Schedule {
   }
   void recheck(std::span<const Entry> entries);
   bool fails_before(const Entry& entry, const Time& time) const;
+  bool fails_before(const Entry& recheck, Time checked, const Time& time) const;
+  bool has_deferred_failure_before(const Time& time) const;
   std::pair<Certificate_points, Certificate> certificate_of(const Entry& entry,
                                                             const Time& after) const;
   KINETRI_ALWAYS_INLINE void put(const Edge_with_mirror& edge, Entry_kind kind,
@@ -271,6 +286,7 @@ class Kinetic_types<Traits>::Schedule {
   mutable std::optional<std::pair<Certificate_points, Double_interval>> pending_time_;
   Policy policy_{*this};
   Queue queue_{policy_};
+  bool is_deferred_ = false;
   std::shared_ptr<Region_division> division_ = make_division();
   Certificate_counters certificate_counters_;
 };

@@ -91,6 +91,7 @@ inline auto Kinetic_types<Traits>::Schedule::current_time() const -> const Time&
 
 template <class Traits>
 bool Kinetic_types<Traits>::Schedule::settle(const Time* until) {
+  schedule_deferred();
   if (until == nullptr) return settle_while([](const Entry& /*entry*/) { return true; });
   const auto exact = [until]() -> const Time& { return *until; };
   return settle_while(
@@ -99,6 +100,7 @@ bool Kinetic_types<Traits>::Schedule::settle(const Time* until) {
 
 template <class Traits>
 bool Kinetic_types<Traits>::Schedule::settle_now() {
+  schedule_deferred();
   const auto exact = [this]() -> const Time& { return current_time(); };
   return settle_while(
       [&](const Entry& entry) { return queue_.is_due(entry, current_bounds(), exact); });
@@ -126,6 +128,8 @@ void Kinetic_types<Traits>::Schedule::recheck(std::span<const Entry> entries) {
 
 template <class Traits>
 bool Kinetic_types<Traits>::Schedule::has_failure_before(const Time& time) const {
+  if (time <= current_time()) return false;
+  if (is_deferred_) return has_deferred_failure_before(time);
   if (queue_.empty() || queue_.time_of(queue_.top()) >= time) return false;
   if (queue_.top().kind != Entry_kind::recheck) return true;
   bool result = false;
@@ -137,9 +141,33 @@ template <class Traits>
 bool Kinetic_types<Traits>::Schedule::fails_before(const Entry& entry, const Time& time) const {
   if (entry.bounds.lower > time.interval().upper) return false;
   if (entry.kind != Entry_kind::recheck) return queue_.time_of(entry) < time;
-  Time checked(entry.bounds.lower);
+  return fails_before(entry, Time(entry.bounds.lower), time);
+}
+
+template <class Traits>
+bool Kinetic_types<Traits>::Schedule::has_deferred_failure_before(const Time& time) const {
+  using Kept = typename Entry::Kept;  // by default of a recheck
+  bool result = false;
+  for (const Face_handle face : topology_.faces()) {
+    topology_.for_each_own_edge(face, [&](const Edge& edge) {
+      result = result || fails_before(Entry(Subject{edge}, {}, Kept()), current_time(), time);
+    });
+    if constexpr (is_weighted) {
+      for (const Vertex_handle v : face->vertex_list()) {
+        result = result ||
+                 fails_before(Entry(Subject{Edge(face, 0), v}, {}, Kept()), current_time(), time);
+      }
+    }
+  }
+  return result;
+}
+
+// Of the subject of an entry whose certificate holds until the time `checked`.
+template <class Traits>
+bool Kinetic_types<Traits>::Schedule::fails_before(const Entry& recheck, Time checked,
+                                                   const Time& time) const {
   while (checked < time) {
-    const auto [about, next] = certificate_of(entry, checked);
+    const auto [about, next] = certificate_of(recheck, checked);
     if (next.kind == Certificate::Kind::never_fails) return false;
     if (next.kind == Certificate::Kind::fails) {
       return (next.failure ? *next.failure : certification_.failure_time(about, next.bounds)) <
@@ -267,6 +295,7 @@ void Kinetic_types<Traits>::Schedule::schedule_around(Vertex_handle v, Certifica
 // before.
 template <class Traits>
 void Kinetic_types<Traits>::Schedule::schedule_all() {
+  is_deferred_ = false;
   constexpr std::size_t faces_per_block = 512;
   const std::vector<Face_handle> all = topology_.faces();
   std::vector<Block> blocks;

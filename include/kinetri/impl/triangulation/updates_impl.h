@@ -242,7 +242,7 @@ void Kinetic_types<Traits>::Updates::rebuild(const Change_vertices& change_verti
   reporter_.start_noting();
   for (const Edge_ids& edge : topology_.finite_edge_ids()) reporter_.note(edge, -1);
   show_current_time();
-  schedule_.queue().clear();
+  schedule_.defer();
   change_vertices();
   const std::vector<Point_2> points = topology_.points();
   std::vector<Edge_ids> coincident;
@@ -253,7 +253,6 @@ void Kinetic_types<Traits>::Updates::rebuild(const Change_vertices& change_verti
     reporter_.note_moved_hidden(hidden);
   });
   topology_.set_weights_equal(Topology::have_equal_weights(points));
-  schedule_.schedule_all();
   for (const Edge_ids& edge : topology_.finite_edge_ids()) reporter_.note(edge, 1);
 }
 

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "support/coincident_runs.h"
+#include "support/kinetic_runs.h"
+#include "support/multiplier.h"
+#include "support/precondition_error.h"
+
+namespace kinetri::set_positions_test {
+namespace {
+
+using test::Kinetic_delaunay;
+using Places = std::vector<Vector_2>;
+
+// What differs from a triangulation that is made of the same motions; empty if nothing does.
+std::string difference_from_new(const Kinetic_delaunay& kinetic) {
+  std::vector<Linear_motion_2> motions;
+  for (Point_id id = 0; id < kinetic.next_id(); ++id) motions.push_back(kinetic.motion(id));
+  const Kinetic_delaunay made(motions, kinetic.current_time());
+  if (kinetic.finite_edge_ids() != made.finite_edge_ids()) return "other edges";
+  for (Point_id id = 0; id < kinetic.next_id(); ++id) {
+    if (kinetic.is_hidden(id) != made.is_hidden(id)) return "other hidden points";
+    if (kinetic.coincident_points(id) != made.coincident_points(id)) return "other groups";
+    if (!kinetic.is_hidden(id) && kinetic.vertex(id)->point().id() != id) return "other vertices";
+  }
+  return {};
+}
+
+std::vector<Linear_motion_2> resting(const Places& places) {
+  std::vector<Linear_motion_2> result;
+  for (const Vector_2& place : places) result.push_back({place, {}, 0});
+  return result;
+}
+
+// Makes the steps, and compares the result of each with a new triangulation, and with what events
+// tell.
+class Steps {
+ public:
+  explicit Steps(const Places& places) : kinetic_(resting(places)) {}
+
+  std::string move(const Places& places) {
+    test::Hidden_follower<Kinetic_delaunay> follower(kinetic_);
+    kinetic_.set_positions(places);
+    kinetic_.remove_observer(follower);
+    std::string problem = difference_from_new(kinetic_);
+    if (problem.empty()) problem = test::audit_problem(kinetic_, Audit_level::certificates);
+    if (problem.empty()) problem = follower.problem;
+    if (problem.empty() && follower.edges != test::edges_of(kinetic_)) problem = "edges of events";
+    return problem;
+  }
+  Kinetic_delaunay& kinetic() { return kinetic_; }
+
+ private:
+  Kinetic_delaunay kinetic_;
+};
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : random_(seed) {}
+
+  double whole(int size) {
+    return static_cast<double>(std::uniform_int_distribution<int>(0, size)(random_));
+  }
+  double between(double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random_);
+  }
+  bool one_in(unsigned n) { return random_() % n == 0; }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+TEST(Set_positions, of_small_steps_is_the_triangulation_of_the_new_positions) {
+  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const std::size_t n = seed % 4 == 0 ? 300 : 40;
+    const double side = std::sqrt(static_cast<double>(n));
+    Places places(n);
+    for (Vector_2& place : places) {
+      place = {random.between(0, side), random.between(0, side)};
+      if (seed % 3 == 1) place = {place.x * place.x / side, place.y / 8};  // clustered, and a strip
+    }
+    Steps steps(places);
+    for (const double length : {1e-9, 0.01, 0.03, 0.1, 0.1, 0.3, 1.0, 0.03}) {
+      for (Vector_2& place : places) {
+        place = {place.x + random.between(-length, length),
+                 place.y + random.between(-length, length)};
+      }
+      ASSERT_EQ(steps.move(places), "") << "step " << length;
+    }
+    EXPECT_LT(steps.kinetic().counters().reconstructions, 1u);
+  }
+}
+
+// Many cocircular, collinear and coinciding points.
+TEST(Set_positions, on_a_grid_is_the_triangulation_of_the_new_positions) {
+  for (unsigned seed = 0; seed < 60u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const int size = seed % 2 == 0 ? 40 : 8;
+    Places places;
+    std::set<std::pair<double, double>> taken;
+    for (int i = 0; i < 60; ++i) {
+      const Vector_2 place = {random.whole(size), random.whole(size)};
+      if (taken.emplace(place.x, place.y).second) places.push_back(place);
+    }
+    Steps steps(places);
+    for (int step = 0; step < 12; ++step) {
+      const unsigned rarely = step % 3 == 0 ? 3 : 30;
+      for (Vector_2& place : places) {
+        if (!random.one_in(rarely)) continue;
+        place = {place.x + random.whole(2) - 1, place.y + random.whole(2) - 1};
+      }
+      ASSERT_EQ(steps.move(places), "") << "step " << step;
+    }
+  }
+}
+
+TEST(Set_positions, may_move_points_across_the_others_and_the_hull) {
+  for (unsigned seed = 0; seed < 30u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Places places(80);
+    for (Vector_2& place : places) place = {random.between(0, 9), random.between(0, 9)};
+    Steps steps(places);
+    for (int step = 0; step < 10; ++step) {
+      for (int k = 0; k < 3; ++k) {  // far, also out of the hull, or onto another point
+        Vector_2& place = places[static_cast<std::size_t>(random.whole(79))];
+        place = {random.between(-3, 12), random.between(-3, 12)};
+        if (random.one_in(4)) place = places[static_cast<std::size_t>(random.whole(79))];
+      }
+      ASSERT_EQ(steps.move(places), "") << "step " << step;
+    }
+  }
+}
+
+TEST(Set_positions, of_all_points_to_a_line_a_position_and_back) {
+  Places places;
+  for (int i = 0; i < 36; ++i) places.push_back({static_cast<double>(i % 6), std::floor(i / 6.0)});
+  Places line = places;
+  for (Vector_2& place : line) place.y = 0;
+  Places slant;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    slant.push_back({static_cast<double>(i), 2 * static_cast<double>(i)});
+  }
+  const Places one(places.size(), {1, 1});
+  Steps steps(places);
+  for (const Places& next : {line, places, slant, places, one, places}) {
+    ASSERT_EQ(steps.move(next), "");
+  }
+}
+
+// The triangulation goes on as a new one does.
+TEST(Set_positions, may_be_followed_by_motion_and_other_changes) {
+  for (unsigned seed = 0; seed < 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Places places(50);
+    for (Vector_2& place : places) place = {random.between(0, 7), random.between(0, 7)};
+    Steps steps(places);
+    Kinetic_delaunay& kinetic = steps.kinetic();
+    for (int step = 0; step < 4; ++step) {
+      for (Vector_2& place : places) {
+        place = {place.x + random.between(-0.1, 0.1), place.y + random.between(-0.1, 0.1)};
+      }
+      ASSERT_EQ(steps.move(places), "");
+      std::vector<Point_id> ids;
+      std::vector<Linear_motion_2> motions;
+      for (Point_id id = 0; id < 50; ++id) {
+        ids.push_back(id);
+        motions.push_back({places[id],
+                           {random.between(-1, 1), random.between(-1, 1)},
+                           kinetic.current_time().to_double()});
+      }
+      kinetic.set_motions(ids, motions);
+      Kinetic_delaunay made(motions, kinetic.current_time());
+      const auto next = made.next_event_time();
+      ASSERT_TRUE(next.has_value());
+      EXPECT_FALSE(kinetic.has_event_before(*next));
+      EXPECT_TRUE(kinetic.has_event_before(Algebraic_number(next->tight_interval().upper + 1e-9)));
+      test::Event_recorder expected(made);
+      test::Event_recorder events(kinetic);
+      const Algebraic_number end(kinetic.current_time().to_double() + 0.5);
+      made.advance_to(end);
+      kinetic.advance_to(end);
+      ASSERT_EQ(kinetic.finite_edge_ids(), made.finite_edge_ids());
+      ASSERT_EQ(events.events.size(), expected.events.size());
+      ASSERT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
+      for (Point_id id = 0; id < 50; ++id) places[id] = rounded_place(motions[id], end.to_double());
+    }
+    kinetic.set_positions(places);
+    kinetic.erase(7);
+    EXPECT_EQ(kinetic.insert({{3, 3.5}, {1, 0}, 0}), 50u);
+    EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
+  }
+}
+
+TEST(Set_positions, computes_certificates_only_when_time_goes_on) {
+  Places places;
+  for (int i = 0; i < 100; ++i) places.push_back({std::sin(i), std::cos(1.7 * i)});
+  Kinetic_delaunay kinetic(resting(places));
+  const auto before = kinetic.certificate_counters().created;
+  for (Vector_2& place : places) place.x *= 1.01;
+  kinetic.set_positions(places);
+  EXPECT_EQ(kinetic.certificate_counters().created, before);
+  EXPECT_EQ(kinetic.next_event_time(), std::nullopt);
+  EXPECT_GT(kinetic.certificate_counters().created, before);
+}
+
+TEST(Set_positions, that_are_refused_change_nothing) {
+  Places places;
+  for (int i = 0; i < 40; ++i) places.push_back({std::sin(i), std::cos(1.7 * i)});
+  Kinetic_delaunay kinetic(resting(places));
+  const auto edges = kinetic.finite_edge_ids();
+  Places wrong = places;
+  wrong[3].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(kinetic.set_positions(wrong), Precondition_error);
+  wrong = places;
+  wrong.pop_back();
+  EXPECT_PRECONDITION_ERROR(kinetic.set_positions(wrong),
+                            "40 points and 39 positions; expected a position for each point");
+  const std::vector<Point_id> twice = {4, 5, 4};
+  EXPECT_PRECONDITION_ERROR(kinetic.set_positions(twice, Places(3)),
+                            "point 4 is named twice; expected each point once");
+  EXPECT_PRECONDITION_ERROR(kinetic.set_positions(twice, Places(2)),
+                            "3 ids and 2 positions; expected a position for each id");
+  const std::vector<Point_id> unknown = {40};
+  EXPECT_THROW(kinetic.set_positions(unknown, Places(1)), Precondition_error);
+  EXPECT_EQ(kinetic.finite_edge_ids(), edges);
+  for (Point_id id = 0; id < 40; ++id) EXPECT_EQ(kinetic.motion(id).position, places[id]);
+  Kinetic_delaunay refusing(resting(places), {}, {}, Coincident_points::refuse);
+  EXPECT_THROW(refusing.set_positions(Places(40)), Coincident_trajectories_error);
+  EXPECT_EQ(refusing.finite_edge_ids(), edges);
+}
+
+}  // namespace
+}  // namespace kinetri::set_positions_test
