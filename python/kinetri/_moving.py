@@ -535,21 +535,63 @@ class MovingPoints(RunAnswers):
         >>> kd.velocities().tolist()
         [[-0.5, -1.0], [0.0, 2.0], [0.0, 2.0]]
         """
-        names = ("velocities",) if len(arguments) + len(named) == 1 else ("ids", "velocities")
+        self._engine.set_velocities(*self._ids_and_rows("velocities", arguments, named))
+
+    @overload
+    def set_positions(self, positions: ArrayLike, /) -> None: ...
+    @overload
+    def set_positions(self, *, positions: ArrayLike) -> None: ...
+    @overload
+    def set_positions(self, ids: IdsLike, positions: ArrayLike) -> None: ...
+    def set_positions(self, *arguments: Any, **named: Any) -> None:
+        """Moves points to positions at which they stay at rest, now and all at once.
+
+        The arguments are ``(positions)`` for all points, or ``(ids, positions)`` for some; they may be named.
+        Radii, their growth, and weights stay. If all points of a triangulation without weights move, and few
+        triangles turn over, that costs less than a new triangulation; what time brings is computed only when it
+        is to go on, or is asked for (`next_event_time`).
+
+        Parameters
+        ----------
+        ids : int, array of ids of shape (n,), slice, or array of bool, optional
+            The points, each once, as in `set_velocities`; by default all.
+        positions : array_like of float, shape (n, 2) or (2,)
+            Two numbers for each point, in the order of `ids`; shape (2,) is one position for all. Without
+            `ids`, two numbers for each id, NaN if there is no point, as in `positions()`.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no such point, one is given twice, or a shape is wrong.
+        CoincidentTrajectoriesError
+            If two points would coincide for a while, with ``coincident="refuse"``. Nothing is changed then.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[0, 0], [9, 0], [0, 9], [5, 5]])
+        >>> kd.set_positions(kd.positions() + [1, 2])
+        >>> kd.set_positions([3], [2, 3])
+        >>> kd.positions().tolist()
+        [[1.0, 2.0], [10.0, 2.0], [1.0, 11.0], [2.0, 3.0]]
+        """
+        self._engine.set_positions(*self._ids_and_rows("positions", arguments, named))
+
+    def _ids_and_rows(self, name: str, arguments: tuple[Any, ...],
+                      named: dict[str, Any]) -> tuple[Ids, Floats]:
+        """The ids, and two numbers for each, of arguments ``(rows)`` or ``(ids, rows)``."""
+        names = (name,) if len(arguments) + len(named) == 1 else ("ids", name)
         given = {**dict(zip(names, arguments)), **named}
         if set(given) != set(names) or len(arguments) + len(named) != len(names):
-            raise TypeError("set_velocities() takes velocities, or ids and velocities")
-        velocities = given["velocities"]
-        if velocities is None:
-            raise PreconditionError("velocities is None; expected two numbers for each point")
+            raise TypeError(f"set_{name}() takes {name}, or ids and {name}")
+        values = given[name]
+        if values is None:
+            raise PreconditionError(f"{name} is None; expected two numbers for each point")
         if "ids" in given:
             ids = self._ids(given["ids"])
-            rows = _arrays.rows("velocities", velocities, len(ids), copies=len(ids))
-        else:
-            is_there = self._is_there()
-            ids = np.flatnonzero(is_there).astype(np.uint32)
-            rows = _arrays.rows_by_id("velocities", velocities, is_there)
-        self._engine.set_velocities(ids, rows)
+            return ids, _arrays.rows(name, values, len(ids), copies=len(ids))
+        is_there = self._is_there()
+        return np.flatnonzero(is_there).astype(np.uint32), _arrays.rows_by_id(name, values, is_there)
 
     def _set_motions(self, ids: IdsLike, positions: ArrayLike, velocities: ArrayLike,
                      acceleration: ArrayLike | None, jerk: ArrayLike | None,

@@ -406,6 +406,13 @@ void bind_time_and_changes(py::class_<Moving, std::shared_ptr<Moving>>& type) {
                e.set_velocities(span_of(ids), span_of(velocities));
              });
            })
+      .def("set_positions",
+           [](Moving& moving, const Ids& ids, const Array<double>& positions) {
+             moving.with_engine([&](Engine& e) {
+               check_contains(e, span_of(ids));
+               e.set_positions(span_of(ids), span_of(positions));
+             });
+           })
       .def("set_masses",
            [](Moving& moving, const Ids& ids, const Array<double>& masses) {
              moving.with_engine([&](Engine& e) {

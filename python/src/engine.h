@@ -110,6 +110,8 @@ class Engine {
   /// `with_velocity_at`.
   virtual void set_velocities(std::span<const Point_id> ids,
                               std::span<const double> velocities) = 0;
+  /// Two numbers for each id. Each point stays there at rest, as by `at_rest_in`.
+  virtual void set_positions(std::span<const Point_id> ids, std::span<const double> positions) = 0;
   virtual void set_masses(std::span<const Point_id> ids, std::span<const double> masses) = 0;
   virtual Point_id schedule_insert(const Time& time, const Motion_columns& motion, double mass) = 0;
   virtual void schedule_motion(const Time& time, Point_id id, const Motion_columns& motion) = 0;

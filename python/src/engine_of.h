@@ -141,6 +141,7 @@ class Engine_of final : public Engine {
     core_->set_motions(ids, motions_of<Motion>(motions));
   }
   void set_velocities(std::span<const Point_id> ids, std::span<const double> velocities) override;
+  void set_positions(std::span<const Point_id> ids, std::span<const double> positions) override;
   void set_masses(std::span<const Point_id> ids, std::span<const double> masses) override;
   Point_id schedule_insert(const Time& time, const Motion_columns& motion, double mass) override {
     if constexpr (is_simulation) {
@@ -363,6 +364,18 @@ void Engine_of<Core, Traits>::set_velocities(std::span<const Point_id> ids,
     vectors.push_back({velocities[2 * i], velocities[2 * i + 1]});
   }
   core_->set_velocities(ids, vectors);
+}
+
+template <template <class> class Core, class Traits>
+void Engine_of<Core, Traits>::set_positions(std::span<const Point_id> ids,
+                                            std::span<const double> positions) {
+  std::vector<Motion> motions;
+  motions.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    motions.push_back(
+        at_rest_in(kinetic().motion(ids[i]), {positions[2 * i], positions[2 * i + 1]}));
+  }
+  core_->set_motions(ids, motions);
 }
 
 template <template <class> class Core, class Traits>
