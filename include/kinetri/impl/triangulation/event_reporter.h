@@ -90,6 +90,7 @@ class Kinetic_types<Traits>::Event_reporter {
   const Observer_list<Event_observer>& observers() const { return observers_; }
   Triangulation_counters& counters() { return counters_; }
 
+  bool has_observers() const { return !observers_.empty(); }
   /// Whether events or edges must be reported or noted; else counting is enough.
   bool has_listeners() const { return edges_ || keeps_trail_ || !observers_.empty(); }
 
@@ -144,9 +145,10 @@ class Kinetic_types<Traits>::Event_reporter {
     edges_ = std::move(edges);
   }
 
-  void count_event(Event_kind kind) {
-    ++counters_.events[static_cast<std::size_t>(kind)];
-    ++events_in_instant_;
+  void count_event(Event_kind kind) { count_events(kind, 1); }
+  void count_events(Event_kind kind, std::size_t number) {
+    counters_.events[static_cast<std::size_t>(kind)] += number;
+    events_in_instant_ += number;
   }
   void begin_instant() { events_in_instant_ = 0; }
   std::uint64_t events_in_instant() const { return events_in_instant_; }

@@ -5,12 +5,13 @@
 #define KINETRI_IMPL_TRIANGULATION_POINT_CHANGES_H
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "kinetri/impl/kinetic/rounded_places.h"
 #include "kinetri/impl/triangulation/event_loop.h"
+#include "kinetri/impl/triangulation/repair.h"
 #include "kinetri/impl/triangulation/updates.h"
 
 namespace kinetri::detail {
@@ -57,7 +58,7 @@ class Kinetic_types<Traits>::Point_changes {
     std::vector<Change> in_place;
     std::vector<Jump> jumps;
     std::optional<Triangulation> rebuilt;  // if everything is rebuilt
-    std::optional<Rounded_places> moved;   // if all points move: their new positions
+    std::unique_ptr<Repair> repair;        // if many points move at once
   };
 
   struct Joined {
@@ -78,7 +79,8 @@ class Kinetic_types<Traits>::Point_changes {
   void separate_twins(Vertex_changes& planned) const;
   void join_twins(std::span<const Edge_ids> coincident, Vertex_changes& planned) const;
   Plan plan_vertices(std::span<const Change> changes, std::vector<Edge_ids>& coincident);
-  std::optional<Rounded_places> places_if_all_move(std::span<const Change> changes) const;
+  bool plan_move(std::span<const Change> changes, Plan& plan,
+                 std::vector<Edge_ids>& coincident) const;
   void find_changes_in_place(std::span<const Change> changes, Plan& plan);
   void find_coincident_in_place(std::span<const Change> changes, std::span<const Change> in_place,
                                 std::vector<Edge_ids>& coincident) const;

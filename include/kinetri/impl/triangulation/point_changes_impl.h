@@ -15,7 +15,6 @@
 #include "kinetri/impl/triangulation/event_loop_impl.h"
 #include "kinetri/impl/triangulation/point_changes.h"
 #include "kinetri/impl/triangulation/region_runs.h"
-#include "kinetri/impl/triangulation/repair.h"
 
 namespace kinetri::detail {
 
@@ -26,12 +25,13 @@ void Kinetic_types<Traits>::Point_changes::change_all(Event_kind kind,
   std::ranges::sort(changes, {}, &Change::point);
   const auto twice = std::ranges::adjacent_find(changes, {}, &Change::point);
   KINETRI_PRECONDITION(twice == changes.end(), named_twice_problem(twice->point));
-  std::vector<Event> events(changes.size());
-  for (std::size_t i = 0; i < changes.size(); ++i) {
+  std::vector<Event> events(reporter_.has_observers() ? changes.size() : 1);
+  for (std::size_t i = 0; i < events.size(); ++i) {
     events[i].kind = kind;
     events[i].point_a = changes[i].point;
   }
   perform(events, changes);
+  reporter_.count_events(kind, changes.size() - events.size());
 }
 
 template <class Traits>
@@ -134,8 +134,7 @@ auto Kinetic_types<Traits>::Point_changes::plan_vertices(std::span<const Change>
                                                          std::vector<Edge_ids>& coincident)
     -> Plan {
   Plan result;
-  result.moved = places_if_all_move(changes);
-  if (result.moved) return result;
+  if (plan_move(changes, result, coincident)) return result;
   find_changes_in_place(changes, result);
   if constexpr (is_weighted) find_coincident_in_place(changes, result.in_place, coincident);
   if (result.jumps.empty()) return result;
@@ -179,23 +178,30 @@ bool Kinetic_types<Traits>::Point_changes::should_schedule_all(std::size_t point
   return points > few && points > topology_.number_of_vertices() / 4;
 }
 
-// The new positions of all points, if many change, all of them stay vertices, and few triangles
-// turn over. Points that coincide are found by the change itself; so not if they are refused.
+// Plans that many points move at once, if all of them stay vertices. Returns false, and does
+// nothing, if that is not so; or if coincident points are refused, since the move itself finds
+// them.
 template <class Traits>
-std::optional<Rounded_places> Kinetic_types<Traits>::Point_changes::places_if_all_move(
-    std::span<const Change> changes) const {
+bool Kinetic_types<Traits>::Point_changes::plan_move(std::span<const Change> changes, Plan& plan,
+                                                     std::vector<Edge_ids>& coincident) const {
   if constexpr (!is_weighted && HasRoundedPlace<Motion>) {
     const auto stays = [&](const Change& change) {
       return change.motion && topology_.has_vertex(change.point);
     };
     if (topology_.refuses_twins() || triangulation_.dimension() < 2 ||
         !should_schedule_all(changes.size()) || !std::ranges::all_of(changes, stays)) {
-      return std::nullopt;
+      return false;
     }
-    Rounded_places places(points_after(changes), schedule_.current_time());
-    if (Repair(topology_, reporter_).may_pay(places)) return places;
+    const std::vector<Point_2> points = points_after(changes);
+    plan.repair = std::make_unique<Repair>(topology_, reporter_,
+                                           Rounded_places(points, schedule_.current_time()));
+    if (!plan.repair->may_pay()) {
+      plan.repair.reset();
+      plan.rebuilt = updates_.build_now(points, coincident);
+    }
+    return true;
   }
-  return std::nullopt;
+  return false;
 }
 
 // Separates points that change in place from the others. Meanwhile points have their new motions,
@@ -422,7 +428,7 @@ template <class Traits>
 void Kinetic_types<Traits>::Point_changes::make(Vertex_changes& planned) {
   const std::span<const Change> changes = planned.changes;
   Plan& plan = planned.plan;
-  if (plan.moved) return move(planned);
+  if (plan.repair) return move(planned);
   const auto set_points = [&] {
     for (const Change& change : changes) set_point(change);
   };
@@ -450,9 +456,7 @@ template <class Traits>
 void Kinetic_types<Traits>::Point_changes::move(Vertex_changes& planned) {
   if constexpr (!is_weighted) {
     updates_.show_current_time();
-    if (Repair(topology_, reporter_).move(planned.changes, *planned.plan.moved)) {
-      return schedule_.defer();
-    }
+    if (planned.plan.repair->move(planned.changes)) return schedule_.defer();
     std::vector<Point_2> points = topology_.points();
     std::vector<Edge_ids> coincident;
     Triangulation rebuilt = updates_.build_now(points, coincident);

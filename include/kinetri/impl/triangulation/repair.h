@@ -34,19 +34,27 @@ namespace kinetri::detail {
 template <class Traits>
 class Kinetic_types<Traits>::Repair {
  public:
-  /// Edges that change are noted there. The others must outlive this object.
-  Repair(Topology& topology, Event_reporter& reporter)
-      : topology_(topology), reporter_(reporter), triangulation_(topology.triangulation()) {}
+  /// `places` has the new positions of all points. Edges that change are noted by the reporter. The
+  /// others must outlive this object.
+  Repair(Topology& topology, Event_reporter& reporter, Rounded_places places)
+      : topology_(topology),
+        reporter_(reporter),
+        triangulation_(topology.triangulation()),
+        places_(std::move(places)) {
+    if (places_.are_finite()) find_turned();
+  }
 
-  /// Whether the repair probably costs less than a construction: few triangles turn over. `places`
-  /// has the new positions of all points.
-  bool may_pay(const Rounded_places& places) const;
+  /// Whether the repair probably costs less than a construction: few triangles turn over.
+  bool may_pay() const {
+    return places_.are_finite() &&
+           turned_.size() * points_for_each_removal <= topology_.number_of_vertices();
+  }
 
   /// Gives the points their motions, and makes the triangulation Delaunay at the instant of its
   /// predicates. Returns false if it could not, or if points coincide: then all points have their
   /// motions, and the triangulation is in no defined state, except that its finite edges are those
-  /// noted. `places` as above.
-  bool move(std::span<const Change> changes, const Rounded_places& places);
+  /// noted. Precondition: may_pay().
+  bool move(std::span<const Change> changes);
 
  private:
   static constexpr std::size_t points_for_each_removal = 12;
@@ -57,76 +65,65 @@ class Kinetic_types<Traits>::Repair {
   };
 
   bool is_infinite(Vertex_handle v) const { return triangulation_.is_infinite(v); }
-  bool is_certainly_left_turn(const Rounded_places& places, Face_handle face) const {
-    return places.orientation(face->vertex(0)->point().id(), face->vertex(1)->point().id(),
-                              face->vertex(2)->point().id()) == CGAL::POSITIVE;
+  bool is_certainly_left_turn(Face_handle face) const {
+    return places_.orientation(face->vertex(0)->point().id(), face->vertex(1)->point().id(),
+                               face->vertex(2)->point().id()) == CGAL::POSITIVE;
   }
-  std::vector<Face_handle> suspects(const Rounded_places& places) const;
-  bool take_out(const Rounded_places& places);
+  void find_turned();
+  bool take_out_turned();
   void take_out(Vertex_handle v);
-  bool put_back(const Rounded_places& places);
+  bool put_back();
   void note(const Edge& edge, int change) { reporter_.note(Topology::ids_of(edge), change); }
   bool flip_hull(std::vector<Vertex_handle> suspects);
   std::vector<Vertex_handle> hull() const;
   bool is_hull_simple() const;
-  bool flip_all(const Rounded_places& places);
-  bool flip(std::vector<Edge>& suspects, const Rounded_places& places);
-  bool is_violated(Face_handle face, int i, const Rounded_places& places) const;
+  bool flip_all();
+  bool flip(std::vector<Edge>& suspects);
+  bool is_violated(Face_handle face, int i) const;
 
   Topology& topology_;
   Event_reporter& reporter_;
   Triangulation& triangulation_;
+  const Rounded_places places_;
+  std::vector<Face_handle> turned_;  // finite triangles that may have turned over
   std::vector<Removed> removed_;
   std::size_t flips_left_ = 0;
 };
 
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::may_pay(const Rounded_places& places) const {
-  return places.are_finite() &&
-         suspects(places).size() * points_for_each_removal <= topology_.number_of_vertices();
-}
-
-template <class Traits>
-bool Kinetic_types<Traits>::Repair::move(std::span<const Change> changes,
-                                         const Rounded_places& places) {
-  const bool is_embedded = take_out(places);
+bool Kinetic_types<Traits>::Repair::move(std::span<const Change> changes) {
+  const bool is_embedded = take_out_turned();
   for (const Change& change : changes) topology_.set_point(change);
   flips_left_ = 4 * triangulation_.tds().number_of_faces();
-  return is_embedded && flip_hull(hull()) && is_hull_simple() && flip_all(places) &&
-         put_back(places);
+  return is_embedded && flip_hull(hull()) && is_hull_simple() && flip_all() && put_back();
 }
 
 // ---- points that are taken out ----
 
-// The finite triangles that may have turned over.
 template <class Traits>
-auto Kinetic_types<Traits>::Repair::suspects(const Rounded_places& places) const
-    -> std::vector<Face_handle> {
-  std::vector<Face_handle> result;
+void Kinetic_types<Traits>::Repair::find_turned() {
+  turned_.clear();
   for (const Face_handle face : triangulation_.finite_face_handles()) {
-    if (!is_certainly_left_turn(places, face)) result.push_back(face);
+    if (!is_certainly_left_turn(face)) turned_.push_back(face);
   }
-  return result;
 }
 
 // Takes points out until all finite triangles are counterclockwise at the new positions. Returns
 // false if these are too many. The points still have their old positions.
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::take_out(const Rounded_places& places) {
+bool Kinetic_types<Traits>::Repair::take_out_turned() {
   const std::size_t most = topology_.number_of_vertices() / points_for_each_removal + 1;
   std::vector<std::uint8_t> counts(topology_.vertices().size());
-  for (;;) {
-    const std::vector<Face_handle> turned = suspects(places);
-    if (turned.empty()) return true;
+  for (; !turned_.empty(); find_turned()) {
     std::vector<Vertex_handle> chosen;
     const auto count = [&](Vertex_handle v) -> std::uint8_t& { return counts[v->point().id()]; };
-    for (const Face_handle face : turned) {
+    for (const Face_handle face : turned_) {
       for (int i = 0; i < 3; ++i) {
         if (count(face->vertex(i)) < 100) ++count(face->vertex(i));
       }
     }
     constexpr std::uint8_t is_chosen = 200;
-    for (const Face_handle face : turned) {
+    for (const Face_handle face : turned_) {
       Vertex_handle best = face->vertex(0);
       for (int i = 1; i < 3; ++i) {
         if (count(face->vertex(i)) > count(best)) best = face->vertex(i);
@@ -135,7 +132,7 @@ bool Kinetic_types<Traits>::Repair::take_out(const Rounded_places& places) {
       count(best) = is_chosen;
       chosen.push_back(best);
     }
-    for (const Face_handle face : turned) {
+    for (const Face_handle face : turned_) {
       for (int i = 0; i < 3; ++i) count(face->vertex(i)) = 0;
     }
     if (removed_.size() + chosen.size() > most) return false;
@@ -144,6 +141,7 @@ bool Kinetic_types<Traits>::Repair::take_out(const Rounded_places& places) {
       take_out(v);
     }
   }
+  return true;
 }
 
 template <class Traits>
@@ -160,7 +158,7 @@ void Kinetic_types<Traits>::Repair::take_out(Vertex_handle v) {
 
 // Inserts the points again. Returns false if one of them coincides with another.
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::put_back(const Rounded_places& places) {
+bool Kinetic_types<Traits>::Repair::put_back() {
   for (auto removed = removed_.rbegin(); removed != removed_.rend(); ++removed) {
     const auto [v, neighbor] = *removed;
     const Face_handle start = neighbor->face();
@@ -181,7 +179,7 @@ bool Kinetic_types<Traits>::Repair::put_back(const Rounded_places& places) {
     for_each_face_at(triangulation_, v, [&](Face_handle f) {
       for (int k = 0; k < 3; ++k) edges.emplace_back(f, k);
     });
-    if (!flip(edges, places)) return false;
+    if (!flip(edges)) return false;
   }
   return true;
 }
@@ -252,15 +250,14 @@ bool Kinetic_types<Traits>::Repair::is_hull_simple() const {
 // ---- edges inside ----
 
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::is_violated(Face_handle face, int i,
-                                                const Rounded_places& places) const {
+bool Kinetic_types<Traits>::Repair::is_violated(Face_handle face, int i) const {
   const Face_handle beyond = face->neighbor(i);
   if (triangulation_.is_infinite(face) || triangulation_.is_infinite(beyond)) return false;
   const Point_2& p = face->vertex(0)->point();
   const Point_2& q = face->vertex(1)->point();
   const Point_2& r = face->vertex(2)->point();
   const Point_2& s = beyond->vertex(triangulation_.tds().mirror_index(face, i))->point();
-  const Sign known = places.side_of_oriented_circle(p.id(), q.id(), r.id(), s.id());
+  const Sign known = places_.side_of_oriented_circle(p.id(), q.id(), r.id(), s.id());
   if (known != CGAL::ZERO) return known == CGAL::POSITIVE;
   return triangulation_.geom_traits().side_of_oriented_circle_2_object()(p, q, r, s) ==
          CGAL::ON_POSITIVE_SIDE;
@@ -268,14 +265,14 @@ bool Kinetic_types<Traits>::Repair::is_violated(Face_handle face, int i,
 
 // Flips edges until all are Delaunay. [Lawson 1977]
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::flip_all(const Rounded_places& places) {
+bool Kinetic_types<Traits>::Repair::flip_all() {
   std::vector<Edge> edges;
   for (const Face_handle face : triangulation_.finite_face_handles()) {
     for (int i = 0; i < 3; ++i) {
       if (!(face < face->neighbor(i))) continue;
-      if (!is_violated(face, i, places)) continue;
+      if (!is_violated(face, i)) continue;
       edges.emplace_back(face, i);
-      if (!flip(edges, places)) return false;
+      if (!flip(edges)) return false;
     }
   }
   return true;
@@ -283,12 +280,11 @@ bool Kinetic_types<Traits>::Repair::flip_all(const Rounded_places& places) {
 
 // Flips these edges, if they are violated, and those around them.
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::flip(std::vector<Edge>& suspects,
-                                         const Rounded_places& places) {
+bool Kinetic_types<Traits>::Repair::flip(std::vector<Edge>& suspects) {
   while (!suspects.empty()) {
     const auto [face, i] = suspects.back();
     suspects.pop_back();
-    if (!is_violated(face, i, places)) continue;
+    if (!is_violated(face, i)) continue;
     if (flips_left_-- == 0) return false;
     const Face_handle beyond = face->neighbor(i);
     note(Edge(face, i), -1);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/triangulation/prefetch.h"
@@ -240,7 +242,7 @@ template <class Change_vertices>
 void Kinetic_types<Traits>::Updates::rebuild(const Change_vertices& change_vertices,
                                              std::optional<Triangulation> rebuilt) {
   reporter_.start_noting();
-  for (const Edge_ids& edge : topology_.finite_edge_ids()) reporter_.note(edge, -1);
+  const std::vector<Edge_ids> before = topology_.finite_edge_ids();
   show_current_time();
   schedule_.defer();
   change_vertices();
@@ -253,7 +255,20 @@ void Kinetic_types<Traits>::Updates::rebuild(const Change_vertices& change_verti
     reporter_.note_moved_hidden(hidden);
   });
   topology_.set_weights_equal(Topology::have_equal_weights(points));
-  for (const Edge_ids& edge : topology_.finite_edge_ids()) reporter_.note(edge, 1);
+  const std::vector<Edge_ids> after = topology_.finite_edge_ids();
+  const auto note_all = [this](const std::vector<Edge_ids>& edges, int change) {
+    for (const Edge_ids& edge : edges) reporter_.note(edge, change);
+  };
+  if (reporter_.has_observers()) {  // which are told of edges whose triangles may have changed
+    note_all(before, -1);
+    note_all(after, 1);
+  } else {
+    std::vector<Edge_ids> changed;
+    std::ranges::set_difference(before, after, std::back_inserter(changed));
+    note_all(std::exchange(changed, {}), -1);
+    std::ranges::set_difference(after, before, std::back_inserter(changed));
+    note_all(changed, 1);
+  }
 }
 
 }  // namespace kinetri::detail
