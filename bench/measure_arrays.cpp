@@ -29,9 +29,11 @@ json measure_round(const Setup& setup, const std::vector<Linear_motion_2>& motio
     turned.back().velocity.x += 1e-3 * id;
   }
   kinetic.set_motions(ids, turned);
+  kinetic.next_event_time();  // computes certificates that set_motions has deferred
   result["turns_seconds"] = turns.seconds();
   for (const Point_id id : ids) turned[id] = motions[id];
   kinetic.set_motions(ids, turned);
+  kinetic.next_event_time();
 
   python::Event_table::Kinds all;
   all.fill(true);

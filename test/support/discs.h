@@ -25,11 +25,15 @@ Rational radius_at(const Disc& disc, const Rational& t) {
   return to_rational(disc.radius) + to_rational(disc.growth) * (t - to_rational(disc.epoch));
 }
 
-/// The weight at time `t`, by its definition.
-template <class Disc>
-Rational weight_at(const Disc& disc, const Rational& t) {
-  const Rational radius = radius_at(disc, t);
-  return radius * radius + to_rational(disc.weight);
+/// The weight at time `t`, by its definition; 0 of a motion without one.
+template <class Motion>
+Rational weight_at(const Motion& motion, const Rational& t) {
+  if constexpr (HasWeight<Motion>) {
+    const Rational radius = radius_at(motion, t);
+    return radius * radius + to_rational(motion.weight);
+  } else {
+    return 0;
+  }
 }
 
 /// The weighted point at time `t`.

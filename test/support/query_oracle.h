@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "kinetri/triangulation/queries_2.h"
+#include "support/discs.h"
 #include "support/kinetic_runs.h"
 #include "support/motions.h"
 
@@ -29,18 +30,6 @@ inline Static_point static_point(const Vector_2& place) {
 
 inline Static_point static_point(const Exact_position_2& p) {
   return {p.x, p.y};
-}
-
-/// The weight of a motion at time `t`, straight from the definition; zero without one.
-template <class Motion>
-Rational weight_at(const Motion& motion, const Rational& t) {
-  if constexpr (HasWeight<Motion>) {
-    const Rational radius =
-        to_rational(motion.radius) + to_rational(motion.growth) * (t - to_rational(motion.epoch));
-    return radius * radius + to_rational(motion.weight);
-  } else {
-    return 0;
-  }
 }
 
 /// The points of a triangulation at a rational time, and answers by exhaustive search. With

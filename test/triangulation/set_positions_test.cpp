@@ -192,6 +192,7 @@ TEST(Set_positions, may_be_followed_by_motion_and_other_changes) {
       const Algebraic_number end(kinetic.current_time().to_double() + 0.5);
       made.advance_to(end);
       kinetic.advance_to(end);
+      kinetic.remove_observer(events);
       ASSERT_EQ(kinetic.finite_edge_ids(), made.finite_edge_ids());
       ASSERT_EQ(events.events.size(), expected.events.size());
       ASSERT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");

@@ -116,6 +116,8 @@ TEST(Reconstruction, with_other_motions_leaves_the_edges_of_those) {
     make_changes(part.reporter.report_edges(), edges);
     ASSERT_EQ(edges, test::edges_after(motions, 1.0)) << seed;
     EXPECT_EQ(part.edges(), edges);
+    EXPECT_TRUE(part.schedule.is_deferred());
+    part.schedule.schedule_deferred();
     ASSERT_EQ(part.problem(), "") << seed;
     EXPECT_EQ(part.counters.reconstructions, 0u) << "no failure made it necessary";
     part.updates.rebuild();
