@@ -6,6 +6,7 @@
 #ifndef KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_IMPL_H
 #define KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_IMPL_H
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -266,15 +267,19 @@ template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::set_positions(std::span<const Point_id> ids,
                                                     std::span<const Vector_2> positions) requires
     MotionWithPosition_2<typename Traits::Motion> {
+  const detail::Flag_while changing = core_.reporter.start_change();
   KINETRI_PRECONDITION(ids.size() == positions.size(),
                        std::to_string(ids.size()) + " ids and " + std::to_string(positions.size()) +
                            " positions; expected a position for each id");
-  std::vector<Motion> motions;
-  motions.reserve(ids.size());
+  std::vector<Change> changes;
+  changes.reserve(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    motions.push_back(at_rest_in(motion(ids[i]), positions[i]));
+    const auto& [x, y] = positions[i];
+    KINETRI_PRECONDITION(contains(ids[i]), detail::unknown_id_problem(ids[i]));
+    KINETRI_PRECONDITION(std::isfinite(x) && std::isfinite(y), detail::not_finite_problem(ids[i]));
+    changes.push_back({ids[i], at_rest_in(core_.topology.point(ids[i]).motion(), positions[i])});
   }
-  set_motions(ids, motions);
+  core_.changes.change_all(Event_kind::trajectory, std::move(changes));
 }
 
 template <KineticTraits_2 Traits>

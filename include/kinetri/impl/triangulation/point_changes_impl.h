@@ -22,7 +22,9 @@ template <class Traits>
 void Kinetic_types<Traits>::Point_changes::change_all(Event_kind kind,
                                                       std::vector<Change> changes) {
   if (changes.empty()) return;
-  std::ranges::sort(changes, {}, &Change::point);
+  if (!std::ranges::is_sorted(changes, {}, &Change::point)) {
+    std::ranges::sort(changes, {}, &Change::point);
+  }
   const auto twice = std::ranges::adjacent_find(changes, {}, &Change::point);
   KINETRI_PRECONDITION(twice == changes.end(), named_twice_problem(twice->point));
   std::vector<Event> events(reporter_.has_observers() ? changes.size() : 1);
@@ -192,11 +194,24 @@ bool Kinetic_types<Traits>::Point_changes::plan_move(std::span<const Change> cha
         !should_schedule_all(changes.size()) || !std::ranges::all_of(changes, stays)) {
       return false;
     }
-    const std::vector<Point_2> points = points_after(changes);
-    plan.repair = std::make_unique<Repair>(topology_, reporter_,
-                                           Rounded_places(points, schedule_.current_time()));
+    std::vector<Point_2> points;
+    const auto places = [&] {
+      const Time& now = schedule_.current_time();
+      if (changes.size() == topology_.number_of_vertices()) {
+        struct Moving {
+          const Change& change;
+          Point_id id() const { return change.point; }
+          const Motion& motion() const { return *change.motion; }
+        };
+        return Rounded_places(changes, now, [](const Change& change) { return Moving{change}; });
+      }
+      points = points_after(changes);
+      return Rounded_places(points, now);
+    };
+    plan.repair = std::make_unique<Repair>(topology_, reporter_, places());
     if (!plan.repair->may_pay()) {
       plan.repair.reset();
+      if (points.empty()) points = points_after(changes);
       plan.rebuilt = updates_.build_now(points, coincident);
     }
     return true;

@@ -65,11 +65,13 @@ class Kinetic_types<Traits>::Repair {
   };
 
   bool is_infinite(Vertex_handle v) const { return triangulation_.is_infinite(v); }
+  static bool is_taken_out(Vertex_handle v) { return v->face() == Face_handle(); }
   bool is_certainly_left_turn(Face_handle face) const {
     return places_.orientation(face->vertex(0)->point().id(), face->vertex(1)->point().id(),
                                face->vertex(2)->point().id()) == CGAL::POSITIVE;
   }
   void find_turned();
+  void find_turned_around();
   bool take_out_turned();
   void take_out(Vertex_handle v);
   bool put_back();
@@ -85,7 +87,8 @@ class Kinetic_types<Traits>::Repair {
   Event_reporter& reporter_;
   Triangulation& triangulation_;
   const Rounded_places places_;
-  std::vector<Face_handle> turned_;  // finite triangles that may have turned over
+  std::vector<Face_handle> turned_;    // finite triangles that may have turned over
+  std::vector<Vertex_handle> around_;  // former neighbors of points taken out in this round
   std::vector<Removed> removed_;
   std::size_t flips_left_ = 0;
 };
@@ -108,13 +111,34 @@ void Kinetic_types<Traits>::Repair::find_turned() {
   }
 }
 
+// The same of the triangles at neighbors of points that have been taken out.
+template <class Traits>
+void Kinetic_types<Traits>::Repair::find_turned_around() {
+  turned_.clear();
+  std::ranges::sort(around_);
+  const auto again = std::ranges::unique(around_);
+  around_.erase(again.begin(), again.end());
+  for (const Vertex_handle v : around_) {
+    if (is_taken_out(v)) continue;
+    for_each_face_at(triangulation_, v, [&](Face_handle face) {
+      if (!triangulation_.is_infinite(face) && !is_certainly_left_turn(face)) {
+        turned_.push_back(face);
+      }
+    });
+  }
+  around_.clear();
+  std::ranges::sort(turned_);
+  const auto twice = std::ranges::unique(turned_);
+  turned_.erase(twice.begin(), twice.end());
+}
+
 // Takes points out until all finite triangles are counterclockwise at the new positions. Returns
 // false if these are too many. The points still have their old positions.
 template <class Traits>
 bool Kinetic_types<Traits>::Repair::take_out_turned() {
   const std::size_t most = topology_.number_of_vertices() / points_for_each_removal + 1;
   std::vector<std::uint8_t> counts(topology_.vertices().size());
-  for (; !turned_.empty(); find_turned()) {
+  for (; !turned_.empty(); find_turned_around()) {
     std::vector<Vertex_handle> chosen;
     const auto count = [&](Vertex_handle v) -> std::uint8_t& { return counts[v->point().id()]; };
     for (const Face_handle face : turned_) {
@@ -146,9 +170,8 @@ bool Kinetic_types<Traits>::Repair::take_out_turned() {
 
 template <class Traits>
 void Kinetic_types<Traits>::Repair::take_out(Vertex_handle v) {
-  Vertex_handle neighbor;
-  for_each_neighbor(triangulation_, v, [&](Vertex_handle u) { neighbor = u; });
-  removed_.push_back({v, neighbor});
+  for_each_neighbor(triangulation_, v, [&](Vertex_handle u) { around_.push_back(u); });
+  removed_.push_back({v, around_.back()});
   std::vector<Face_handle> faces;
   const auto edges = topology_.remove_from_faces(
       v, faces, [this](const Edge_ids& ids, int change) { reporter_.note(ids, change); });

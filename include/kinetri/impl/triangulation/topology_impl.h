@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "kinetri/base/error.h"
 #include "kinetri/impl/base/check.h"
@@ -104,9 +105,22 @@ auto Kinetic_types<Traits>::Topology::points() const -> std::vector<Point_2> {
 
 template <class Traits>
 std::vector<Edge_ids> Kinetic_types<Traits>::Topology::finite_edge_ids() const {
-  std::vector<Edge_ids> result;
-  for (const Edge& edge : triangulation_.finite_edges()) result.push_back(ids_of(edge));
-  std::ranges::sort(result);
+  // Sorted by the smaller id by counting, then by the greater one.
+  std::vector<Edge_ids> edges;
+  std::vector<std::size_t> ends(vertices_.size() + 1);
+  for (const Edge& edge : triangulation_.finite_edges()) {
+    edges.push_back(ids_of(edge));
+    ++ends[edges.back()[0] + 1];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Edge_ids> result(edges.size());
+  for (const Edge_ids& edge : edges) result[ends[edge[0]]++] = edge;
+  std::size_t begin = 0;
+  for (const std::size_t end : ends) {
+    std::sort(result.begin() + static_cast<std::ptrdiff_t>(begin),
+              result.begin() + static_cast<std::ptrdiff_t>(end));
+    begin = end;
+  }
   return result;
 }
 
