@@ -309,13 +309,15 @@ bool Kinetic_types<Traits>::Repair::flip(std::vector<Edge>& suspects) {
     suspects.pop_back();
     if (!is_violated(face, i)) continue;
     if (flips_left_-- == 0) return false;
-    const Face_handle beyond = face->neighbor(i);
+    const auto [beyond, j] = topology_.with_mirror(Edge(face, i)).there;
     note(Edge(face, i), -1);
     triangulation_.tds().flip(face, i);
     note(Edge(face, Triangulation::ccw(i)), 1);
-    for (const Face_handle changed : {face, beyond}) {
-      for (int k = 0; k < 3; ++k) suspects.emplace_back(changed, k);
-    }
+    // The outer edges of the quadrilateral (Topology::flip).
+    suspects.emplace_back(face, i);
+    suspects.emplace_back(face, Triangulation::cw(i));
+    suspects.emplace_back(beyond, j);
+    suspects.emplace_back(beyond, Triangulation::cw(j));
   }
   return true;
 }
