@@ -569,7 +569,7 @@ class MovingPoints(RunAnswers):
         Examples
         --------
         >>> import kinetri
-        >>> kd = kinetri.KineticDelaunay([[0, 0], [9, 0], [0, 9], [5, 5]])
+        >>> kd = kinetri.KineticDelaunay([[0, 0], [9, 0], [0, 9], [5, 5]], 4 * [[0, 0]])
         >>> kd.set_positions(kd.positions() + [1, 2])
         >>> kd.set_positions([3], [2, 3])
         >>> kd.positions().tolist()
