@@ -195,7 +195,9 @@ class Certified_triangulation {
       return c != nullptr && c->radius != witness_.front()->radius;
     };
     if (std::ranges::any_of(courses_, has_other_radius)) {
-      throw Bad_input("hidden points among points on one line are not supported");
+      throw Bad_input(
+          "all discs are on one line, and a larger one hides a smaller one: such runs are not "
+          "supported");
     }
   }
 

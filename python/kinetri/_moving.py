@@ -169,9 +169,9 @@ class MovingPoints(RunAnswers):
 
     Points that have the same motion (and size) from some time on coincide until the motion of one of them changes.
     The one with the least id hides the others meanwhile: only it is a vertex of edges, triangles and the hull, and
-    `hide` and `reveal` are the events. All of them keep their rows in arrays by id. Where distances count, such as in
-    `neighbors`, `nearest_neighbors` and `encounters`, a hidden one is a neighbor of the one that hides it, at the
-    distance 0. Points that only meet and part hide nothing. The parameter `coincident` can refuse such points.
+    `hide` and `reveal` are the events. All of them keep their rows in arrays by id. In `neighbors`, and in answers
+    about distances such as `nearest_neighbors` and `encounters`, a hidden one is a neighbor of the one that hides
+    it, at the distance 0. Points that only meet and part hide nothing. The parameter `coincident` can refuse such points.
 
     Objects can be copied and pickled. An object may be used by one thread at a time. Calls that advance time
     release the GIL, so different objects can advance in parallel.
@@ -808,7 +808,8 @@ class MovingPoints(RunAnswers):
     def gabriel_edges(self) -> Ids:
         """The edges of the Gabriel graph, exactly, just after the present time.
 
-        No other point is inside or on the circle with such an edge as its diameter.
+        No other point is inside or on the circle with such an edge as its diameter. Of points that coincide for a
+        while, the one that hides the others stands for all; each of the others has one edge, with it.
 
         Returns
         -------
@@ -832,7 +833,8 @@ class MovingPoints(RunAnswers):
     def relative_neighbor_edges(self) -> Ids:
         """The edges of the relative neighborhood graph, exactly, just after the present time.
 
-        No other point is nearer to both ends of such an edge than these are to each other.
+        No other point is nearer to both ends of such an edge than these are to each other. Points that coincide for a
+        while are treated as by `gabriel_edges`.
 
         Returns
         -------

@@ -78,7 +78,7 @@ class Program_test : public Directory_test {
 
   // Whether kinetri-verify says that it does not verify such runs.
   static bool is_unsupported(const std::string& message) {
-    return message.find("hidden points among points on one line") != std::string::npos;
+    return message.find("all discs are on one line") != std::string::npos;
   }
 
   // Removes what kinetri-verify says: `verified: 4 points, 1 events, 13 certificates`.

@@ -29,7 +29,7 @@ namespace kinetri {
 enum class Life_limit : std::uint8_t {
   run,       ///< the observation begins or ends
   point,     ///< a point is inserted or erased: one of the two, or a neighbor of both
-  exchange,  ///< the motions
+  exchange,  ///< anything else: the motions, or a point jumps, or begins or ceases to coincide
 };
 
 /// The name in files: "run", "point", "exchange".

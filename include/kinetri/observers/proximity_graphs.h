@@ -21,8 +21,9 @@ namespace kinetri {
 
 /// The edges of the Gabriel graph just after the current time, exactly, sorted: the pairs of points
 /// a and b with no other point inside the circle whose diameter is ab, or on it. So |ac|^2 + |bc|^2
-/// > |ab|^2 for each other point c. A point that is hidden by another one, since the two coincide
-/// for a while, has only an edge with that one, and does not count otherwise.
+/// > |ab|^2 for each other point c. Of points that coincide
+/// for a while, the one that hides the others stands for all in this definition; each of the others
+/// has one edge, with it.
 ///
 /// Cost: for each edge of the triangulation the signs of two polynomials.
 ///

@@ -41,9 +41,9 @@ namespace kinetri {
 /// Of points that have the same trajectory (and weight) from some time on, the one with the least
 /// id hides the others, which have no vertex of their own, until the motion of one of them changes:
 /// events `hide` and `reveal`, whose point_b is the point that hides point_a. Points that only meet
-/// and part are not concerned. Such points cost nothing if there are none, else in each change
-/// O(log k) for k hidden ones and, if the point has the trajectory of others, as much as there are
-/// such points. They may also be refused (Coincident_points).
+/// and part hide nothing. Without such points this costs nothing. With k hidden points each change
+/// costs O(log k) more, and a change of a point of a group as much as the group has points. They
+/// may also be refused (Coincident_points).
 ///
 /// A flip costs five certificates and as many changes of the queue; memory is O(n), with at most
 /// one queue entry for each edge and hidden point. Several threads may call const functions of one
@@ -246,9 +246,9 @@ class Kinetic_triangulation_2 {
   //
   // If more than a quarter of the points change, and these are more than 16, certificates are
   // computed only when time is to go on: by next_event_time, step, advance_to, or another change.
-  // If all of these stay, and have no weights, a few triangles may turn over: their points are
-  // inserted again, and the others are flipped, which costs less than a construction
-  // (detail::Repair).
+  // If none of these is inserted or erased, and there are no weights, the triangulation is repaired
+  // as long as few triangles turn over: a corner of each is taken out and inserted again, and edges
+  // are flipped, which costs less than a construction (detail::Repair).
 
   /// Gives the points `ids` these motions from now on, as set_motion does: an event `trajectory`
   /// for each point. Throws Coincident_trajectories_error if two points have the same trajectory
@@ -264,13 +264,13 @@ class Kinetic_triangulation_2 {
       MotionWithVelocity_2<typename Traits::Motion>;
 
   /// Moves the points `ids` to these positions, at which they stay at rest (`at_rest_in`): as
-  /// set_motions. Throws what set_motions throws. Precondition: as many positions as ids; each id
-  /// is contained, and named once; the positions are finite.
+  /// set_motions. Radii, growth and weights stay. Throws what set_motions throws. Precondition: as
+  /// many positions as ids; each id is contained, and named once; the positions are finite.
   void set_positions(std::span<const Point_id> ids, std::span<const Vector_2> positions) requires
       MotionWithPosition_2<typename Traits::Motion>;
 
-  /// Moves all points: positions[k] is that of the point with the k-th least id. Precondition: as
-  /// many positions as points, which are finite.
+  /// Moves all points: positions are in the order of the ids, without gaps for erased points.
+  /// Precondition: as many positions as points, which are finite.
   void set_positions(std::span<const Vector_2> positions) requires
       MotionWithPosition_2<typename Traits::Motion>;
 

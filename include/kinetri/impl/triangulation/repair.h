@@ -2,8 +2,8 @@
 //
 // The triangulation of points that have moved, from that before, without certificates.
 //
-// After small steps most triangles are still counterclockwise. A point is taken out of the
-// triangulation for each that is not, so that the others have an embedded triangulation at their
+// After small steps most triangles are still counterclockwise. One of the corners of each that is
+// not is taken out of the triangulation, so that the others have an embedded triangulation at their
 // new positions; Lawson's flips make it Delaunay; then the points are inserted again. Points that
 // are taken out and inserted again are the filter of P. de Castro, J. Cohen-Steiner, O. Devillers,
 // Filtering relocations on a Delaunay triangulation, 2009, for whole triangles.
@@ -52,8 +52,8 @@ class Kinetic_types<Traits>::Repair {
 
   /// Gives the points their motions, and makes the triangulation Delaunay at the instant of its
   /// predicates. Returns false if it could not, or if points coincide: then all points have their
-  /// motions, and the triangulation is in no defined state, except that its finite edges are those
-  /// noted. Precondition: may_pay().
+  /// motions, and the triangulation must be constructed anew; its finite edges are those noted.
+  /// Precondition: may_pay().
   bool move(std::span<const Change> changes);
 
  private:

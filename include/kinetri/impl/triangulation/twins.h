@@ -98,7 +98,7 @@ class Kinetic_types<Traits>::Twins {
     twins_.erase(twin);
   }
   /// A twin gets the vertex of the point that hides it, and hides the others. Precondition: of
-  /// those that the point hides it has the least id.
+  /// all points hidden by that one, it has the least id.
   void show(Point_id id) {
     const Point_id before = twins_.at(id).shown;
     take_out(id);
