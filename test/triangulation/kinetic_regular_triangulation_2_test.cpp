@@ -425,6 +425,31 @@ TEST(Kinetic_regular_triangulation, has_the_same_events_without_filters) {
   }
 }
 
+// The changes in place make a reconstruction necessary, while hidden points that jump are taken
+// out.
+TEST(Kinetic_regular_triangulation, may_be_rebuilt_while_hidden_points_jump) {
+  const auto weighted = [](Vector_2 place, Vector_2 velocity, double epoch, double weight) {
+    return Disc_motion_2{{place, velocity, epoch}, 0, 0, weight};
+  };
+  const std::vector<Disc_motion_2> discs = {
+      weighted({0, 1}, {1, -1}, 2, 0),   weighted({0, 1}, {-1, 0}, 3, 1),
+      weighted({2, 1}, {-1, 1}, -1, 0),  weighted({0, 0}, {1, 1}, -2, 0),
+      weighted({0, 2}, {0, 1}, 0, 0),    weighted({1, -1}, {-1, 1}, 2, 1),
+      weighted({1, 3}, {-1, -1}, -1, 0), weighted({0, 0}, {1, 1}, 2, 0),
+      weighted({1, 3}, {-1, -1}, -1, 1), weighted({2, 0}, {-1, 0}, 2, 1)};
+  Kinetic kinetic(discs, Algebraic_number(3));
+  const std::vector<Point_id> ids = {8, 9, 7, 1, 4, 6};
+  const std::vector<Disc_motion_2> others = {
+      weighted({-2, -2}, {1, 1}, 1, 0), weighted({1, 1}, {0, 1}, 3, 1),
+      weighted({0, 0}, {1, 1}, 2, 0),   weighted({1, 1}, {0, 0}, 1, 1),
+      weighted({0, 1}, {-1, 0}, 3, 1),  weighted({4, 0}, {-1, 0}, 1, 0)};
+  kinetic.set_motions(ids, others);
+  EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
+  std::vector<Disc_motion_2> all = discs;
+  for (std::size_t k = 0; k < ids.size(); ++k) all[ids[k]] = others[k];
+  EXPECT_EQ(kinetic.finite_edge_ids(), Kinetic(all, Algebraic_number(3)).finite_edge_ids());
+}
+
 TEST(Kinetic_regular_triangulation, refuses_two_discs_that_are_alike_also_when_they_are_hidden) {
   const std::vector<Disc_motion_2> discs = {disc(0, 0, 0, 0, 10), disc(30, 0, 0, 0, 1),
                                             disc(0, 30, 0, 0, 1), disc(-30, -30, 0, 0, 1),
