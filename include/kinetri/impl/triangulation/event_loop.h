@@ -58,6 +58,10 @@ class Kinetic_types<Traits>::Event_loop {
   /// violated just after that time fails at that time; so the triangulation is Delaunay when no
   /// failure is left. docs/MATH.md, section 5, proves this and that it ends.
   void execute_due_events();
+  /// The same while points are being changed. If everything must be rebuilt, set_points() makes the
+  /// rest of the changes: before that, points might have the trajectories of others. Returns
+  /// whether this has been so.
+  bool execute_due_events_within(std::function<void()> set_points);
   void rebuild();
   /// Reverses time: mirrors the motions, and undoes the events of the present time.
   void reverse();
@@ -84,7 +88,8 @@ class Kinetic_types<Traits>::Event_loop {
   std::vector<Point_set_aside> points_set_aside_;
   std::vector<Edge_ids> postponed_;  // they fail now, but cannot be flipped yet
   std::uint64_t changes_before_retry_ = 0;
-  bool is_hull_flat_ = false;  // at the present time
+  std::function<void()> rest_of_changes_;  // while points are being changed
+  bool is_hull_flat_ = false;              // at the present time
 };
 
 }  // namespace kinetri::detail

@@ -98,7 +98,19 @@ template <class Traits>
 void Kinetic_types<Traits>::Event_loop::rebuild() {
   points_set_aside_.clear();
   postponed_.clear();
-  updates_.rebuild();
+  if (!rest_of_changes_) return updates_.rebuild();
+  ++reporter_.counters().reconstructions;
+  updates_.rebuild(rest_of_changes_);
+}
+
+template <class Traits>
+bool Kinetic_types<Traits>::Event_loop::execute_due_events_within(
+    std::function<void()> set_points) {
+  const std::uint64_t before = reporter_.counters().reconstructions;
+  rest_of_changes_ = std::move(set_points);
+  execute_due_events();
+  rest_of_changes_ = nullptr;
+  return reporter_.counters().reconstructions != before;
 }
 
 // Schedules the postponed edges again if there was a change since the last call, and reconstructs

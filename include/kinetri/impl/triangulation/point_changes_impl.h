@@ -460,11 +460,9 @@ void Kinetic_types<Traits>::Point_changes::make(Vertex_changes& planned) {
   take_out(jumps.first(hidden));
   change_in_place(plan.in_place);
   if (jumps.empty()) return;
-  const std::uint64_t reconstructions = reporter_.counters().reconstructions;
-  loop_.execute_due_events();  // removing a vertex requires a Delaunay triangulation
-  // A reconstruction puts back the hidden points that have been taken out.
-  const bool are_back = reporter_.counters().reconstructions != reconstructions;
-  if (are_back || !take_out(jumps.subspan(hidden))) return updates_.rebuild(set_points);
+  // Removing a vertex requires a Delaunay triangulation.
+  if (loop_.execute_due_events_within(set_points)) return;
+  if (!take_out(jumps.subspan(hidden))) return updates_.rebuild(set_points);
   put_in(jumps, plan.in_place.empty());
 }
 
