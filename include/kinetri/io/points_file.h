@@ -54,8 +54,8 @@ struct Points_file {
 };
 
 /// Reads points from `in`, line by line: beyond the result it needs memory for one line, which may
-/// have up to 2^20 bytes. Accepts LF and CRLF line ends, a byte
-/// order mark, and blanks around fields.
+/// have up to 2^20 bytes. Accepts LF and CRLF line ends, a byte order mark, and blanks around
+/// fields.
 ///
 /// Throws Input_error `name:line: ...` for everything else: no header, or a column whose name is a
 /// number; a column that is missing or named twice, or one of a pair without the other; a row with

@@ -26,7 +26,7 @@ concept MotionWithVelocity_2 = requires(const Motion motion, const Vector_2 velo
 };
 
 /// A motion that can be put at rest: `at_rest_in(motion, place)` is the motion that is at the
-/// position at all times, as for Linear_motion_2.
+/// position at all times, exactly, as for Linear_motion_2; of a disc its center is.
 template <class Motion>
 concept MotionWithPosition_2 = requires(const Motion motion, const Vector_2 place) {
   { at_rest_in(motion, place) } -> std::same_as<Motion>;

@@ -6,9 +6,6 @@
 // Every edge of the relative neighborhood graph is one of the Gabriel graph, and each of these is
 // in every Delaunay triangulation. So cocircular points make no difference. The edge from a point
 // to a nearest neighbor, and a minimum spanning tree, are in both.
-//
-// Of points that coincide for a while (Coincident_points), the one that hides the others stands for
-// all of them; each of the others has one edge in both graphs, of length 0, with that one.
 #ifndef KINETRI_OBSERVERS_PROXIMITY_GRAPHS_H
 #define KINETRI_OBSERVERS_PROXIMITY_GRAPHS_H
 
@@ -21,9 +18,8 @@ namespace kinetri {
 
 /// The edges of the Gabriel graph just after the current time, exactly, sorted: the pairs of points
 /// a and b with no other point inside the circle whose diameter is ab, or on it. So |ac|^2 + |bc|^2
-/// > |ab|^2 for each other point c. Of points that coincide
-/// for a while, the one that hides the others stands for all in this definition; each of the others
-/// has one edge, with it.
+/// > |ab|^2 for each other point c. Of points that coincide for a while, the one that hides the
+/// others stands for all in this definition; each of the others has one edge, with it.
 ///
 /// Cost: for each edge of the triangulation the signs of two polynomials.
 ///

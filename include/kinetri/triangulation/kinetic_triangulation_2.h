@@ -312,8 +312,8 @@ class Kinetic_triangulation_2 {
   /// Counts of the queue's entries since this object was made.
   Queue_counters queue_counters() const { return core_.schedule.queue().counters(); }
   /// The present number of entries in the queue: failures, and times up to which a certificate
-  /// certainly holds; at most one for each edge, infinite ones included, and each hidden point.
-  /// O(1).
+  /// certainly holds; at most one for each edge, infinite ones included, and each hidden point;
+  /// 0 while certificates are deferred (see the changes of many points). O(1).
   std::size_t queue_size() const noexcept { return core_.schedule.queue().size(); }
   /// Counts of certificates since the start, those of the snapshot included.
   const Certificate_counters& certificate_counters() const {

@@ -106,10 +106,14 @@ void Kinetic_types<Traits>::Event_loop::rebuild() {
 template <class Traits>
 bool Kinetic_types<Traits>::Event_loop::execute_due_events_within(
     std::function<void()> set_points) {
+  struct Forget {  // also if memory is missing
+    std::function<void()>& function;
+    ~Forget() { function = nullptr; }
+  };
   const std::uint64_t before = reporter_.counters().reconstructions;
   rest_of_changes_ = std::move(set_points);
+  const Forget forget{rest_of_changes_};
   execute_due_events();
-  rest_of_changes_ = nullptr;
   return reporter_.counters().reconstructions != before;
 }
 

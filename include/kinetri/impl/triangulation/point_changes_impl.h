@@ -479,11 +479,14 @@ void Kinetic_types<Traits>::Point_changes::move(Vertex_changes& planned) {
     while (!coincident.empty()) {
       Coincident_groups groups;
       for (const auto& [a, b] : coincident) groups.link(a, b);
-      const std::vector<Edge_ids> others = groups.others();
-      for (const auto& [least, id] : others) {
+      std::vector<Point_id> others;  // sorted
+      for (const auto& [least, id] : groups.others()) {
         planned.joined.push_back({topology_.point(id), least});
-        std::erase_if(points, [id = id](const Point_2& p) { return p.id() == id; });
+        others.push_back(id);
       }
+      std::erase_if(points, [&](const Point_2& point) {
+        return std::ranges::binary_search(others, point.id());
+      });
       coincident.clear();
       rebuilt = updates_.build_now(points, coincident);
     }

@@ -137,27 +137,23 @@ void Kinetic_types<Traits>::Repair::find_turned_around() {
 template <class Traits>
 bool Kinetic_types<Traits>::Repair::take_out_turned() {
   const std::size_t most = topology_.number_of_vertices() / points_for_each_removal + 1;
-  std::vector<std::uint8_t> counts(topology_.vertices().size());
+  std::vector<std::uint32_t> counts(topology_.vertices().size());  // of turned triangles, by id
+  std::vector<bool> is_chosen(counts.size());
   for (; !turned_.empty(); find_turned_around()) {
     std::vector<Vertex_handle> chosen;
-    const auto count = [&](Vertex_handle v) -> std::uint8_t& { return counts[v->point().id()]; };
+    const auto id = [](Vertex_handle v) { return v->point().id(); };
     for (const Face_handle face : turned_) {
-      for (int i = 0; i < 3; ++i) {
-        if (count(face->vertex(i)) < 100) ++count(face->vertex(i));
-      }
-    }
-    constexpr std::uint8_t is_chosen = 200;
-    for (const Face_handle face : turned_) {
-      Vertex_handle best = face->vertex(0);
-      for (int i = 1; i < 3; ++i) {
-        if (count(face->vertex(i)) > count(best)) best = face->vertex(i);
-      }
-      if (count(best) == is_chosen) continue;
-      count(best) = is_chosen;
-      chosen.push_back(best);
+      for (int i = 0; i < 3; ++i) ++counts[id(face->vertex(i))];
     }
     for (const Face_handle face : turned_) {
-      for (int i = 0; i < 3; ++i) count(face->vertex(i)) = 0;
+      const std::array corners = {face->vertex(0), face->vertex(1), face->vertex(2)};
+      if (std::ranges::any_of(corners, [&](Vertex_handle v) { return is_chosen[id(v)]; })) continue;
+      chosen.push_back(
+          *std::ranges::max_element(corners, {}, [&](Vertex_handle v) { return counts[id(v)]; }));
+      is_chosen[id(chosen.back())] = true;
+    }
+    for (const Face_handle face : turned_) {
+      for (int i = 0; i < 3; ++i) counts[id(face->vertex(i))] = 0;
     }
     if (removed_.size() + chosen.size() > most) return false;
     for (const Vertex_handle v : chosen) {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/impl/triangulation/repair.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "kinetri/impl/triangulation/kinetic_core_impl.h"
+#include "support/kinetic_parts.h"
+#include "support/kinetic_runs.h"
+
+namespace kinetri::repair_test {
+namespace {
+
+using Core = detail::Kinetic_core<Linear_kinetic_traits_2>;
+using Types = detail::Kinetic_types<Linear_kinetic_traits_2>;
+using Motions = std::vector<Linear_motion_2>;
+
+// The repair of a triangulation, whose points move to the positions of other motions.
+struct Moved {
+  Moved(const Motions& before, const Motions& after) : core({}, Algebraic_number(0)) {
+    core.start_with(test::points_of<Types::Point_2>(before), before.size());
+    for (Point_id id = 0; id < after.size(); ++id) changes.push_back({id, after[id]});
+    core.reporter.start_noting();
+    const auto points = test::points_of<Types::Point_2>(after);
+    repair.emplace(core.topology, core.reporter, Rounded_places(points, Algebraic_number(0)));
+  }
+
+  Core core;
+  std::vector<Types::Change> changes;
+  std::optional<Types::Repair> repair;
+};
+
+std::vector<Edge_ids> edges_of(const Motions& motions) {
+  return test::Kinetic_delaunay(motions).finite_edge_ids();
+}
+
+Motions at_random(std::size_t n, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> place(0, 20);
+  Motions result(n);
+  for (Linear_motion_2& motion : result) motion.position = {place(random), place(random)};
+  return result;
+}
+
+TEST(Repair, of_small_steps_pays_and_ends_with_the_edges_of_the_new_positions) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> shift(-0.1, 0.1);
+  std::size_t flips = 0;
+  for (int run = 0; run < 20; ++run) {
+    SCOPED_TRACE(run);
+    const Motions before = at_random(400, random);
+    Motions after = before;
+    for (Linear_motion_2& motion : after) {
+      motion.position = {motion.position.x + shift(random), motion.position.y + shift(random)};
+    }
+    Moved moved(before, after);
+    ASSERT_TRUE(moved.repair->may_pay());
+    ASSERT_TRUE(moved.repair->move(moved.changes));
+    EXPECT_EQ(moved.core.topology.finite_edge_ids(), edges_of(after));
+    const Changed_edges changed = moved.core.reporter.report_edges();
+    EXPECT_EQ(changed.removed.size() + edges_of(after).size(),
+              changed.added.size() + edges_of(before).size());
+    flips += changed.added.size();
+  }
+  EXPECT_GT(flips, 100U);
+}
+
+// The first point jumps over the others, and out of the hull; the triangles at it turn over.
+TEST(Repair, takes_out_a_point_that_jumps_and_inserts_it_again) {
+  std::mt19937_64 random(2);
+  for (const Vector_2 place : {Vector_2{19, 19}, Vector_2{60, 5}, Vector_2{-30, -40}}) {
+    const Motions before = at_random(400, random);
+    Motions after = before;
+    after.front().position = place;
+    Moved moved(before, after);
+    ASSERT_TRUE(moved.repair->may_pay());
+    ASSERT_TRUE(moved.repair->move(moved.changes));
+    EXPECT_EQ(moved.core.topology.finite_edge_ids(), edges_of(after));
+  }
+}
+
+TEST(Repair, does_not_pay_if_many_triangles_turn_over) {
+  std::mt19937_64 random(3);
+  EXPECT_FALSE(Moved(at_random(400, random), at_random(400, random)).repair->may_pay());
+}
+
+TEST(Repair, ends_without_a_triangulation_if_a_point_meets_another) {
+  std::mt19937_64 random(4);
+  const Motions before = at_random(400, random);
+  Motions after = before;
+  after[7].position = after[200].position;
+  Moved moved(before, after);
+  ASSERT_TRUE(moved.repair->may_pay());
+  EXPECT_FALSE(moved.repair->move(moved.changes));
+}
+
+}  // namespace
+}  // namespace kinetri::repair_test
