@@ -251,7 +251,7 @@ template <ContactKineticTraits_2 Traits>
 void Simulation_2<Traits>::set_velocities(std::span<const Point_id> ids,
                                           std::span<const Vector_2> velocities) {
   const detail::Flag_while changing = start_change();
-  detail::check_velocities(ids, velocities);
+  detail::check_vectors(ids, velocities, "velocity", "velocities");
   std::vector<Motion> motions;
   motions.reserve(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {

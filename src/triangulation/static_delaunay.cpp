@@ -8,6 +8,8 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "kinetri/impl/kinetic/rounded_places.h"
@@ -34,15 +36,11 @@ constexpr auto set_number = [](auto vertex, const auto& numbered) {
   vertex->info() = numbered.second;
 };
 
-// The faces of the triangulation, and the order of its vertices.
+// The faces of the triangulation.
 template <class Triangulation>
-Static_delaunay plain(Triangulation& triangulation, std::size_t points) {
+Static_delaunay plain(Triangulation& triangulation) {
   triangulation.infinite_vertex()->info() = no_point;
   Static_delaunay result;
-  result.order.reserve(points);
-  for (const auto vertex : triangulation.finite_vertex_handles()) {
-    result.order.push_back(vertex->info());
-  }
   std::uint32_t number = 0;
   for (const auto face : triangulation.all_face_handles()) face->info() = number++;
   result.faces.reserve(number);
@@ -75,17 +73,51 @@ Static_delaunay static_regular(const Static_points& points) {
           weighted.size()) {
     return {};
   }
-  Static_delaunay result = plain(triangulation, weighted.size());
+  Static_delaunay result = plain(triangulation);
   for (const auto vertex : triangulation.hidden_vertex_handles()) {
-    result.order.push_back(vertex->info());
     result.hidden.emplace_back(vertex->info(), vertex->face()->info());
   }
   return result;
 }
 
-}  // namespace
+// Numbers the faces breadth first, so that near ones are near in memory, and stores their vertices
+// in the order in which they come.
+void sort_breadth_first(Static_delaunay& triangulation, std::size_t points) {
+  const std::vector<Static_delaunay::Face>& faces = triangulation.faces;
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> number(faces.size(), none);
+  std::vector<std::uint32_t> sorted;
+  sorted.reserve(faces.size());
+  const auto visit = [&](std::uint32_t face) {
+    if (number[face] != none) return;
+    number[face] = static_cast<std::uint32_t>(sorted.size());
+    sorted.push_back(face);
+  };
+  visit(0);
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    for (const std::uint32_t neighbor : faces[sorted[k]].neighbors) visit(neighbor);
+  }
+  Static_delaunay result;
+  result.faces.reserve(faces.size());
+  std::vector<bool> is_listed(points);
+  const auto list = [&](Point_id point) {
+    if (point == no_point || is_listed[point]) return;
+    is_listed[point] = true;
+    result.order.push_back(point);
+  };
+  for (const std::uint32_t k : sorted) {
+    Static_delaunay::Face& face = result.faces.emplace_back(faces[k]);
+    for (std::uint32_t& neighbor : face.neighbors) neighbor = number[neighbor];
+    for (const Point_id point : face.vertices) list(point);
+  }
+  for (const auto& [point, face] : triangulation.hidden) {
+    list(point);
+    result.hidden.emplace_back(point, number[face]);
+  }
+  triangulation = std::move(result);
+}
 
-Static_delaunay static_delaunay(const Static_points& points) {
+Static_delaunay static_delaunay_of_all(const Static_points& points) {
   if (!points.weights.empty()) return static_regular(points);
   constexpr std::size_t points_per_cell = 16384;
   if (points.places.size() >= 2 * points_per_cell) {
@@ -106,7 +138,15 @@ Static_delaunay static_delaunay(const Static_points& points) {
   if (triangulation.number_of_vertices() != numbered.size() || triangulation.dimension() < 2) {
     return {};
   }
-  return plain(triangulation, numbered.size());
+  return plain(triangulation);
+}
+
+}  // namespace
+
+Static_delaunay static_delaunay(const Static_points& points) {
+  Static_delaunay result = static_delaunay_of_all(points);
+  if (!result.faces.empty()) sort_breadth_first(result, points.places.size());
+  return result;
 }
 
 bool is_certainly_delaunay(const Static_delaunay& triangulation, const Static_points& points) {

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <optional>
 #include <random>
 #include <vector>
 
@@ -18,19 +17,19 @@ using Core = detail::Kinetic_core<Linear_kinetic_traits_2>;
 using Types = detail::Kinetic_types<Linear_kinetic_traits_2>;
 using Motions = std::vector<Linear_motion_2>;
 
-// The repair of a triangulation, whose points move to the positions of other motions.
+// A triangulation whose points move to the positions of other motions by a repair.
 struct Moved {
   Moved(const Motions& before, const Motions& after) : core({}, Algebraic_number(0)) {
     core.start_with(test::points_of<Types::Point_2>(before), before.size());
+    std::vector<Types::Change> changes;
     for (Point_id id = 0; id < after.size(); ++id) changes.push_back({id, after[id]});
     core.reporter.start_noting();
-    const auto points = test::points_of<Types::Point_2>(after);
-    repair.emplace(core.topology, core.reporter, Rounded_places(points, Algebraic_number(0)));
+    Types::Repair repair(core.topology, core.reporter, Algebraic_number(0));
+    is_repaired = repair.move(changes);
   }
 
   Core core;
-  std::vector<Types::Change> changes;
-  std::optional<Types::Repair> repair;
+  bool is_repaired = false;
 };
 
 std::vector<Edge_ids> edges_of(const Motions& motions) {
@@ -56,8 +55,7 @@ TEST(Repair, of_small_steps_pays_and_ends_with_the_edges_of_the_new_positions) {
       motion.position = {motion.position.x + shift(random), motion.position.y + shift(random)};
     }
     Moved moved(before, after);
-    ASSERT_TRUE(moved.repair->may_pay());
-    ASSERT_TRUE(moved.repair->move(moved.changes));
+    ASSERT_TRUE(moved.is_repaired);
     EXPECT_EQ(moved.core.topology.finite_edge_ids(), edges_of(after));
     const Changed_edges changed = moved.core.reporter.report_edges();
     EXPECT_EQ(changed.removed.size() + edges_of(after).size(),
@@ -65,6 +63,25 @@ TEST(Repair, of_small_steps_pays_and_ends_with_the_edges_of_the_new_positions) {
     flips += changed.added.size();
   }
   EXPECT_GT(flips, 100U);
+}
+
+// Steps as long as half the distance of neighbors: one triangle in five turns over, and points at
+// the hull change places.
+TEST(Repair, of_long_steps_takes_points_out_where_flips_do_not_help) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> shift(0, 0.3);
+  for (int run = 0; run < 50; ++run) {
+    SCOPED_TRACE(run);
+    const Motions before = at_random(400, random);
+    Motions after = before;
+    for (Linear_motion_2& motion : after) {
+      motion.position = {motion.position.x + shift(random), motion.position.y + shift(random)};
+    }
+    Moved moved(before, after);
+    ASSERT_TRUE(moved.is_repaired);
+    EXPECT_TRUE(moved.core.topology.triangulation().tds().is_valid());
+    EXPECT_EQ(moved.core.topology.finite_edge_ids(), edges_of(after));
+  }
 }
 
 // The first point jumps over the others, and out of the hull; the triangles at it turn over.
@@ -75,15 +92,14 @@ TEST(Repair, takes_out_a_point_that_jumps_and_inserts_it_again) {
     Motions after = before;
     after.front().position = place;
     Moved moved(before, after);
-    ASSERT_TRUE(moved.repair->may_pay());
-    ASSERT_TRUE(moved.repair->move(moved.changes));
+    ASSERT_TRUE(moved.is_repaired);
     EXPECT_EQ(moved.core.topology.finite_edge_ids(), edges_of(after));
   }
 }
 
 TEST(Repair, does_not_pay_if_many_triangles_turn_over) {
   std::mt19937_64 random(3);
-  EXPECT_FALSE(Moved(at_random(400, random), at_random(400, random)).repair->may_pay());
+  EXPECT_FALSE(Moved(at_random(400, random), at_random(400, random)).is_repaired);
 }
 
 TEST(Repair, ends_without_a_triangulation_if_a_point_meets_another) {
@@ -91,9 +107,7 @@ TEST(Repair, ends_without_a_triangulation_if_a_point_meets_another) {
   const Motions before = at_random(400, random);
   Motions after = before;
   after[7].position = after[200].position;
-  Moved moved(before, after);
-  ASSERT_TRUE(moved.repair->may_pay());
-  EXPECT_FALSE(moved.repair->move(moved.changes));
+  EXPECT_FALSE(Moved(before, after).is_repaired);
 }
 
 }  // namespace

@@ -233,7 +233,7 @@ TEST(Set_positions, that_are_refused_change_nothing) {
   EXPECT_PRECONDITION_ERROR(kinetic.set_positions(twice, Places(3)),
                             "point 4 is named twice; expected each point once");
   EXPECT_PRECONDITION_ERROR(kinetic.set_positions(twice, Places(2)),
-                            "3 ids and 2 positions; expected a position for each id");
+                            "3 ids and 2 positions; expected as many of each");
   const std::vector<Point_id> unknown = {40};
   EXPECT_THROW(kinetic.set_positions(unknown, Places(1)), Precondition_error);
   EXPECT_EQ(kinetic.finite_edge_ids(), edges);

@@ -247,8 +247,8 @@ class Kinetic_triangulation_2 {
   // If more than a quarter of the points change, and these are more than 16, certificates are
   // computed only when time is to go on: by next_event_time, step, advance_to, or another change.
   // If none of these is inserted or erased, and there are no weights, the triangulation is repaired
-  // as long as few triangles turn over: a corner of each is taken out and inserted again, and edges
-  // are flipped, which costs less than a construction (detail::Repair).
+  // as long as that costs less than a construction: if points move less than about half the
+  // distance of neighbors (detail::Repair).
 
   /// Gives the points `ids` these motions from now on, as set_motion does: an event `trajectory`
   /// for each point. Throws Coincident_trajectories_error if two points have the same trajectory
@@ -272,6 +272,18 @@ class Kinetic_triangulation_2 {
   /// Moves all points: positions are in the order of the ids, without gaps for erased points.
   /// Precondition: as many positions as points, which are finite.
   void set_positions(std::span<const Vector_2> positions) requires
+      MotionWithPosition_2<typename Traits::Motion>;
+
+  /// Moves the points `ids` on straight lines to these positions, which they reach in the time
+  /// `duration`, and executes the events on the way; the other points go on. The velocities are
+  /// rounded, so at the end the positions are set (set_positions), to which a point jumps from its
+  /// rounded position. The end is the binary64 number nearest to current_time() plus `duration`.
+  /// Returns the number of events on the way. Throws what set_motions throws. Precondition: as
+  /// for set_positions; `duration` is finite, and the end is after current_time(); the velocities
+  /// are finite.
+  std::size_t advance_through(std::span<const Point_id> ids, std::span<const Vector_2> positions,
+                              double duration) requires
+      MotionWithVelocity_2<typename Traits::Motion> &&
       MotionWithPosition_2<typename Traits::Motion>;
 
   /// Inserts points, which get consecutive ids, and returns the first id: an event `insert` for

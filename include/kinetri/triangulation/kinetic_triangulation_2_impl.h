@@ -252,7 +252,7 @@ template <KineticTraits_2 Traits>
 void Kinetic_triangulation_2<Traits>::set_velocities(std::span<const Point_id> ids,
                                                      std::span<const Vector_2> velocities) requires
     MotionWithVelocity_2<typename Traits::Motion> {
-  detail::check_velocities(ids, velocities);
+  detail::check_vectors(ids, velocities, "velocity", "velocities");
   const double now = current_time().to_double();
   std::vector<Motion> motions;
   motions.reserve(ids.size());
@@ -268,15 +268,11 @@ void Kinetic_triangulation_2<Traits>::set_positions(std::span<const Point_id> id
                                                     std::span<const Vector_2> positions) requires
     MotionWithPosition_2<typename Traits::Motion> {
   const detail::Flag_while changing = core_.reporter.start_change();
-  KINETRI_PRECONDITION(ids.size() == positions.size(),
-                       std::to_string(ids.size()) + " ids and " + std::to_string(positions.size()) +
-                           " positions; expected a position for each id");
+  detail::check_vectors(ids, positions, "position", "positions");
   std::vector<Change> changes;
   changes.reserve(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    const auto& [x, y] = positions[i];
     KINETRI_PRECONDITION(contains(ids[i]), detail::unknown_id_problem(ids[i]));
-    KINETRI_PRECONDITION(std::isfinite(x) && std::isfinite(y), detail::not_finite_problem(ids[i]));
     changes.push_back({ids[i], at_rest_in(core_.topology.point(ids[i]).motion(), positions[i])});
   }
   core_.changes.change_all(Event_kind::trajectory, std::move(changes));
@@ -295,6 +291,32 @@ void Kinetic_triangulation_2<Traits>::set_positions(std::span<const Vector_2> po
     if (contains(id)) ids.push_back(id);
   }
   set_positions(ids, positions);
+}
+
+template <KineticTraits_2 Traits>
+std::size_t Kinetic_triangulation_2<Traits>::advance_through(std::span<const Point_id> ids,
+                                                             std::span<const Vector_2> positions,
+                                                             double duration) requires
+    MotionWithVelocity_2<typename Traits::Motion> && MotionWithPosition_2<typename Traits::Motion> {
+  detail::check_vectors(ids, positions, "position", "positions");
+  const double now = current_time().to_double();
+  const double end = now + duration;
+  KINETRI_PRECONDITION(std::isfinite(end) && Time(end) > current_time(),
+                       "a duration of " + std::to_string(duration) + " from time " +
+                           std::to_string(now) +
+                           "; expected one that ends later, at a finite time");
+  std::vector<Vector_2> velocities;
+  velocities.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    KINETRI_PRECONDITION(contains(ids[i]), detail::unknown_id_problem(ids[i]));
+    const Vector_2 place = rounded_place(motion(ids[i]), now);
+    velocities.push_back(
+        {(positions[i].x - place.x) / (end - now), (positions[i].y - place.y) / (end - now)});
+  }
+  set_velocities(ids, velocities);
+  const std::size_t events = advance_to(Time(end));
+  set_positions(ids, positions);
+  return events;
 }
 
 template <KineticTraits_2 Traits>

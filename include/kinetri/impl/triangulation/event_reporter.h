@@ -226,6 +226,10 @@ Changed_edges Kinetic_types<Traits>::Event_reporter::report_edges() {
   }
   edges_.reset();
   report_points();
+  if (!has_listeners()) {
+    count_events(Event_kind::rebuild, result.removed.size() + result.added.size());
+    return result;
+  }
   Event event;
   event.kind = Event_kind::rebuild;
   for (const Edge_ids& edge : result.removed) {

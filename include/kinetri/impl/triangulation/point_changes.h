@@ -5,7 +5,6 @@
 #define KINETRI_IMPL_TRIANGULATION_POINT_CHANGES_H
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -58,7 +57,7 @@ class Kinetic_types<Traits>::Point_changes {
     std::vector<Change> in_place;
     std::vector<Jump> jumps;
     std::optional<Triangulation> rebuilt;  // if everything is rebuilt
-    std::unique_ptr<Repair> repair;        // if many points move at once
+    bool moves = false;                    // whether many points move at once
   };
 
   struct Joined {
@@ -79,8 +78,7 @@ class Kinetic_types<Traits>::Point_changes {
   void separate_twins(Vertex_changes& planned) const;
   void join_twins(std::span<const Edge_ids> coincident, Vertex_changes& planned) const;
   Plan plan_vertices(std::span<const Change> changes, std::vector<Edge_ids>& coincident);
-  bool plan_move(std::span<const Change> changes, Plan& plan,
-                 std::vector<Edge_ids>& coincident) const;
+  bool move_at_once(std::span<const Change> changes) const;
   void find_changes_in_place(std::span<const Change> changes, Plan& plan);
   void find_coincident_in_place(std::span<const Change> changes, std::span<const Change> in_place,
                                 std::vector<Edge_ids>& coincident) const;

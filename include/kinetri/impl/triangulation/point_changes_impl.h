@@ -136,7 +136,8 @@ auto Kinetic_types<Traits>::Point_changes::plan_vertices(std::span<const Change>
                                                          std::vector<Edge_ids>& coincident)
     -> Plan {
   Plan result;
-  if (plan_move(changes, result, coincident)) return result;
+  result.moves = move_at_once(changes);
+  if (result.moves) return result;
   find_changes_in_place(changes, result);
   if constexpr (is_weighted) find_coincident_in_place(changes, result.in_place, coincident);
   if (result.jumps.empty()) return result;
@@ -180,43 +181,16 @@ bool Kinetic_types<Traits>::Point_changes::should_schedule_all(std::size_t point
   return points > few && points > topology_.number_of_vertices() / 4;
 }
 
-// Plans that many points move at once, if all of them stay vertices. Returns false, and does
-// nothing, if that is not so; or if coincident points are refused, since the move itself finds
-// them.
+// Whether so many points change, and all of them stay vertices, that they move at once. If
+// coincident points are refused, that would find them too late.
 template <class Traits>
-bool Kinetic_types<Traits>::Point_changes::plan_move(std::span<const Change> changes, Plan& plan,
-                                                     std::vector<Edge_ids>& coincident) const {
-  if constexpr (!is_weighted && HasRoundedPlace<Motion>) {
-    const auto stays = [&](const Change& change) {
-      return change.motion && topology_.has_vertex(change.point);
-    };
-    if (topology_.refuses_twins() || triangulation_.dimension() < 2 ||
-        !should_schedule_all(changes.size()) || !std::ranges::all_of(changes, stays)) {
-      return false;
-    }
-    std::vector<Point_2> points;
-    const auto places = [&] {
-      const Time& now = schedule_.current_time();
-      if (changes.size() == topology_.number_of_vertices()) {
-        struct Moving {
-          const Change& change;
-          Point_id id() const { return change.point; }
-          const Motion& motion() const { return *change.motion; }
-        };
-        return Rounded_places(changes, now, [](const Change& change) { return Moving{change}; });
-      }
-      points = points_after(changes);
-      return Rounded_places(points, now);
-    };
-    plan.repair = std::make_unique<Repair>(topology_, reporter_, places());
-    if (!plan.repair->may_pay()) {
-      plan.repair.reset();
-      if (points.empty()) points = points_after(changes);
-      plan.rebuilt = updates_.build_now(points, coincident);
-    }
-    return true;
-  }
-  return false;
+bool Kinetic_types<Traits>::Point_changes::move_at_once(std::span<const Change> changes) const {
+  if constexpr (is_weighted || !HasRoundedPlace<Motion>) return false;
+  const auto stays = [&](const Change& change) {
+    return change.motion && topology_.has_vertex(change.point);
+  };
+  return !topology_.refuses_twins() && triangulation_.dimension() == 2 &&
+         should_schedule_all(changes.size()) && std::ranges::all_of(changes, stays);
 }
 
 // Separates points that change in place from the others. Meanwhile points have their new motions,
@@ -443,7 +417,7 @@ template <class Traits>
 void Kinetic_types<Traits>::Point_changes::make(Vertex_changes& planned) {
   const std::span<const Change> changes = planned.changes;
   Plan& plan = planned.plan;
-  if (plan.repair) return move(planned);
+  if (plan.moves) return move(planned);
   const auto set_points = [&] {
     for (const Change& change : changes) set_point(change);
   };
@@ -470,9 +444,10 @@ void Kinetic_types<Traits>::Point_changes::make(Vertex_changes& planned) {
 // with others.
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::move(Vertex_changes& planned) {
-  if constexpr (!is_weighted) {
+  if constexpr (!is_weighted && HasRoundedPlace<Motion>) {
     updates_.show_current_time();
-    if (planned.plan.repair->move(planned.changes)) return schedule_.defer();
+    Repair repair(topology_, reporter_, schedule_.current_time());
+    if (repair.move(planned.changes)) return schedule_.defer();
     std::vector<Point_2> points = topology_.points();
     std::vector<Edge_ids> coincident;
     Triangulation rebuilt = updates_.build_now(points, coincident);

@@ -30,15 +30,15 @@ inline std::string unknown_id_problem(std::size_t id) {
   return "no point has the id " + std::to_string(id) + "; ask contains(id) first";
 }
 
-// Precondition: as many velocities as ids, all of them finite.
-inline void check_velocities(std::span<const Point_id> ids, std::span<const Vector_2> velocities) {
-  KINETRI_PRECONDITION(ids.size() == velocities.size(),
-                       std::to_string(ids.size()) + " ids and " +
-                           std::to_string(velocities.size()) +
-                           " velocities; expected as many of each");
+// Precondition: as many vectors as ids, all of them finite. `what` and `plural` say what they are.
+inline void check_vectors(std::span<const Point_id> ids, std::span<const Vector_2> vectors,
+                          const std::string& what, const std::string& plural) {
+  KINETRI_PRECONDITION(ids.size() == vectors.size(), std::to_string(ids.size()) + " ids and " +
+                                                         std::to_string(vectors.size()) + " " +
+                                                         plural + "; expected as many of each");
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    KINETRI_PRECONDITION(std::isfinite(velocities[i].x) && std::isfinite(velocities[i].y),
-                         "the velocity of point " + std::to_string(ids[i]) +
+    KINETRI_PRECONDITION(std::isfinite(vectors[i].x) && std::isfinite(vectors[i].y),
+                         "the " + what + " of point " + std::to_string(ids[i]) +
                              " is not finite; expected two finite numbers");
   }
 }

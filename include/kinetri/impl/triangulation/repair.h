@@ -2,26 +2,29 @@
 //
 // The triangulation of points that have moved, from that before, without certificates.
 //
-// After small steps most triangles are still counterclockwise. One of the corners of each that is
-// not is taken out of the triangulation, so that the others have an embedded triangulation at their
-// new positions; Lawson's flips make it Delaunay; then the points are inserted again. Points that
+// After small steps most triangles are still counterclockwise. Most of the others are mended by a
+// flip: their point has crossed an edge. Points that flips leave in clockwise triangles are taken
+// out of the triangulation. Then all triangles are counterclockwise, so that they form an embedded
+// triangulation; Lawson's flips make it Delaunay, and the points are inserted again. Points that
 // are taken out and inserted again are the filter of P. de Castro, J. Cohen-Steiner, O. Devillers,
-// Filtering relocations on a Delaunay triangulation, 2009, for whole triangles.
+// Filtering relocations on a Delaunay triangulation, 2009.
 #ifndef KINETRI_IMPL_TRIANGULATION_REPAIR_H
 #define KINETRI_IMPL_TRIANGULATION_REPAIR_H
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/kinetic/rounded_places.h"
+#include "kinetri/impl/kinetic/certain_signs.h"
 #include "kinetri/impl/triangulation/event_reporter.h"
 #include "kinetri/impl/triangulation/incident.h"
+#include "kinetri/impl/triangulation/prefetch.h"
 #include "kinetri/impl/triangulation/topology.h"
 
 namespace kinetri::detail {
@@ -34,145 +37,363 @@ namespace kinetri::detail {
 template <class Traits>
 class Kinetic_types<Traits>::Repair {
  public:
-  /// `places` has the new positions of all points. Edges that change are noted by the reporter. The
-  /// others must outlive this object.
-  Repair(Topology& topology, Event_reporter& reporter, Rounded_places places)
+  /// `time` is that of the predicates. Edges that change are noted by the reporter. The others must
+  /// outlive this object.
+  Repair(Topology& topology, Event_reporter& reporter, const Time& time)
       : topology_(topology),
         reporter_(reporter),
         triangulation_(topology.triangulation()),
-        places_(std::move(places)) {
-    if (places_.are_finite()) find_turned();
-  }
-
-  /// Whether the repair probably costs less than a construction: few triangles turn over.
-  bool may_pay() const {
-    return places_.are_finite() &&
-           turned_.size() * points_for_each_removal <= topology_.number_of_vertices();
-  }
+        time_(time.to_double()),
+        times_(time.interval()) {}
 
   /// Gives the points their motions, and makes the triangulation Delaunay at the instant of its
-  /// predicates. Returns false if it could not, or if points coincide: then all points have their
-  /// motions, and the triangulation must be constructed anew; its finite edges are those noted.
-  /// Precondition: may_pay().
+  /// predicates. Returns false if a construction probably costs less, since many triangles turn
+  /// over, or if points coincide: then all points have their motions, and the triangulation must be
+  /// constructed anew; its finite edges are the former ones with the changes that are noted.
   bool move(std::span<const Change> changes);
 
  private:
-  static constexpr std::size_t points_for_each_removal = 12;
+  // If more triangles turn over, a construction costs less.
+  static constexpr std::size_t points_for_each_turned = 2;
 
   struct Removed {
     Vertex_handle vertex;
     Vertex_handle neighbor;  // which it had
   };
 
-  bool is_infinite(Vertex_handle v) const { return triangulation_.is_infinite(v); }
-  static bool is_taken_out(Vertex_handle v) { return v->face() == Face_handle(); }
-  bool is_certainly_left_turn(Face_handle face) const {
-    return places_.orientation(face->vertex(0)->point().id(), face->vertex(1)->point().id(),
-                               face->vertex(2)->point().id()) == CGAL::POSITIVE;
+  // ---- positions ----
+  void set_points(std::span<const Change> changes);
+  Vector_2 place(Vertex_handle v) const { return rounded_place(v->point().motion(), time_); }
+  Sign certain_turn(Vertex_handle a, Vertex_handle b, Vertex_handle c) const {
+    return certain_orientation(place(a), place(b), place(c), error_);
   }
-  void find_turned();
-  void find_turned_around();
-  bool take_out_turned();
-  void take_out(Vertex_handle v);
+  Sign turn(Vertex_handle a, Vertex_handle b, Vertex_handle c) const {
+    const Sign known = certain_turn(a, b, c);
+    if (known != CGAL::ZERO) return known;
+    return triangulation_.geom_traits().orientation_2_object()(a->point(), b->point(), c->point());
+  }
+  // Of infinite triangles too, which cannot turn over.
+  bool is_left_turn(Vertex_handle a, Vertex_handle b, Vertex_handle c) const {
+    return is_infinite(a) || is_infinite(b) || is_infinite(c) || turn(a, b, c) == CGAL::POSITIVE;
+  }
+  bool is_left_turn(Face_handle face) const {
+    return is_left_turn(face->vertex(0), face->vertex(1), face->vertex(2));
+  }
+  Sign certain_side(Face_handle face, Vertex_handle v) const {
+    return certain_side_of_oriented_circle(place(face->vertex(0)), place(face->vertex(1)),
+                                           place(face->vertex(2)), place(v), error_);
+  }
+  Vertex_handle opposite(Face_handle face, int i) const {
+    const Face_handle beyond = face->neighbor(i);
+    return beyond->vertex(Triangulation::cw(index_in(beyond, face->vertex(Triangulation::cw(i)))));
+  }
+  bool is_violated(Face_handle face, int i) const;
+
+  // ---- triangles that turn over ----
+  bool find_turned();
+  bool embed();
+  void flip_turned();
+  bool try_flip_turned(Face_handle face);
+  bool has_crossed(Vertex_handle v, Vertex_handle a, Vertex_handle b) const;
+  Vertex_handle corner_to_take_out(Face_handle face) const;
+  bool take_out(Vertex_handle v);
+  std::optional<Edge> best_ear(std::span<const Edge> spokes) const;
+
+  // ---- the rest ----
   bool put_back();
-  void note(const Edge& edge, int change) { reporter_.note(Topology::ids_of(edge), change); }
   bool flip_hull(std::vector<Vertex_handle> suspects);
   std::vector<Vertex_handle> hull() const;
-  bool is_hull_simple() const;
-  bool flip_all();
-  bool flip(std::vector<Edge>& suspects);
-  bool is_violated(Face_handle face, int i) const;
+  std::vector<Vertex_handle> hull_loops() const;
+  bool flip_suspects();
+  void flip(const Edge& edge);
+  void suspect(Face_handle face) {
+    for (int i = 0; i < 3; ++i) suspects_.emplace_back(face, i);
+  }
+
+  void add_new(Face_handle face) {
+    suspect(face);
+    if (!is_left_turn(face)) turned_.push_back(face);
+  }
+
+  bool is_infinite(Vertex_handle v) const { return triangulation_.is_infinite(v); }
+  // Whether the face was left over when a point was taken out.
+  static bool is_unlinked(Face_handle face) { return face->vertex(0) == Vertex_handle(); }
+  bool are_adjacent(Vertex_handle v, Vertex_handle w) const;
+  void note(const Edge& edge, int change) {
+    if (!triangulation_.is_infinite(edge)) reporter_.note(Topology::ids_of(edge), change);
+  }
 
   Topology& topology_;
   Event_reporter& reporter_;
   Triangulation& triangulation_;
-  const Rounded_places places_;
-  std::vector<Face_handle> turned_;    // finite triangles that may have turned over
-  std::vector<Vertex_handle> around_;  // former neighbors of points taken out in this round
+  const double time_;
+  const Double_interval times_;
+  double error_ = 0;                   // of each coordinate
+  std::vector<Face_handle> turned_;    // finite triangles that have turned over, or may have
+  std::vector<Edge> suspects_;         // edges that may be violated
+  std::vector<Face_handle> unlinked_;  // to be deleted
   std::vector<Removed> removed_;
   std::size_t flips_left_ = 0;
 };
 
 template <class Traits>
 bool Kinetic_types<Traits>::Repair::move(std::span<const Change> changes) {
-  const bool is_embedded = take_out_turned();
-  for (const Change& change : changes) topology_.set_point(change);
+  set_points(changes);
   flips_left_ = 4 * triangulation_.tds().number_of_faces();
-  return is_embedded && flip_hull(hull()) && is_hull_simple() && flip_all() && put_back();
+  if (!std::isfinite(error_) || !find_turned()) return false;
+  const bool is_delaunay = embed() && flip_suspects();
+  for (const Face_handle face : unlinked_) triangulation_.tds().delete_face(face);
+  return is_delaunay && put_back();
 }
 
-// ---- points that are taken out ----
+// ---- positions ----
 
 template <class Traits>
-void Kinetic_types<Traits>::Repair::find_turned() {
-  turned_.clear();
+void Kinetic_types<Traits>::Repair::set_points(std::span<const Change> changes) {
+  const auto add_error = [&](const Motion& motion) {
+    const auto [x, y] = rounded_place(motion, time_);
+    const double error = place_error(motion, time_, times_);
+    const bool is_finite = std::isfinite(x) && std::isfinite(y) && std::isfinite(error);
+    error_ = std::max(error_, is_finite ? error : std::numeric_limits<double>::infinity());
+  };
+  constexpr std::size_t ahead = 8;
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    if (k + ahead < changes.size()) prefetch(topology_.vertex(changes[k + ahead].point));
+    topology_.set_point(changes[k]);
+    add_error(*changes[k].motion);
+  }
+  if (changes.size() == topology_.number_of_vertices()) return;
+  for (const Vertex_handle v : triangulation_.finite_vertex_handles())
+    add_error(v->point().motion());
+}
+
+template <class Traits>
+bool Kinetic_types<Traits>::Repair::is_violated(Face_handle face, int i) const {
+  if (triangulation_.is_infinite(face)) return false;
+  const Vertex_handle v = opposite(face, i);
+  if (is_infinite(v)) return false;
+  const Sign known = certain_side(face, v);
+  if (known != CGAL::ZERO) return known == CGAL::POSITIVE;
+  return triangulation_.geom_traits().side_of_oriented_circle_2_object()(
+             face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
+             v->point()) == CGAL::ON_POSITIVE_SIDE;
+}
+
+// ---- triangles that turn over ----
+
+// Finds triangles that may have turned over, and edges between the others that may be violated.
+// Returns false if there are too many of the former.
+template <class Traits>
+bool Kinetic_types<Traits>::Repair::find_turned() {
+  const std::size_t most = topology_.number_of_vertices() / points_for_each_turned;
+  // Edges in batches, so that the vertices beyond them are in the cache when they are needed.
+  std::array<Edge, 96> edges;
+  std::array<Vertex_handle, 96> beyond;
+  std::size_t count = 0;
+  const auto find_violated = [&] {
+    for (std::size_t k = 0; k < count; ++k) {
+      beyond[k] = opposite(edges[k].first, edges[k].second);
+      prefetch(beyond[k]);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      if (is_infinite(beyond[k])) continue;
+      if (certain_side(edges[k].first, beyond[k]) != CGAL::NEGATIVE) suspects_.push_back(edges[k]);
+    }
+    count = 0;
+  };
   for (const Face_handle face : triangulation_.finite_face_handles()) {
-    if (!is_certainly_left_turn(face)) turned_.push_back(face);
+    if (certain_turn(face->vertex(0), face->vertex(1), face->vertex(2)) != CGAL::POSITIVE) {
+      turned_.push_back(face);
+      if (turned_.size() > most) return false;
+    }
+    for (int i = 0; i < 3; ++i) {
+      const Face_handle neighbor = face->neighbor(i);
+      prefetch(neighbor);
+      edges[count] = Edge(face, i);
+      count += face < neighbor ? 1 : 0;  // without a branch, which would be mispredicted
+    }
+    if (count + 3 > edges.size()) find_violated();
   }
-}
-
-// The same of the triangles at neighbors of points that have been taken out.
-template <class Traits>
-void Kinetic_types<Traits>::Repair::find_turned_around() {
-  turned_.clear();
-  std::ranges::sort(around_);
-  const auto again = std::ranges::unique(around_);
-  around_.erase(again.begin(), again.end());
-  for (const Vertex_handle v : around_) {
-    if (is_taken_out(v)) continue;
-    for_each_face_at(triangulation_, v, [&](Face_handle face) {
-      if (!triangulation_.is_infinite(face) && !is_certainly_left_turn(face)) {
-        turned_.push_back(face);
-      }
-    });
-  }
-  around_.clear();
-  std::ranges::sort(turned_);
-  const auto twice = std::ranges::unique(turned_);
-  turned_.erase(twice.begin(), twice.end());
-}
-
-// Takes points out until all finite triangles are counterclockwise at the new positions. Returns
-// false if these are too many. The points still have their old positions.
-template <class Traits>
-bool Kinetic_types<Traits>::Repair::take_out_turned() {
-  const std::size_t most = topology_.number_of_vertices() / points_for_each_removal + 1;
-  std::vector<std::uint32_t> counts(topology_.vertices().size());  // of turned triangles, by id
-  std::vector<bool> is_chosen(counts.size());
-  for (; !turned_.empty(); find_turned_around()) {
-    std::vector<Vertex_handle> chosen;
-    const auto id = [](Vertex_handle v) { return v->point().id(); };
-    for (const Face_handle face : turned_) {
-      for (int i = 0; i < 3; ++i) ++counts[id(face->vertex(i))];
-    }
-    for (const Face_handle face : turned_) {
-      const std::array corners = {face->vertex(0), face->vertex(1), face->vertex(2)};
-      if (std::ranges::any_of(corners, [&](Vertex_handle v) { return is_chosen[id(v)]; })) continue;
-      chosen.push_back(
-          *std::ranges::max_element(corners, {}, [&](Vertex_handle v) { return counts[id(v)]; }));
-      is_chosen[id(chosen.back())] = true;
-    }
-    for (const Face_handle face : turned_) {
-      for (int i = 0; i < 3; ++i) counts[id(face->vertex(i))] = 0;
-    }
-    if (removed_.size() + chosen.size() > most) return false;
-    for (const Vertex_handle v : chosen) {
-      if (triangulation_.test_dim_down(v)) return false;
-      take_out(v);
-    }
-  }
+  find_violated();
   return true;
 }
 
+// Makes all finite triangles counterclockwise, and the hull convex and simple. Returns false if it
+// could not. In between, `turned_` has all triangles that have turned over.
 template <class Traits>
-void Kinetic_types<Traits>::Repair::take_out(Vertex_handle v) {
-  for_each_neighbor(triangulation_, v, [&](Vertex_handle u) { around_.push_back(u); });
-  removed_.push_back({v, around_.back()});
-  std::vector<Face_handle> faces;
-  const auto edges = topology_.remove_from_faces(
-      v, faces, [this](const Edge_ids& ids, int change) { reporter_.note(ids, change); });
-  for (const Edge_with_mirror& edge : edges) Topology::set_event(edge, no_event);
-  v->set_face(Face_handle());
+bool Kinetic_types<Traits>::Repair::embed() {
+  flip_turned();
+  for (;;) {
+    while (!turned_.empty()) {
+      const Face_handle face = turned_.back();
+      if (is_unlinked(face) || is_left_turn(face)) {
+        turned_.pop_back();
+      } else if (!try_flip_turned(face) && !take_out(corner_to_take_out(face))) {
+        return false;
+      }
+    }
+    if (!flip_hull(hull())) return false;
+    const std::vector<Vertex_handle> loops = hull_loops();
+    if (loops.empty()) return true;
+    if (!std::ranges::all_of(loops, [&](Vertex_handle v) { return take_out(v); })) return false;
+  }
+}
+
+// Flips edges of the turned triangles, and of those that this turns over, as long as that helps.
+template <class Traits>
+void Kinetic_types<Traits>::Repair::flip_turned() {
+  constexpr std::size_t ahead = 4;
+  const std::vector<Face_handle> faces = std::exchange(turned_, {});
+  std::vector<Face_handle> left;
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (k + ahead < faces.size()) prefetch_around(faces[k + ahead]);
+    turned_.push_back(faces[k]);
+    while (!turned_.empty()) {
+      const Face_handle face = turned_.back();
+      turned_.pop_back();
+      if (!is_left_turn(face) && !try_flip_turned(face)) left.push_back(face);
+    }
+  }
+  turned_ = std::move(left);
+}
+
+// Flips an edge of a triangle that has turned over if fewer of the two new triangles have, or as
+// many of less area. (The sum of the signed areas stays.)
+template <class Traits>
+bool Kinetic_types<Traits>::Repair::try_flip_turned(Face_handle face) {
+  struct Turned {
+    int number = 0;
+    double area = 0;
+  };
+  const auto turned = [&](const auto&... triangles) {
+    Turned result;
+    const auto add = [&](const std::array<Vertex_handle, 3>& corners) {
+      const auto& [a, b, c] = corners;
+      if (is_left_turn(a, b, c)) return;
+      ++result.number;
+      result.area +=
+          std::abs(cross(difference(place(b), place(a)), difference(place(c), place(a))));
+    };
+    (add(triangles), ...);
+    return result;
+  };
+  for (int i = 0; i < 3; ++i) {
+    const Face_handle beyond = face->neighbor(i);
+    const Vertex_handle here = face->vertex(i);
+    const Vertex_handle there = opposite(face, i);
+    const Vertex_handle right = face->vertex(Triangulation::ccw(i));
+    const Vertex_handle left = face->vertex(Triangulation::cw(i));
+    if (!has_crossed(here, right, left)) continue;
+    const Turned before = turned(std::array{here, right, left}, std::array{there, left, right});
+    const Turned after = turned(std::array{here, right, there}, std::array{here, there, left});
+    constexpr double less = 0.99;  // flips of areas that differ by rounding alone might not end
+    if (after.number > before.number) continue;
+    if (after.number == before.number && !(after.area < less * before.area)) continue;
+    if (flips_left_ == 0 || are_adjacent(here, there)) continue;
+    --flips_left_;
+    flip(Edge(face, i));
+    add_new(face);
+    add_new(beyond);
+    return true;
+  }
+  return false;
+}
+
+// Whether a point that is beyond a hull edge is near it: else the ends of that have changed places.
+template <class Traits>
+bool Kinetic_types<Traits>::Repair::has_crossed(Vertex_handle v, Vertex_handle a,
+                                                Vertex_handle b) const {
+  const Vector_2 to_a = difference(place(a), place(v));
+  const Vector_2 to_b = difference(place(b), place(v));
+  return to_a.x * to_b.x + to_a.y * to_b.y < 0;
+}
+
+// The corner at which the most triangles have turned over.
+template <class Traits>
+auto Kinetic_types<Traits>::Repair::corner_to_take_out(Face_handle face) const -> Vertex_handle {
+  const auto turned_at = [&](Vertex_handle v) {
+    int result = 0;
+    for_each_face_at(triangulation_, v, [&](Face_handle f) { result += is_left_turn(f) ? 0 : 1; });
+    return result;
+  };
+  const std::array corners = {face->vertex(0), face->vertex(1), face->vertex(2)};
+  return *std::ranges::max_element(corners, {}, turned_at);
+}
+
+// Flips edges of a vertex until it has three, then takes it out. Of the ears of the polygon around
+// it those are cut first that are counterclockwise and have the fewest corners in their circles.
+template <class Traits>
+bool Kinetic_types<Traits>::Repair::take_out(Vertex_handle v) {
+  constexpr std::size_t most_left = 3;
+  if (topology_.number_of_vertices() <= removed_.size() + most_left) return false;
+  std::vector<Edge> spokes;
+  for (;;) {
+    spokes.clear();
+    for_each_face_at(triangulation_, v, [&](Face_handle face, int i) {
+      spokes.emplace_back(face, Triangulation::cw(i));
+    });
+    if (spokes.size() == 3) break;
+    const auto ear = best_ear(spokes);
+    if (!ear) return false;
+    const auto [face, i] = *ear;
+    const Face_handle beyond = face->neighbor(i);
+    flip(*ear);
+    add_new(face->has_vertex(v) ? beyond : face);
+  }
+  for (const Edge& edge : spokes) note(edge, -1);
+  const auto [face, second, third] = topology_.remove_degree_3(v);
+  add_new(face);
+  unlinked_.push_back(second);
+  unlinked_.push_back(third);
+  const Vertex_handle neighbor = face->vertex(is_infinite(face->vertex(0)) ? 1 : 0);
+  removed_.push_back({v, neighbor});
+  return true;
+}
+
+// The edge to the tip of the ear that is cut first, of the edges from a vertex: `spokes`,
+// counterclockwise, each in the face after it.
+template <class Traits>
+auto Kinetic_types<Traits>::Repair::best_ear(std::span<const Edge> spokes) const
+    -> std::optional<Edge> {
+  struct End {
+    Vertex_handle vertex;
+    bool is_infinite;
+    Vector_2 place;
+  };
+  const std::size_t degree = spokes.size();
+  std::vector<End> ends;  // twice around
+  for (std::size_t k = 0; k < 2 * degree; ++k) {
+    const auto& [face, i] = spokes[k % degree];
+    const Vertex_handle v = face->vertex(Triangulation::cw(i));
+    ends.push_back({v, is_infinite(v), is_infinite(v) ? Vector_2() : place(v)});
+  }
+  enum Kind { counterclockwise, infinite, turned };
+  std::optional<Edge> best;
+  std::pair<Kind, int> least;
+  for (std::size_t k = 1; k <= degree; ++k) {
+    const End& before = ends[k - 1];
+    const End& tip = ends[k];
+    const End& after = ends[k + 1];
+    std::pair<Kind, int> badness = {infinite, 0};
+    if (tip.is_infinite) continue;
+    if (!before.is_infinite && !after.is_infinite) {
+      badness.first =
+          is_left_turn(before.vertex, tip.vertex, after.vertex) ? counterclockwise : turned;
+      for (std::size_t m = k + 2; m + 1 < k + degree; ++m) {
+        const End& other = ends[m % degree];
+        if (other.is_infinite) continue;
+        const Sign side = certain_side_of_oriented_circle(before.place, tip.place, after.place,
+                                                          other.place, error_);
+        badness.second += side == CGAL::POSITIVE ? 1 : 0;
+      }
+    }
+    if (best && badness >= least) continue;
+    if (are_adjacent(before.vertex, after.vertex)) continue;
+    least = badness;
+    best = spokes[k % degree];
+    if (badness == std::pair(counterclockwise, 0)) break;
+  }
+  return best;
 }
 
 // Inserts the points again. Returns false if one of them coincides with another.
@@ -180,8 +401,7 @@ template <class Traits>
 bool Kinetic_types<Traits>::Repair::put_back() {
   for (auto removed = removed_.rbegin(); removed != removed_.rend(); ++removed) {
     const auto [v, neighbor] = *removed;
-    const Face_handle start = neighbor->face();
-    const Location location = topology_.locate(v->point(), start);
+    const Location location = topology_.locate(v->point(), neighbor->face());
     const auto& [face, locus, i] = location;
     if (locus == Triangulation::VERTEX) return false;
     if (locus == Triangulation::EDGE) note(Edge(face, i), -1);
@@ -194,11 +414,8 @@ bool Kinetic_types<Traits>::Repair::put_back() {
       for_each_neighbor(triangulation_, v, [&](Vertex_handle u) { beside.push_back(u); });
       if (!flip_hull(std::move(beside))) return false;
     }
-    std::vector<Edge> edges;
-    for_each_face_at(triangulation_, v, [&](Face_handle f) {
-      for (int k = 0; k < 3; ++k) edges.emplace_back(f, k);
-    });
-    if (!flip(edges)) return false;
+    for_each_face_at(triangulation_, v, [&](Face_handle f) { suspect(f); });
+    if (!flip_suspects()) return false;
   }
   return true;
 }
@@ -217,9 +434,7 @@ auto Kinetic_types<Traits>::Repair::hull() const -> std::vector<Vertex_handle> {
 // successive hull vertices fold back.
 template <class Traits>
 bool Kinetic_types<Traits>::Repair::flip_hull(std::vector<Vertex_handle> suspects) {
-  const auto& now = triangulation_.geom_traits();
-  const auto turn = now.orientation_2_object();
-  const auto compare = now.compare_xy_2_object();
+  const auto compare = triangulation_.geom_traits().compare_xy_2_object();
   while (!suspects.empty()) {
     const Vertex_handle v = suspects.back();
     suspects.pop_back();
@@ -233,7 +448,7 @@ bool Kinetic_types<Traits>::Repair::flip_hull(std::vector<Vertex_handle> suspect
     if (!infinite) continue;
     const auto [previous, here, next] = topology_.hull_turn(topology_.with_mirror(*infinite));
     if (previous == next) return false;
-    const auto orientation = turn(previous->point(), here->point(), next->point());
+    const Sign orientation = turn(previous, here, next);
     if (orientation == CGAL::LEFT_TURN) continue;
     if (orientation == CGAL::COLLINEAR) {
       if (compare(previous->point(), here->point()) != compare(here->point(), next->point())) {
@@ -242,78 +457,75 @@ bool Kinetic_types<Traits>::Repair::flip_hull(std::vector<Vertex_handle> suspect
       continue;
     }
     if (flips_left_-- == 0) return false;
-    const auto& [face, i] = *infinite;
-    triangulation_.tds().flip(face, i);
-    reporter_.note(edge_ids(previous->point().id(), next->point().id()), 1);
+    const Face_handle beyond = infinite->first->neighbor(infinite->second);
+    const Face_handle face = infinite->first;
+    flip(*infinite);
+    suspect(triangulation_.is_infinite(face) ? beyond : face);
     suspects.push_back(previous);
     suspects.push_back(next);
   }
   return true;
 }
 
-// Whether the hull, which makes no right turn, goes around once.
+// A vertex of each loop of the hull: it makes no right turn, and goes around once more for each
+// vertex that is less than both hull neighbors, but for one.
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::is_hull_simple() const {
+auto Kinetic_types<Traits>::Repair::hull_loops() const -> std::vector<Vertex_handle> {
   const auto compare = triangulation_.geom_traits().compare_xy_2_object();
+  const auto is_less = [&](Vertex_handle v, Vertex_handle w) {
+    return compare(v->point(), w->point()) == CGAL::SMALLER;
+  };
   const std::vector<Vertex_handle> around = hull();
-  std::size_t least = 0;
+  std::vector<Vertex_handle> result;
   for (std::size_t k = 0; k < around.size(); ++k) {
-    const auto& here = around[k]->point();
-    const auto& before = around[(k + around.size() - 1) % around.size()]->point();
-    const auto& after = around[(k + 1) % around.size()]->point();
-    if (compare(here, before) == CGAL::SMALLER && compare(here, after) == CGAL::SMALLER) ++least;
+    const Vertex_handle before = around[(k + around.size() - 1) % around.size()];
+    const Vertex_handle after = around[(k + 1) % around.size()];
+    if (is_less(around[k], before) && is_less(around[k], after)) result.push_back(around[k]);
   }
-  return least == 1;
+  if (!result.empty()) result.erase(std::ranges::min_element(result, is_less));
+  return result;
 }
 
-// ---- edges inside ----
+// ---- edges ----
 
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::is_violated(Face_handle face, int i) const {
-  const Face_handle beyond = face->neighbor(i);
-  if (triangulation_.is_infinite(face) || triangulation_.is_infinite(beyond)) return false;
-  const Point_2& p = face->vertex(0)->point();
-  const Point_2& q = face->vertex(1)->point();
-  const Point_2& r = face->vertex(2)->point();
-  const Point_2& s = beyond->vertex(triangulation_.tds().mirror_index(face, i))->point();
-  const Sign known = places_.side_of_oriented_circle(p.id(), q.id(), r.id(), s.id());
-  if (known != CGAL::ZERO) return known == CGAL::POSITIVE;
-  return triangulation_.geom_traits().side_of_oriented_circle_2_object()(p, q, r, s) ==
-         CGAL::ON_POSITIVE_SIDE;
+bool Kinetic_types<Traits>::Repair::are_adjacent(Vertex_handle v, Vertex_handle w) const {
+  if (is_infinite(v)) std::swap(v, w);
+  bool result = false;
+  for_each_face_at(triangulation_, v, [&](Face_handle face, int i) {
+    result = result || face->vertex(Triangulation::ccw(i)) == w;
+  });
+  return result;
 }
 
-// Flips edges until all are Delaunay. [Lawson 1977]
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::flip_all() {
-  std::vector<Edge> edges;
-  for (const Face_handle face : triangulation_.finite_face_handles()) {
-    for (int i = 0; i < 3; ++i) {
-      if (!(face < face->neighbor(i))) continue;
-      if (!is_violated(face, i)) continue;
-      edges.emplace_back(face, i);
-      if (!flip(edges)) return false;
+void Kinetic_types<Traits>::Repair::flip(const Edge& edge) {
+  const auto& [face, i] = edge;
+  note(edge, -1);
+  triangulation_.tds().flip(face, i);
+  note(Edge(face, Triangulation::ccw(i)), 1);
+}
+
+// Flips the edges that are violated, and those around them, until all are Delaunay. [Lawson 1977]
+template <class Traits>
+bool Kinetic_types<Traits>::Repair::flip_suspects() {
+  constexpr std::size_t ahead = 8;
+  while (!suspects_.empty()) {
+    const auto [face, i] = suspects_.back();
+    suspects_.pop_back();
+    if (const std::size_t size = suspects_.size(); size > 2 * ahead) {
+      prefetch(suspects_[size - 2 * ahead].first);
+      prefetch_around(suspects_[size - ahead].first);
     }
-  }
-  return true;
-}
-
-// Flips these edges, if they are violated, and those around them.
-template <class Traits>
-bool Kinetic_types<Traits>::Repair::flip(std::vector<Edge>& suspects) {
-  while (!suspects.empty()) {
-    const auto [face, i] = suspects.back();
-    suspects.pop_back();
-    if (!is_violated(face, i)) continue;
+    if (is_unlinked(face) || !is_violated(face, i)) continue;
     if (flips_left_-- == 0) return false;
     const auto [beyond, j] = topology_.with_mirror(Edge(face, i)).there;
-    note(Edge(face, i), -1);
-    triangulation_.tds().flip(face, i);
-    note(Edge(face, Triangulation::ccw(i)), 1);
+    flip(Edge(face, i));
     // The outer edges of the quadrilateral (Topology::flip).
-    suspects.emplace_back(face, i);
-    suspects.emplace_back(face, Triangulation::cw(i));
-    suspects.emplace_back(beyond, j);
-    suspects.emplace_back(beyond, Triangulation::cw(j));
+    suspects_.emplace_back(face, i);
+    suspects_.emplace_back(face, Triangulation::cw(i));
+    suspects_.emplace_back(beyond, j);
+    suspects_.emplace_back(beyond, Triangulation::cw(j));
   }
   return true;
 }

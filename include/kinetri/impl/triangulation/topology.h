@@ -191,8 +191,8 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   /// Inserts a vertex without faces into the triangle or edge of the location.
   void insert_in_faces(Vertex_handle v, const Location& location);
   /// Removes a vertex of degree 3 from its faces. The vertex stays, in no face. Returns the face
-  /// that is left.
-  Face_handle remove_degree_3(Vertex_handle v);
+  /// that is left, and the two others, which have no vertices and are to be deleted.
+  std::array<Face_handle, 3> remove_degree_3(Vertex_handle v);
   /// Takes the faces of another triangulation of the same points; keeps the vertices. Calls
   /// note_hidden(id, was_hidden, is_hidden) with each point that is or was hidden.
   template <class Note_hidden>

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <numeric>
 
 #include "kinetri/base/error.h"
 #include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/edge_changes.h"
 #include "kinetri/impl/triangulation/point_problems.h"
 #include "kinetri/impl/triangulation/topology.h"
 
@@ -105,23 +106,10 @@ auto Kinetic_types<Traits>::Topology::points() const -> std::vector<Point_2> {
 
 template <class Traits>
 std::vector<Edge_ids> Kinetic_types<Traits>::Topology::finite_edge_ids() const {
-  // Sorted by the smaller id by counting, then by the greater one.
   std::vector<Edge_ids> edges;
-  std::vector<std::size_t> ends(vertices_.size() + 1);
-  for (const Edge& edge : triangulation_.finite_edges()) {
-    edges.push_back(ids_of(edge));
-    ++ends[edges.back()[0] + 1];
-  }
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<Edge_ids> result(edges.size());
-  for (const Edge_ids& edge : edges) result[ends[edge[0]]++] = edge;
-  std::size_t begin = 0;
-  for (const std::size_t end : ends) {
-    std::sort(result.begin() + static_cast<std::ptrdiff_t>(begin),
-              result.begin() + static_cast<std::ptrdiff_t>(end));
-    begin = end;
-  }
-  return result;
+  for (const Edge& edge : triangulation_.finite_edges()) edges.push_back(ids_of(edge));
+  sort_by_edge(edges, std::identity());
+  return edges;
 }
 
 template <class Traits>
@@ -289,13 +277,28 @@ void Kinetic_types<Traits>::Topology::insert_in_faces(Vertex_handle v, const Loc
   tds.delete_vertex(created);
 }
 
+//         c                  c
+//       / | \              /   \           The first face gets the corner c in place of v, and the
+//      /  v  \    ==>     /     \          neighbors of the others.
+//     / /   \ \          /       \.
+//    a --------- b      a ------- b
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::remove_degree_3(Vertex_handle v) -> Face_handle {
-  const Face_handle face = v->face();
-  const Vertex_handle stand_in = triangulation_.tds().create_vertex();
-  replace_in_faces(v, stand_in);
-  triangulation_.tds().remove_degree_3(stand_in, face);
-  return face;
+auto Kinetic_types<Traits>::Topology::remove_degree_3(Vertex_handle v)
+    -> std::array<Face_handle, 3> {
+  const Face_handle first = v->face();
+  const int i = index_in(first, v);
+  const Face_handle at_b = first->neighbor(Triangulation::ccw(i));
+  const Face_handle at_a = first->neighbor(Triangulation::cw(i));
+  const Edge beyond_b = with_mirror(Edge(at_b, index_in(at_b, v))).there;
+  const Edge beyond_a = with_mirror(Edge(at_a, index_in(at_a, v))).there;
+  first->set_vertex(i, at_a->vertex(Triangulation::ccw(index_in(at_a, v))));
+  auto& tds = triangulation_.tds();
+  tds.set_adjacency(first, Triangulation::ccw(i), beyond_b.first, beyond_b.second);
+  tds.set_adjacency(first, Triangulation::cw(i), beyond_a.first, beyond_a.second);
+  for (int k = 0; k < 3; ++k) first->vertex(k)->set_face(first);
+  for (const Face_handle face : {at_a, at_b}) face->set_vertices();
+  v->set_face(Face_handle());
+  return {first, at_a, at_b};
 }
 
 // Replaces `old` in its faces by `replacement`, which has none.

@@ -172,12 +172,14 @@ void Kinetic_types<Traits>::Updates::hide(Vertex_handle v) {
     const std::vector<Vertex_handle> hidden = take_hidden(faces);
     for (const Face_handle face : faces) schedule_.unschedule_face(face);
     topology_.note_edges_at(v, -1, note());
-    const Face_handle face = topology_.remove_degree_3(v);
+    const auto [face, second, third] = topology_.remove_degree_3(v);
+    triangulation_.tds().delete_face(second);
+    triangulation_.tds().delete_face(third);
     const std::array<Edge_with_mirror, 3> edges = {topology_.with_mirror(Edge(face, 0)),
                                                    topology_.with_mirror(Edge(face, 1)),
                                                    topology_.with_mirror(Edge(face, 2))};
     schedule_.schedule(edges, schedule_.current_time());
-    put_hidden(hidden, {&face, 1});
+    put_hidden(hidden, std::span(&face, 1));
     // Outside the hull its certificate has another sign.
     const bool is_inner = !triangulation_.is_infinite(face);
     hide_in(v, face);
