@@ -3,23 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "support/multiplier.h"
+#include "support/random_choices.h"
 
 namespace kinetri::coincident_points_test {
 namespace {
-
-class Random_choices {
- public:
-  explicit Random_choices(unsigned seed) : random_(seed) {}
-  int integer(int lowest, int highest) {
-    return std::uniform_int_distribution<int>(lowest, highest)(random_);
-  }
-
- private:
-  std::mt19937 random_;
-};
 
 template <class Kinetic>
 void check_runs() {
@@ -27,8 +15,8 @@ void check_runs() {
   std::size_t compared = 0;
   const unsigned runs = 200u * static_cast<unsigned>(test::multiplier());
   for (unsigned seed = 0; seed < runs; ++seed) {
-    Random_choices random(seed);
-    test::Coincident_run<Kinetic, Random_choices> run(random);
+    test::Random_choices random(seed);
+    test::Coincident_run<Kinetic, test::Random_choices> run(random);
     ASSERT_EQ(run.problem(12), "") << "seed " << seed;
     twins += run.twins_seen();
     compared += run.compared();

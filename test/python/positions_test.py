@@ -51,17 +51,78 @@ def test_a_position_out_of_the_box_is_refused():
     assert points.positions().tolist() == [[2, 2], [3, 3]]
 
 
+def grid_objects():
+    """A new object of each kind, with the same points on a grid; two are coincident, and one has left."""
+    places = [[x, y] for x in range(5) for y in range(5)] + [[1, 1], [2, 7]]
+    at_rest = np.zeros((len(places), 2))
+    objects = [kinetri.KineticDelaunay(places, at_rest), kinetri.KineticRegular(places, at_rest, weight=at_rest[:, 0]),
+               kinetri.Simulation(places, at_rest, box=(-1, -1, 9, 9))]
+    for points in objects:
+        points.erase(3)
+    return objects
+
+
+def state(points):
+    return (points.edges().tolist(), points.hidden_points().tolist(), points.positions().tobytes(),
+            points.velocities().tobytes(), points.time)
+
+
+def others(**changes):
+    """The positions of all points of the grid objects, half a unit to the right, changed at some ids."""
+    places = np.array([[x + 0.5, y] for x in range(5) for y in range(5)] + [[1.5, 1], [2.5, 7]])
+    places[3] = np.nan
+    for id, place in changes.items():
+        places[int(id[1:])] = place
+    return places
+
+
 @pytest.mark.parametrize("arguments, text", [
-    (([[0, 0], [1, np.nan], [2, 2]],), "finite|NaN|nan"),
-    (([[0, 0], [1, 1]],), "shape"),
-    (([0, 0], [[1, 1], [2, 2]]), "twice"),
-    (([7], [1, 1]), "no point"),
+    ((others(_5=(1, np.nan)),), "nan"),
+    ((others(_5=(np.inf, 0)),), "inf"),
+    ((others(_3=(1, 1)),), "no point 3"),
+    ((others()[:26],), "shape"),
+    ((others().T,), "shape"),
+    ((others().ravel(),), "shape"),
+    ((others()[:, :, None],), "shape"),
+    ((others().astype(str),), "real numbers"),
+    ((np.ma.masked_less(np.nan_to_num(others()), 1),), "masked"),
+    (([0, 1], [[1, 1], [np.nan, 2]]), "nan"),
+    (([0, 1], [[1, 1], [2, 2], [3, 3]]), "shape"),
+    (([0, 1], [[1, 1, 1], [2, 2, 2]]), "shape"),
+    (([0, 1, 0], [[1, 1], [2, 2], [3, 3]]), "twice"),
+    (([0, 0], [1, 1]), "twice"),
+    (([3], [1, 1]), "no point 3"),
+    (([27], [1, 1]), "no point 27"),
+    (([-1], [1, 1]), "ids from 0"),
+    (([2**32 - 1], [1, 1]), "ids from 0"),
+    (([0.5], [1, 1]), "integers"),
+    (([[0], [1]], [[1, 1], [2, 2]]), "integers"),
+    ((np.ones(26, dtype=bool), [1, 1]), "mask"),
+    (([], [[1, 1]]), "shape"),
     ((None,), "positions is None"),
 ])
-def test_what_is_wrong_changes_nothing(arguments, text):
+def test_what_is_refused_changes_nothing(arguments, text):
+    for points in grid_objects():
+        before = state(points)
+        with pytest.raises(kinetri.PreconditionError, match=text):
+            points.set_positions(*arguments)
+        assert state(points) == before
+        points.set_positions(others())
+        assert np.array_equal(points.positions(), others(), equal_nan=True)
+        assert points.audit()
+
+
+def test_coincident_positions_that_are_refused_change_nothing():
+    places, velocities = uniform(40, seed=6)
+    points = kinetri.KineticDelaunay(places, velocities, coincident="refuse")
+    before = state(points)
+    for arguments in [(np.ones((40, 2)),), (slice(None), [3, 3]), ([3, 8], [[1, 2], [1, 2]])]:
+        with pytest.raises(kinetri.CoincidentTrajectoriesError):
+            points.set_positions(*arguments)
+        assert state(points) == before
+
+
+def test_takes_one_or_two_arguments():
     kd = kinetri.KineticDelaunay([[0, 0], [9, 0], [0, 9]], 3 * [[0, 0]])
-    with pytest.raises(kinetri.PreconditionError, match=text):
-        kd.set_positions(*arguments)
-    assert kd.positions().tolist() == [[0, 0], [9, 0], [0, 9]]
     with pytest.raises(TypeError, match=r"set_positions\(\) takes positions, or ids and positions"):
         kd.set_positions([0], [1, 1], [2])

@@ -9,30 +9,18 @@
 #include <vector>
 
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
-#include "support/coincident_runs.h"
+#include "kinetri/triangulation/kinetic_regular_triangulation_2.h"
 #include "support/kinetic_runs.h"
 #include "support/multiplier.h"
+#include "support/position_runs.h"
 #include "support/precondition_error.h"
+#include "support/random_choices.h"
 
 namespace kinetri::set_positions_test {
 namespace {
 
 using test::Kinetic_delaunay;
 using Places = std::vector<Vector_2>;
-
-// What differs from a triangulation that is made of the same motions; empty if nothing does.
-std::string difference_from_new(const Kinetic_delaunay& kinetic) {
-  std::vector<Linear_motion_2> motions;
-  for (Point_id id = 0; id < kinetic.next_id(); ++id) motions.push_back(kinetic.motion(id));
-  const Kinetic_delaunay made(motions, kinetic.current_time());
-  if (kinetic.finite_edge_ids() != made.finite_edge_ids()) return "other edges";
-  for (Point_id id = 0; id < kinetic.next_id(); ++id) {
-    if (kinetic.is_hidden(id) != made.is_hidden(id)) return "other hidden points";
-    if (kinetic.coincident_points(id) != made.coincident_points(id)) return "other groups";
-    if (!kinetic.is_hidden(id) && kinetic.vertex(id)->point().id() != id) return "other vertices";
-  }
-  return {};
-}
 
 std::vector<Linear_motion_2> resting(const Places& places) {
   std::vector<Linear_motion_2> result;
@@ -50,7 +38,7 @@ class Steps {
     test::Hidden_follower<Kinetic_delaunay> follower(kinetic_);
     kinetic_.set_positions(places);
     kinetic_.remove_observer(follower);
-    std::string problem = difference_from_new(kinetic_);
+    std::string problem = test::difference_from_new(kinetic_);
     if (problem.empty()) problem = test::audit_problem(kinetic_, Audit_level::certificates);
     if (problem.empty()) problem = follower.problem;
     if (problem.empty() && follower.edges != test::edges_of(kinetic_)) problem = "edges of events";
@@ -157,6 +145,37 @@ TEST(Set_positions, of_all_points_to_a_line_a_position_and_back) {
   for (const Places& next : {line, places, slant, places, one, places}) {
     ASSERT_EQ(steps.move(next), "");
   }
+}
+
+// Sequences in which steps of every kind follow each other.
+template <class Kinetic>
+void check_runs(unsigned runs, std::size_t most_points) {
+  std::size_t hidden = 0;
+  std::size_t refused = 0;
+  runs *= static_cast<unsigned>(test::multiplier());
+  for (unsigned seed = 0; seed < runs; ++seed) {
+    test::Random_choices random(seed);
+    const bool is_grid = seed % 2 == 0;
+    test::Position_run<Kinetic, test::Random_choices> run(
+        random, {seed % 8 == 1 ? 4 * most_points : most_points, is_grid ? 9 : 16, is_grid});
+    ASSERT_EQ(run.problem(20), "") << "seed " << seed;
+    hidden += run.hidden_seen();
+    refused += run.refused();
+  }
+  EXPECT_GT(hidden, runs);
+  EXPECT_GT(refused, runs / 20);
+}
+
+TEST(Set_positions, of_every_kind_with_other_changes_between) {
+  check_runs<test::Kinetic_delaunay>(100, 60);
+}
+
+TEST(Set_positions, of_every_kind_of_points_with_weights) {
+  check_runs<Kinetic_regular_triangulation_2<>>(50, 40);
+}
+
+TEST(Set_positions, of_every_kind_of_points_that_accelerate) {
+  check_runs<Kinetic_delaunay_triangulation_2<Polynomial_kinetic_traits_2>>(25, 40);
 }
 
 // The triangulation goes on as a new one does.
