@@ -63,16 +63,14 @@ for target in "${chosen[@]}"; do
   mkdir -p "$corpus"
   # The other targets read at most 300 bytes. Without seeds, libFuzzer would begin with short inputs.
   seeds=() lengths=(-max_len=300 -len_control=0)
-  if [[ $target == points_file ]]; then
-    lengths=(-max_len=20000)
-    seeds=("$kinetri_root/test/fuzz/corpus/points_file" "$kinetri_root/data/degenerate")
-  elif [[ $target == tracks ]]; then
-    lengths=(-max_len=20000)
-    seeds=("$kinetri_root/test/fuzz/corpus/tracks")
-  elif [[ $target == track_formats ]]; then
-    lengths=(-max_len=20000)
-    seeds=("$kinetri_root/test/fuzz/corpus/track_formats" "$kinetri_root/test/fuzz/corpus/tracks")
+  if [[ -d "$kinetri_root/test/fuzz/corpus/$target" ]]; then
+    seeds=("$kinetri_root/test/fuzz/corpus/$target")
   fi
+  case $target in
+    points_file) lengths=(-max_len=20000) seeds+=("$kinetri_root/data/degenerate") ;;
+    tracks) lengths=(-max_len=20000) ;;
+    track_formats) lengths=(-max_len=20000) seeds+=("$kinetri_root/test/fuzz/corpus/tracks") ;;
+  esac
   kinetri_say "Fuzzing $target for $seconds seconds; output in $dir/$target.log ..."
   if "$dir/test/fuzz/kinetri_${target}_fuzzer" -max_total_time="$seconds" -timeout=60 \
     -rss_limit_mb=4096 -print_final_stats=1 "${lengths[@]}" -artifact_prefix="$dir/crashes/$target-" \
