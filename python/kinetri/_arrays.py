@@ -47,11 +47,16 @@ def _differs(array: npt.NDArray[Any], result: Floats) -> npt.NDArray[np.bool_]:
     return differs
 
 
-def _is_float_array(array: npt.NDArray[Any], shape: tuple[int | None, ...]) -> bool:
-    """Whether it is an array of finite float64 of that shape, the usual case, which needs no other checks."""
-    return (array.dtype == np.float64 and array.ndim == len(shape)
-            and all(n is None or n == m for n, m in zip(shape, array.shape))
-            and bool(np.isfinite(array).all()))
+def _usual(array: npt.NDArray[Any], shape: tuple[int | None, ...]) -> Floats | None:
+    """The array as float64, if it has that shape and its numbers are certainly exact in float64 and finite: then it
+    needs no other checks."""
+    if array.ndim != len(shape) or any(n is not None and n != m for n, m in zip(shape, array.shape)):
+        return None
+    if array.dtype == np.float64:
+        return np.ascontiguousarray(array) if np.isfinite(array).all() else None
+    if array.dtype.kind in "iu" and array.size > 0 and max(-int(array.min()), int(array.max())) <= 2**53:
+        return np.ascontiguousarray(array, dtype=np.float64)
+    return None
 
 
 def float_array(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> Floats:
@@ -59,11 +64,11 @@ def float_array(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> F
 
     Integers and other floats are accepted if float64 represents them exactly.
     """
-    expect_no_mask(name, value)
-    if isinstance(value, np.ndarray) and _is_float_array(value, shape):
-        return np.ascontiguousarray(value)
     shape_text = _shape_text(["n" if n is None else n for n in shape])
     array = _as_array(name, value, f"real numbers of shape {shape_text}")
+    usual = _usual(array, shape)
+    if usual is not None:
+        return usual
     if array.dtype.kind not in "iuf" and array.size > 0:
         raise PreconditionError(
             f"{name} is an array of {array.dtype}; expected real numbers of shape {shape_text}")

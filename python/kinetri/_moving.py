@@ -590,6 +590,9 @@ class MovingPoints(RunAnswers):
         if "ids" in given:
             ids = self._ids(given["ids"])
             return ids, _arrays.rows(name, values, len(ids), copies=len(ids))
+        size = self.next_id
+        if len(self) == size:
+            return np.arange(size, dtype=np.uint32), _arrays.rows(name, values, size, copies=size)
         is_there = self._is_there()
         return np.flatnonzero(is_there).astype(np.uint32), _arrays.rows_by_id(name, values, is_there)
 
@@ -722,8 +725,10 @@ class MovingPoints(RunAnswers):
         """
         if np.ndim(clip) == 1:
             xmin, ymin, xmax, ymax = _arrays.box_tuple("clip", clip)  # type: ignore[misc]
-            clip = [[xmin, ymin], [xmax, ymin], [xmax, ymax], [xmin, ymax]]
-        return self._engine.voronoi_areas(_arrays.point_array("clip", clip))
+            polygon = np.array([[xmin, ymin], [xmax, ymin], [xmax, ymax], [xmin, ymax]])
+        else:
+            polygon = _arrays.point_array("clip", clip)
+        return self._engine.voronoi_areas(polygon)
 
     def cell_areas(self, walkable: str | ArrayLike | None = None, cutoff: float | None = None) -> Floats:
         """The area of each point: that of its cell within walls, and within a distance.
