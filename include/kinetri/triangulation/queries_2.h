@@ -171,7 +171,8 @@ class Kinetic_queries_2 {
   /// three vertices, or a coordinate that is not finite or beyond 1e150.
   ///
   /// Cost: O(m log m) for m vertices, to check the polygon; for each point, m floating-point
-  /// operations for each of its first sides, some hundred in all if m is small.
+  /// operations for each of its first sides, some hundred in all if m is small. Without weights,
+  /// the cells in a convex polygon cost O(m) floating-point operations for each triangle.
   std::vector<double> rounded_voronoi_areas(std::span<const Vector_2> polygon) const;
 
   // Distances between points, without weights: in a regular triangulation neither the nearest
