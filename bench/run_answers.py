@@ -10,7 +10,7 @@ import argparse
 import importlib
 import statistics
 
-from run_python import crowd, crowd_in_scipy, seconds
+from run_python import crowd, crowd_in_kinetri, crowd_in_scipy, seconds
 
 BOX = (0, 0, 60, 20)
 CORRIDOR = "POLYGON((0 0, 60 0, 60 20, 0 20, 0 0))"
@@ -133,11 +133,13 @@ def main():
     row("merges and splits, seen as another number at least", seen_changes)
 
     exact_seconds, exact = seconds(lambda: areas_of_frames(tracks, times, arguments.people))
+    step_seconds, steps = seconds(lambda: crowd_in_kinetri(places, BOX))
     frame_seconds, areas = seconds(lambda: crowd_in_scipy(places, BOX))
-    difference = abs(exact - areas[:-1]).max()
+    difference = max(abs(exact - areas[:-1]).max(), abs(steps - areas).max())
     if not difference < 1e-6:
         raise RuntimeError(f"areas of kinetri and scipy differ by {difference}")
     row("densities of each frame, seconds", exact_seconds)
+    row("densities of each frame by set_positions, seconds", step_seconds)
     row("densities of each frame, scipy, seconds", frame_seconds)
     exact_seconds, exact = seconds(lambda: tracks.mean_areas(walkable=CORRIDOR))
     row("densities, mean over all times, seconds", exact_seconds)

@@ -21,7 +21,7 @@ def main():
     for step in range(101):
         for bird, (x, y) in zip(flock.ids, flock.positions()):
             print(f"{step * STEP:.1f},{bird},{x:.3f},{y:.3f}")
-        flock.set_velocities(flock.ids, steer(flock))
+        flock.set_velocities(flock.ids, steer(flock, flock.velocities()))
         flock.advance_to((step + 1) * STEP)
 
 

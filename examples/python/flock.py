@@ -28,10 +28,10 @@ def sums(birds, values, size):
     return np.column_stack([np.bincount(birds, column, size) for column in values.T])
 
 
-def steer(flock):
+def steer(flock, velocities):
     """The new velocities: as the neighbors fly, toward them, not too near, and toward the field."""
     a, b, vectors = seen(flock)
-    places, velocities = flock.positions(), flock.velocities()
+    places = flock.positions()
     size = len(places)
     number = np.maximum(np.bincount(a, minlength=size), 1)[:, None]
     distances = np.sqrt((vectors**2).sum(axis=1))[:, None]
@@ -44,9 +44,8 @@ def steer(flock):
     return velocities * (np.clip(speeds, SLOWEST, FASTEST) / speeds)
 
 
-def order(flock):
+def order(velocities):
     """1 if all birds fly in one direction, about 0 if each flies in its own."""
-    velocities = flock.velocities()
     directions = velocities / np.sqrt((velocities**2).sum(axis=1))[:, None]
     return np.sqrt((directions.mean(axis=0) ** 2).sum())
 
@@ -58,6 +57,11 @@ def groups(flock):
     return connected_components(coo_array((np.ones(len(a)), (a, b)), shape=(size, size)))[0]
 
 
+def report(seconds, events, flock, velocities):
+    nearest = flock.nearest_neighbors().distances.min()
+    print(f"{seconds:7.0f} {events:>7} {order(velocities):6.2f} {groups(flock):7d} {nearest:8.2f}")
+
+
 def main():
     positions, velocities = kinetri.scenario("constant-speed", 200, seed=4, side=60, speed=5)
     flock = kinetri.KineticDelaunay(positions - 30, velocities)
@@ -65,10 +69,17 @@ def main():
     events = 0
     for step in range(121):
         if step % 20 == 0:
-            nearest = flock.nearest_neighbors().distances.min()
-            print(f"{step * STEP:7.0f} {events:7d} {order(flock):6.2f} {groups(flock):7d} {nearest:8.2f}")
-        flock.set_velocities(steer(flock))
+            report(step * STEP, events, flock, flock.velocities())
+        flock.set_velocities(steer(flock, flock.velocities()))
         events += flock.advance_to((step + 1) * STEP)
+    print("audit passed:", bool(flock.audit()))
+
+    # The same flock, if only the triangulation after each step is of interest.
+    flock = kinetri.KineticDelaunay(positions - 30, np.zeros_like(positions))
+    for _ in range(120):
+        velocities = steer(flock, velocities)
+        flock.set_positions(flock.positions() + STEP * velocities)
+    report(120 * STEP, "-", flock, velocities)
     print("audit passed:", bool(flock.audit()))
 
 
