@@ -192,6 +192,16 @@ class Pictures(Rendering):
         followed = self.picture("--view", "point=7&follow=on&t=1").circles("points")[7]
         self.assertEqual(followed[:2], (480, 320))
 
+    def test_a_point_by_its_label(self):
+        self.write("p.csv", "id,x,y,vx,vy\nann,0,0,0,0\nbob,2,1,0,0\n\"1\",4,2,0,1\n")
+        self.run_("simulate", "p.csv", "--until", 1, "--html", "run.html", "--quiet")
+        picture = self.picture("--at", 0.5, "--view", "point=bob&follow=on&show=ids")
+        self.assertEqual(picture.circles("points")[1][:2], (480, 320))
+        self.assertEqual({"ann", "bob", "1"} - set(picture.texts()), set())
+        # A number is an id.
+        same = self.picture("--at", 0.5, "--view", "point=1&follow=on&show=ids")
+        self.assertEqual(same.circles("points"), picture.circles("points"))
+
     def test_discs_walls_and_hidden_points(self):
         # The disc of point 1 is within that of 0.
         self.write("p.csv", "x,y,vx,vy,radius\n0,0,0,0,4\n1,0,0,0,1\n9,0,0,0,2\n0,9,0,0,3\n")

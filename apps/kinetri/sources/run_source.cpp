@@ -34,6 +34,7 @@ Input_error Run_source::coincidence(const Coincident_trajectories_error& error, 
 
 void Run_source::describe(Viewer_settings& settings) const {
   settings.title = title();
+  settings.names = labels();
 }
 
 }  // namespace kinetri::app

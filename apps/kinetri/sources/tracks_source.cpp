@@ -49,7 +49,6 @@ class Tracks_source final : public Run_source {
   }
   bool are_there_together(Point_id a, Point_id b) const override;
   std::string walkable_area() const override { return file_.walkable_area; }
-  void describe(Viewer_settings& settings) const override;
   std::vector<std::string> remarks() const override;
   void write_points(std::ostream& out) const override;
 
@@ -239,11 +238,6 @@ bool Tracks_source::are_there_together(Point_id a, Point_id b) const {
     return observations_[stays_[id].track][stays_[id].last].time;
   };
   return first(a) <= last(b) && first(b) <= last(a);
-}
-
-void Tracks_source::describe(Viewer_settings& settings) const {
-  Run_source::describe(settings);
-  settings.names = labels();
 }
 
 std::vector<std::string> Tracks_source::remarks() const {
