@@ -55,7 +55,8 @@ void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(std::move(thrown));
   } catch (const Coincident_trajectories_error& error) {
-    raise("CoincidentTrajectoriesError", error,
+    raise("CoincidentTrajectoriesError",
+          std::string(error.what()) + ", or make the object with coincident='hide'",
           attribute("ids", std::pair(error.first(), error.second())));
   } catch (const Endless_contacts_error& error) {
     raise("EndlessContactsError", error, attribute("id", error.point()));
