@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "kinetri/impl/observers/gap_of_pair.h"
-#include "kinetri/impl/simulation/disc_boxes.h"
+#include "simulation/disc_boxes.h"
 
 namespace kinetri::detail {
 

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "kinetri/impl/triangulation/ball.h"
-#include "kinetri/impl/triangulation/clipped_polygon.h"
+#include "triangulation/ball.h"
+#include "triangulation/clipped_polygon.h"
 #include "kinetri/observers/cell_areas.h"
 #include "observers/triangulated_area.h"
 

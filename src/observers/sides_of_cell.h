@@ -10,8 +10,8 @@
 #include <optional>
 #include <span>
 
-#include "kinetri/impl/algebra/rounded_quotient.h"
-#include "kinetri/impl/triangulation/ball.h"
+#include "algebra/rounded_quotient.h"
+#include "triangulation/ball.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "observers/limited_cell.h"
 

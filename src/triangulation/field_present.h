@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/algebra/rounded_quotient.h"
+#include "algebra/rounded_quotient.h"
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/kinetic/rounded_places.h"
-#include "kinetri/impl/triangulation/ball.h"
+#include "triangulation/ball.h"
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/triangulation/queries_2.h"
 

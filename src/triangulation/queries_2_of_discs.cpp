@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/triangulation/queries_2.h"
-#include "kinetri/triangulation/queries_2_impl.h"
+#include "triangulation/queries_2_impl.h"
 
 namespace kinetri {
 

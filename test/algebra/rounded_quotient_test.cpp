@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/impl/algebra/rounded_quotient.h"
+#include "algebra/rounded_quotient.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/algebra/real_roots.h"
-#include "kinetri/impl/algebra/rounded_quotient.h"
+#include "algebra/rounded_quotient.h"
 
 namespace kinetri::algebra_threads_test {
 namespace {

@@ -8,7 +8,9 @@
 
 #include "kinetri/triangulation/audit_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
+#include "kinetri/triangulation/queries_2.h"
 #include "support/motions.h"
+#include "support/precondition_error.h"
 
 namespace kinetri::audit_test {
 namespace {
@@ -167,6 +169,26 @@ TEST_F(Audit_of_missed_events, finds_the_edges_that_should_have_been_flipped) {
 TEST_F(Audit_of_missed_events, finds_a_hull_that_is_not_convex) {
   Forgetful_traits::deaf_to_turns = true;
   EXPECT_TRUE(mentions(audit_after(2.0), "the hull is not convex"));
+}
+
+// The queries of the library, with a triangulation that the library does not compile.
+TEST(Queries, of_traits_that_are_derived_are_those_of_the_base) {
+  const auto motions = test::random_motions(20, 40, 5, 1);
+  Kinetic_delaunay_triangulation_2<Forgetful_traits> derived(motions);
+  Kinetic_delaunay base(motions);
+  for (const double t : {0.0, 1.0, 2.5}) {
+    derived.advance_to(t);
+    base.advance_to(t);
+    const Kinetic_queries_2 of_derived(derived);
+    const Kinetic_queries_2 of_base(base, t);
+    EXPECT_EQ(of_derived.time(), t);
+    EXPECT_EQ(of_derived.nearest_neighbors(), of_base.nearest_neighbors());
+    EXPECT_EQ(of_derived.locate({20, 20}), of_base.locate({20, 20}));
+    EXPECT_EQ(of_derived.nearest_vertex({20, 20}), of_base.nearest_vertex({20, 20}));
+    EXPECT_EQ(of_derived.rounded_voronoi_cell(7).vertices,
+              of_base.rounded_voronoi_cell(7).vertices);
+  }
+  EXPECT_PRECONDITION_ERROR(Kinetic_queries_2(derived, 1.0), "a query about the past");
 }
 
 }  // namespace

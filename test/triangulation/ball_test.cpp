@@ -2,7 +2,7 @@
 //
 // Ball arithmetic against exact arithmetic: each result contains the exact one, is exact where
 // nothing is rounded, and is rounded correctly where it says so.
-#include "kinetri/impl/triangulation/ball.h"
+#include "triangulation/ball.h"
 
 #include <gtest/gtest.h>
 

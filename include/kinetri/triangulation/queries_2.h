@@ -19,18 +19,24 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
-#include "kinetri/impl/triangulation/triangulation_at_time.h"
+#include "kinetri/impl/triangulation/queried_triangulation.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/kinetic/moving_point_2.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
+
+namespace detail {
+template <KineticTraits_2 Traits>
+class Triangulation_at_time;
+}  // namespace detail
 
 /// The result of a location query.
 struct Location_2 {
@@ -102,6 +108,11 @@ concept HasNearestNeighbors = !WeightedKineticTraits_2<Traits>;
 /// A walk through the triangulation starts at a vertex near the query position, the nearest of some
 /// 2 n^(1/3) points at the current time. It takes expected O(n^(1/3)) predicates for evenly
 /// distributed points, O(n) in the worst case.
+///
+/// Compiled into the library for its own four traits; for traits that are derived from one of them,
+/// without other points or predicates, `Kinetic_queries_2(triangulation)` has those of the base.
+/// (For other traits CGAL's queries answer for the current time, see
+/// Kinetic_triangulation_2::triangulation.)
 template <KineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Kinetic_queries_2 {
  public:
@@ -109,17 +120,22 @@ class Kinetic_queries_2 {
   using Point_2 = typename Traits::Point_2;  ///< of the traits
 
   /// Queries at the current time.
-  explicit Kinetic_queries_2(const Kinetic_triangulation_2<Traits>& triangulation)
+  template <KineticTraits_2 Own>
+  requires detail::HasTriangulationOf<Own, Traits>
+  explicit Kinetic_queries_2(const Kinetic_triangulation_2<Own>& triangulation)
       : Kinetic_queries_2(triangulation, triangulation.current_time()) {}
 
   /// Queries at `time`. If it is the time of the next event, the answers hold for the triangulation
   /// before the event. Precondition: `time` is neither before triangulation.current_time() nor
   /// after the next event (checked exactly, see has_event_before). The contacts of a Simulation_2
   /// do not count: after the next contact the answers still assume the current motions.
-  Kinetic_queries_2(const Kinetic_triangulation_2<Traits>& triangulation, const Time& time);
+  template <KineticTraits_2 Own>
+  requires detail::HasTriangulationOf<Own, Traits> Kinetic_queries_2(
+      const Kinetic_triangulation_2<Own>& triangulation, const Time& time)
+      : Kinetic_queries_2(std::make_unique<detail::Queried<Own, Traits>>(triangulation), time) {}
 
   /// The time of the queries.
-  const Time& time() const { return at_.time(); }
+  const Time& time() const;
 
   /// The point nearest to the position, or with weights of the least power there; of several such
   /// points the smallest id, hidden ones included; none if there are no points. Cost: a walk, and
@@ -208,15 +224,30 @@ class Kinetic_queries_2 {
 
  private:
   using Vertex_handle = typename Kinetic_triangulation_2<Traits>::Vertex_handle;
+  using Queried = std::unique_ptr<const detail::Queried_triangulation<Traits>>;
+  using At_time = detail::Triangulation_at_time<Traits>;
 
+  Kinetic_queries_2(Queried kinetic, const Time& time);
+
+  const At_time& at() const { return *at_; }
   std::uint64_t number_of_changes() const;
   void check_is_current() const;
   Vertex_handle vertex(Point_id id) const;
   std::vector<Point_id> triangulation_neighbors(Vertex_handle v) const;
 
-  detail::Triangulation_at_time<Traits> at_;
+  std::shared_ptr<const At_time> at_;
   std::uint64_t changes_;  // of the triangulation, when this object was made
 };
+
+/// @{
+/// Traits that are derived from those of the library have the queries of these.
+template <KineticTraits_2 Own>
+Kinetic_queries_2(const Kinetic_triangulation_2<Own>&)
+    -> Kinetic_queries_2<detail::Library_traits<Own>>;
+template <KineticTraits_2 Own>
+Kinetic_queries_2(const Kinetic_triangulation_2<Own>&, const Algebraic_number&)
+    -> Kinetic_queries_2<detail::Library_traits<Own>>;
+/// @}
 
 extern template class Kinetic_queries_2<Linear_kinetic_traits_2>;
 extern template class Kinetic_queries_2<Polynomial_kinetic_traits_2>;

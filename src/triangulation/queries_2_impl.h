@@ -1,43 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Definitions of Kinetic_queries_2. Include this only if you instantiate the class for your own
-// kinetic traits class, whose points have trajectories, as Moving_point_2 has; it is compiled into
-// the library for the library's own traits.
-#ifndef KINETRI_TRIANGULATION_QUERIES_2_IMPL_H
-#define KINETRI_TRIANGULATION_QUERIES_2_IMPL_H
+// Definitions of Kinetic_queries_2.
+#ifndef KINETRI_SRC_TRIANGULATION_QUERIES_2_IMPL_H
+#define KINETRI_SRC_TRIANGULATION_QUERIES_2_IMPL_H
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/triangulation/nearest_points.h"
 #include "kinetri/impl/triangulation/point_problems.h"
-#include "kinetri/impl/triangulation/position_query.h"
-#include "kinetri/impl/triangulation/voronoi_areas.h"
-#include "kinetri/impl/triangulation/voronoi_ring.h"
-#include "kinetri/impl/triangulation/voronoi_sides.h"
 #include "kinetri/triangulation/queries_2.h"
+#include "triangulation/nearest_points.h"
+#include "triangulation/position_query.h"
+#include "triangulation/voronoi_areas.h"
+#include "triangulation/voronoi_ring.h"
+#include "triangulation/voronoi_sides.h"
 
 namespace kinetri {
 
 template <KineticTraits_2 Traits>
-Kinetic_queries_2<Traits>::Kinetic_queries_2(const Kinetic_triangulation_2<Traits>& triangulation,
-                                             const Time& time)
-    : at_(triangulation, time), changes_(number_of_changes()) {
-  KINETRI_PRECONDITION(time >= triangulation.current_time(),
+Kinetic_queries_2<Traits>::Kinetic_queries_2(Queried kinetic, const Time& time)
+    : at_(std::make_shared<const At_time>(std::move(kinetic), time)),
+      changes_(number_of_changes()) {
+  KINETRI_PRECONDITION(time >= at().kinetic().current_time(),
                        "a query about the past; query a time before the triangulation advances "
                        "beyond it");
-  KINETRI_PRECONDITION(!triangulation.has_event_before(time),
+  KINETRI_PRECONDITION(!at().kinetic().has_event_before(time),
                        "a query about a time after the next event; call advance_to for that time "
                        "first");
+}
+
+template <KineticTraits_2 Traits>
+auto Kinetic_queries_2<Traits>::time() const -> const Time& {
+  return at().time();
 }
 
 // The triangle that hides a point changes without an event.
 template <KineticTraits_2 Traits>
 std::uint64_t Kinetic_queries_2<Traits>::number_of_changes() const {
-  const Triangulation_counters& counters = at_.kinetic().counters();
-  return counters.number_of_events() + (at_.is_weighted ? counters.instants : 0);
+  const Triangulation_counters& counters = at().kinetic().counters();
+  return counters.number_of_events() + (at().is_weighted ? counters.instants : 0);
 }
 
 template <KineticTraits_2 Traits>
@@ -50,29 +55,29 @@ void Kinetic_queries_2<Traits>::check_is_current() const {
 template <KineticTraits_2 Traits>
 auto Kinetic_queries_2<Traits>::vertex(Point_id id) const -> Vertex_handle {
   check_is_current();
-  return at_.kinetic().vertex(id);
+  return at().kinetic().vertex(id);
 }
 
 template <KineticTraits_2 Traits>
 std::optional<Point_id> Kinetic_queries_2<Traits>::nearest_vertex(const Vector_2& place) const {
   check_is_current();
-  const auto nearest = detail::Position_query<Traits>(at_, place).all_nearest();
+  const auto nearest = detail::Position_query<Traits>(at(), place).all_nearest();
   if (nearest.empty()) return std::nullopt;
-  return at_.id(*std::ranges::min_element(nearest, {}, at_.id));
+  return at().id(*std::ranges::min_element(nearest, {}, at().id));
 }
 
 template <KineticTraits_2 Traits>
 Location_2 Kinetic_queries_2<Traits>::locate(const Vector_2& place) const {
   check_is_current();
-  return detail::Position_query<Traits>(at_, place).location();
+  return detail::Position_query<Traits>(at(), place).location();
 }
 
 template <KineticTraits_2 Traits>
 std::vector<Point_id> Kinetic_queries_2<Traits>::neighbors(Point_id point) const {
   const Vertex_handle v = vertex(point);
-  if (at_.id(v) != point) return {at_.id(v)};
+  if (at().id(v) != point) return {at().id(v)};
   std::vector<Point_id> result = triangulation_neighbors(v);
-  const std::vector<Point_id>& hidden = at_.hidden_by(point);
+  const std::vector<Point_id>& hidden = at().hidden_by(point);
   result.insert(result.end(), hidden.begin(), hidden.end());
   return result;
 }
@@ -80,17 +85,17 @@ std::vector<Point_id> Kinetic_queries_2<Traits>::neighbors(Point_id point) const
 template <KineticTraits_2 Traits>
 std::vector<Point_id> Kinetic_queries_2<Traits>::triangulation_neighbors(Vertex_handle v) const {
   std::vector<Point_id> result;
-  if (at_.kinetic().is_hidden(at_.id(v))) return result;
-  if (at_.triangulation().dimension() < 2) {
-    at_.for_each_neighbor(v, [&](Vertex_handle u) { result.push_back(at_.id(u)); });
+  if (at().kinetic().is_hidden(at().id(v))) return result;
+  if (at().triangulation().dimension() < 2) {
+    at().for_each_neighbor(v, [&](Vertex_handle u) { result.push_back(at().id(u)); });
     std::ranges::sort(result);
     return result;
   }
   // The infinite vertex has the id no_point.
-  auto neighbor = at_.triangulation().incident_vertices(v);
+  auto neighbor = at().triangulation().incident_vertices(v);
   const auto start = neighbor;
   do {
-    result.push_back(at_.id(neighbor));
+    result.push_back(at().id(neighbor));
   } while (++neighbor != start);
   const auto infinite = std::ranges::find(result, no_point);
   if (infinite == result.end()) {
@@ -116,26 +121,27 @@ Voronoi_cell_2<Exact_position_2> Kinetic_queries_2<Traits>::voronoi_cell(Point_i
     const Rational w = path.w(t);
     return Exact_position_2{path.x(t) / w, path.y(t) / w};
   };
-  return detail::Voronoi_sides<Traits>(at_, v).template cell<Exact_position_2>(
-      [&](Vertex_handle a, Vertex_handle b) { return position(at_.center(v, a, b)); }, position);
+  return detail::Voronoi_sides<Traits>(at(), v).template cell<Exact_position_2>(
+      [&](Vertex_handle a, Vertex_handle b) { return position(at().center(v, a, b)); }, position);
 }
 
 template <KineticTraits_2 Traits>
 Voronoi_cell_2<Vector_2> Kinetic_queries_2<Traits>::rounded_voronoi_cell(Point_id id) const {
   const Vertex_handle v = vertex(id);
-  const detail::Ball_positions<Traits> balls(at_);
-  if (!at_.is_weighted && at_.triangulation().dimension() == 2) {
+  const detail::Ball_positions<Traits> balls(at());
+  if (!at().is_weighted && at().triangulation().dimension() == 2) {
     if (auto result = detail::Voronoi_ring<Traits>(balls, v).cell()) return *std::move(result);
   }
   const detail::Ball_2 here = balls.position(v);
   const auto center_at = [&](Vertex_handle u, Vertex_handle w) {
-    if constexpr (WeightedKineticTraits_2<Traits>) return at_.rounded_position(at_.center(v, u, w));
+    if constexpr (WeightedKineticTraits_2<Traits>)
+      return at().rounded_position(at().center(v, u, w));
     const auto a = balls.neighbor(here, u);
     const auto b = balls.neighbor(here, w);
     return balls.rounded_center(v, here, a, b, detail::circumcenter(a, b));
   };
-  return detail::Voronoi_sides<Traits>(at_, v).template cell<Vector_2>(
-      center_at, [&](const Trajectory_2& ray) { return at_.rounded_position(ray); });
+  return detail::Voronoi_sides<Traits>(at(), v).template cell<Vector_2>(
+      center_at, [&](const Trajectory_2& ray) { return at().rounded_position(ray); });
 }
 
 template <KineticTraits_2 Traits>
@@ -143,7 +149,7 @@ std::vector<double> Kinetic_queries_2<Traits>::rounded_voronoi_areas(
     std::span<const Vector_2> polygon) const {
   check_is_current();
   detail::check_polygon(polygon);
-  return detail::Voronoi_areas<Traits>(at_).within(polygon);
+  return detail::Voronoi_areas<Traits>(at()).within(polygon);
 }
 
 // ---- distances and positions ----
@@ -152,19 +158,19 @@ template <KineticTraits_2 Traits>
 std::optional<Point_id> Kinetic_queries_2<Traits>::nearest_neighbor(Point_id id) const requires
     HasNearestNeighbors<Traits> {
   const Vertex_handle v = vertex(id);
-  const detail::Nearest_points<Traits> points(at_);
-  return at_.id(v) == id ? points.nearest_to(v) : points.smallest_id_at(v);
+  const detail::Nearest_points<Traits> points(at());
+  return at().id(v) == id ? points.nearest_to(v) : points.smallest_id_at(v);
 }
 
 template <KineticTraits_2 Traits>
 std::vector<Point_id> Kinetic_queries_2<Traits>::nearest_neighbors() const requires
     HasNearestNeighbors<Traits> {
   check_is_current();
-  const detail::Nearest_points<Traits> points(at_);
-  std::vector<Point_id> result(at_.kinetic().next_id(), no_point);
-  for (const Vertex_handle v : at_.triangulation().finite_vertex_handles()) {
-    if (const auto nearest = points.nearest_to(v)) result[at_.id(v)] = *nearest;
-    const std::vector<Point_id>& hidden = at_.hidden_by(at_.id(v));
+  const detail::Nearest_points<Traits> points(at());
+  std::vector<Point_id> result(at().kinetic().next_id(), no_point);
+  for (const Vertex_handle v : at().triangulation().finite_vertex_handles()) {
+    if (const auto nearest = points.nearest_to(v)) result[at().id(v)] = *nearest;
+    const std::vector<Point_id>& hidden = at().hidden_by(at().id(v));
     if (hidden.empty()) continue;
     const Point_id least = points.smallest_id_at(v);
     for (const Point_id id : hidden) result[id] = least;
@@ -177,17 +183,17 @@ std::vector<Point_id> Kinetic_queries_2<Traits>::nearest_neighbors(std::size_t k
     HasNearestNeighbors<Traits> {
   check_is_current();
   KINETRI_PRECONDITION(k <= no_point, "k is " + std::to_string(k) + "; expected less than 2^32");
-  detail::Nearest_points<Traits> points(at_);
-  std::vector<Point_id> result(k * at_.kinetic().next_id(), no_point);
+  detail::Nearest_points<Traits> points(at());
+  std::vector<Point_id> result(k * at().kinetic().next_id(), no_point);
   std::vector<Point_id> own;  // the points of a vertex, if there are several
   std::vector<Point_id> nearest;
-  for (const Vertex_handle v : at_.triangulation().finite_vertex_handles()) {
-    const std::vector<Point_id>& hidden = at_.hidden_by(at_.id(v));
+  for (const Vertex_handle v : at().triangulation().finite_vertex_handles()) {
+    const std::vector<Point_id>& hidden = at().hidden_by(at().id(v));
     if (hidden.empty()) {
-      points.find_nearest(v, {}, std::span(result).subspan(k * at_.id(v), k));
+      points.find_nearest(v, {}, std::span(result).subspan(k * at().id(v), k));
       continue;
     }
-    own.assign(1, at_.id(v));
+    own.assign(1, at().id(v));
     own.insert(own.end(), hidden.begin(), hidden.end());
     nearest.assign(k + 1, no_point);
     points.find_nearest(v, own, nearest);
@@ -206,14 +212,14 @@ template <KineticTraits_2 Traits>
 std::optional<Edge_ids> Kinetic_queries_2<Traits>::closest_pair() const requires
     HasNearestNeighbors<Traits> {
   check_is_current();
-  return detail::Nearest_points<Traits>(at_).closest_pair();
+  return detail::Nearest_points<Traits>(at()).closest_pair();
 }
 
 template <KineticTraits_2 Traits>
 std::vector<double> Kinetic_queries_2<Traits>::rounded_positions() const {
   check_is_current();
-  const detail::Ball_positions<Traits> balls(at_);
-  const auto& kinetic = at_.kinetic();
+  const detail::Ball_positions<Traits> balls(at());
+  const auto& kinetic = at().kinetic();
   std::vector<double> result(2 * std::size_t{kinetic.next_id()},
                              std::numeric_limits<double>::quiet_NaN());
   for (Point_id id = 0; id < kinetic.next_id(); ++id) {
@@ -227,4 +233,4 @@ std::vector<double> Kinetic_queries_2<Traits>::rounded_positions() const {
 
 }  // namespace kinetri
 
-#endif  // KINETRI_TRIANGULATION_QUERIES_2_IMPL_H
+#endif  // KINETRI_SRC_TRIANGULATION_QUERIES_2_IMPL_H

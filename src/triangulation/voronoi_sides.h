@@ -3,8 +3,8 @@
 // The sides and corners of a Voronoi cell, as an intersection of half planes, one for each other
 // point: the positions that are at least as near to the point as to that one, or have at most as
 // much power. docs/MATH.md, section 10.
-#ifndef KINETRI_IMPL_TRIANGULATION_VORONOI_SIDES_H
-#define KINETRI_IMPL_TRIANGULATION_VORONOI_SIDES_H
+#ifndef KINETRI_SRC_TRIANGULATION_VORONOI_SIDES_H
+#define KINETRI_SRC_TRIANGULATION_VORONOI_SIDES_H
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/triangulation/triangulation_at_time.h"
+#include "triangulation/triangulation_at_time.h"
 #include "kinetri/triangulation/queries_2.h"
 
 namespace kinetri::detail {
@@ -325,4 +325,4 @@ class Voronoi_sides {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_VORONOI_SIDES_H
+#endif  // KINETRI_SRC_TRIANGULATION_VORONOI_SIDES_H

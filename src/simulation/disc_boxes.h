@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Bounding boxes of discs, to find those that may touch, in binary64.
-#ifndef KINETRI_IMPL_SIMULATION_DISC_BOXES_H
-#define KINETRI_IMPL_SIMULATION_DISC_BOXES_H
+#ifndef KINETRI_SRC_SIMULATION_DISC_BOXES_H
+#define KINETRI_SRC_SIMULATION_DISC_BOXES_H
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
@@ -56,4 +56,4 @@ void for_each_pair_of_boxes(std::vector<Disc_box>& boxes, Function function) {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_SIMULATION_DISC_BOXES_H
+#endif  // KINETRI_SRC_SIMULATION_DISC_BOXES_H

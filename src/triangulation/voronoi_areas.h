@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Areas of Voronoi cells within a polygon.
-#ifndef KINETRI_IMPL_TRIANGULATION_VORONOI_AREAS_H
-#define KINETRI_IMPL_TRIANGULATION_VORONOI_AREAS_H
+#ifndef KINETRI_SRC_TRIANGULATION_VORONOI_AREAS_H
+#define KINETRI_SRC_TRIANGULATION_VORONOI_AREAS_H
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "kinetri/impl/triangulation/ball_positions.h"
-#include "kinetri/impl/triangulation/clipped_polygon.h"
+#include "triangulation/ball_positions.h"
+#include "triangulation/clipped_polygon.h"
 
 namespace kinetri::detail {
 
@@ -290,4 +290,4 @@ class Voronoi_areas {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_VORONOI_AREAS_H
+#endif  // KINETRI_SRC_TRIANGULATION_VORONOI_AREAS_H

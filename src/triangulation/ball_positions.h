@@ -2,13 +2,13 @@
 //
 // The positions of points at one time in ball arithmetic, which decides most comparisons of
 // distances (also of equal ones, if there is no rounding), and rounds most positions.
-#ifndef KINETRI_IMPL_TRIANGULATION_BALL_POSITIONS_H
-#define KINETRI_IMPL_TRIANGULATION_BALL_POSITIONS_H
+#ifndef KINETRI_SRC_TRIANGULATION_BALL_POSITIONS_H
+#define KINETRI_SRC_TRIANGULATION_BALL_POSITIONS_H
 
 #include <optional>
 
-#include "kinetri/impl/triangulation/ball.h"
-#include "kinetri/impl/triangulation/triangulation_at_time.h"
+#include "triangulation/ball.h"
+#include "triangulation/triangulation_at_time.h"
 
 namespace kinetri::detail {
 
@@ -85,4 +85,4 @@ class Ball_positions {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_BALL_POSITIONS_H
+#endif  // KINETRI_SRC_TRIANGULATION_BALL_POSITIONS_H

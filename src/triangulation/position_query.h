@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Queries at a position at one time: the nearest points; the vertex, edge or face that contains it.
-#ifndef KINETRI_IMPL_TRIANGULATION_POSITION_QUERY_H
-#define KINETRI_IMPL_TRIANGULATION_POSITION_QUERY_H
+#ifndef KINETRI_SRC_TRIANGULATION_POSITION_QUERY_H
+#define KINETRI_SRC_TRIANGULATION_POSITION_QUERY_H
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/triangulation/triangulation_at_time.h"
 #include "kinetri/triangulation/queries_2.h"
+#include "triangulation/triangulation_at_time.h"
 
 namespace kinetri::detail {
 
@@ -37,7 +37,7 @@ class Position_query {
   // the same circle about the query, and edges connect the vertices in a circle. A hidden point
   // that is nearest is in a face at one of them.
   std::vector<Vertex_handle> all_nearest() const {
-    if (at_.kinetic().number_of_points() == 0) return {};
+    if (triangulation_.number_of_vertices() == 0) return {};
     Vertex_handle nearest = at_.visible_near(query_);
     for (Vertex_handle before; nearest != before;) {
       before = nearest;
@@ -204,4 +204,4 @@ class Position_query {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_POSITION_QUERY_H
+#endif  // KINETRI_SRC_TRIANGULATION_POSITION_QUERY_H

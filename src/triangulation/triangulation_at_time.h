@@ -2,18 +2,19 @@
 //
 // A kinetic triangulation at one time, for queries: exact predicates at the time and just beside
 // it, and connected sets of vertices.
-#ifndef KINETRI_IMPL_TRIANGULATION_TRIANGULATION_AT_TIME_H
-#define KINETRI_IMPL_TRIANGULATION_TRIANGULATION_AT_TIME_H
+#ifndef KINETRI_SRC_TRIANGULATION_TRIANGULATION_AT_TIME_H
+#define KINETRI_SRC_TRIANGULATION_TRIANGULATION_AT_TIME_H
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
-#include "kinetri/impl/algebra/rounded_quotient.h"
+#include "algebra/rounded_quotient.h"
 #include "kinetri/impl/triangulation/incident.h"
-#include "kinetri/impl/triangulation/kinetic_types.h"
-#include "kinetri/triangulation/kinetic_triangulation_2.h"
+#include "kinetri/impl/triangulation/queried_triangulation.h"
 
 namespace kinetri::detail {
 
@@ -24,7 +25,7 @@ template <KineticTraits_2 Traits>
 class Triangulation_at_time {
  public:
   using Types = Kinetic_types<Traits>;
-  using Kinetic = Kinetic_triangulation_2<Traits>;
+  using Kinetic = Queried_triangulation<Traits>;
   using Triangulation = typename Types::Triangulation;
   using Vertex_handle = typename Types::Vertex_handle;
   using Point_2 = typename Types::Point_2;
@@ -33,28 +34,22 @@ class Triangulation_at_time {
 
   static constexpr bool is_weighted = Types::is_weighted;
 
-  Triangulation_at_time(const Kinetic& kinetic, const Time& time)
-      : kinetic_(kinetic),
+  Triangulation_at_time(std::unique_ptr<const Kinetic> kinetic, const Time& time)
+      : kinetic_(std::move(kinetic)),
+        triangulation_(kinetic_->triangulation()),
         time_(time),
-        at_(kinetic.traits().instantaneous_traits({time, Time_side::at})),
-        beside_(kinetic.traits().instantaneous_traits(
-            {time, time == kinetic.current_time() ? Time_side::after : Time_side::before})) {}
+        at_(kinetic_->predicates({time, Time_side::at})),
+        beside_(kinetic_->predicates(
+            {time, time == kinetic_->current_time() ? Time_side::after : Time_side::before})) {}
 
-  const Kinetic& kinetic() const { return kinetic_; }
-  const Triangulation& triangulation() const { return kinetic_.triangulation(); }
+  const Kinetic& kinetic() const { return *kinetic_; }
+  const Triangulation& triangulation() const { return triangulation_; }
   const Time& time() const { return time_; }
   static Point_id id(Vertex_handle v) { return v->point().id(); }
   /// The points that the point hides since they coincide with it for a while, by id. They have no
   /// vertices.
-  const std::vector<Point_id>& hidden_by(Point_id shown) const { return twins().hidden_by(shown); }
-  /// The first pair of a point and one that it hides so, in the order of Edge_ids. O(n).
-  std::optional<Edge_ids> first_coincident_pair() const {
-    std::optional<Edge_ids> first;
-    for (const auto& [id, twin] : twins().all()) {
-      const Edge_ids pair = {twin.shown, id};
-      if (!first || pair < *first) first = pair;
-    }
-    return first;
+  const std::vector<Point_id>& hidden_by(Point_id shown) const {
+    return kinetic_->hidden_by(shown);
   }
 
   // ---- predicates ----
@@ -195,8 +190,7 @@ class Triangulation_at_time {
 
   /// A visible vertex, probably near the position. Precondition: there is a point.
   Vertex_handle visible_near(const Point_2& position) const {
-    const Vertex_handle v = Core_access::core(kinetic_).topology.vertex_near(
-        position, kinetic_.current_time().to_double());
+    const Vertex_handle v = kinetic_->vertex_near(position);
     if constexpr (is_weighted) {
       if (v->is_hidden()) {
         return triangulation().dimension() < 1 ? triangulation().finite_vertex()
@@ -207,10 +201,6 @@ class Triangulation_at_time {
   }
 
  private:
-  const typename Types::Twins& twins() const {
-    return Core_access::core(kinetic_).topology.twins();
-  }
-
   static const Point_2& point(const Point_2& p) { return p; }
   static const Point_2& point(Vertex_handle v) { return v->point(); }
 
@@ -230,7 +220,8 @@ class Triangulation_at_time {
     }
   }
 
-  const Kinetic& kinetic_;
+  std::unique_ptr<const Kinetic> kinetic_;
+  const Triangulation& triangulation_;
   Time time_;
   Instantaneous_traits at_;      // the time
   Instantaneous_traits beside_;  // the side of it on which the triangulation is Delaunay
@@ -238,4 +229,4 @@ class Triangulation_at_time {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_TRIANGULATION_AT_TIME_H
+#endif  // KINETRI_SRC_TRIANGULATION_TRIANGULATION_AT_TIME_H

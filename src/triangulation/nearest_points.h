@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The points nearest to each point at one time, and the closest pair.
-#ifndef KINETRI_IMPL_TRIANGULATION_NEAREST_POINTS_H
-#define KINETRI_IMPL_TRIANGULATION_NEAREST_POINTS_H
+#ifndef KINETRI_SRC_TRIANGULATION_NEAREST_POINTS_H
+#define KINETRI_SRC_TRIANGULATION_NEAREST_POINTS_H
 
 #include <algorithm>
 #include <limits>
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/triangulation/ball_positions.h"
+#include "triangulation/ball_positions.h"
 
 namespace kinetri::detail {
 
@@ -126,7 +126,7 @@ class Nearest_points {
   // No other point is in the circle whose diameter joins a closest pair, so the two have an edge;
   // but of several coinciding points not every two have one, and those without a vertex have none.
   std::optional<Edge_ids> closest_pair() const {
-    std::optional<Edge_ids> closest = at_.first_coincident_pair();
+    std::optional<Edge_ids> closest = at_.kinetic().first_coincident_pair();
     Ball least;
     double limit = closest ? 0 : std::numeric_limits<double>::infinity();  // of the length
     for (const auto& [face, i] : at_.triangulation().finite_edges()) {
@@ -177,4 +177,4 @@ class Nearest_points {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_NEAREST_POINTS_H
+#endif  // KINETRI_SRC_TRIANGULATION_NEAREST_POINTS_H

@@ -2,15 +2,15 @@
 //
 // The Voronoi cell of a point without weight, rounded, from the ring of its neighbors in ball
 // arithmetic.
-#ifndef KINETRI_IMPL_TRIANGULATION_VORONOI_RING_H
-#define KINETRI_IMPL_TRIANGULATION_VORONOI_RING_H
+#ifndef KINETRI_SRC_TRIANGULATION_VORONOI_RING_H
+#define KINETRI_SRC_TRIANGULATION_VORONOI_RING_H
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/triangulation/ball_positions.h"
+#include "triangulation/ball_positions.h"
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/impl/triangulation/prefetch.h"
 #include "kinetri/triangulation/queries_2.h"
@@ -203,4 +203,4 @@ class Voronoi_ring {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_VORONOI_RING_H
+#endif  // KINETRI_SRC_TRIANGULATION_VORONOI_RING_H

@@ -6,8 +6,8 @@
 // floating-point technique for extending the available precision, Numerische Mathematik 18, 1971;
 // F. Johansson, Arb: efficient arbitrary-precision midpoint-radius interval arithmetic, IEEE
 // Transactions on Computers 66, 2017. docs/MATH.md, section 10, derives the constants.
-#ifndef KINETRI_IMPL_TRIANGULATION_BALL_H
-#define KINETRI_IMPL_TRIANGULATION_BALL_H
+#ifndef KINETRI_SRC_TRIANGULATION_BALL_H
+#define KINETRI_SRC_TRIANGULATION_BALL_H
 
 #include <cfenv>
 #include <cmath>
@@ -260,4 +260,4 @@ inline double length_bound(const Ball& squared_length) {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_BALL_H
+#endif  // KINETRI_SRC_TRIANGULATION_BALL_H

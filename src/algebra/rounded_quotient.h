@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Rounding of what is computed from an algebraic number: coordinates at an irrational time.
-#ifndef KINETRI_IMPL_ALGEBRA_ROUNDED_QUOTIENT_H
-#define KINETRI_IMPL_ALGEBRA_ROUNDED_QUOTIENT_H
+#ifndef KINETRI_SRC_ALGEBRA_ROUNDED_QUOTIENT_H
+#define KINETRI_SRC_ALGEBRA_ROUNDED_QUOTIENT_H
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/algebra/polynomial.h"
@@ -17,4 +17,4 @@ double rounded_quotient(const Polynomial& p, const Polynomial& q, const Algebrai
 
 }  // namespace kinetri
 
-#endif  // KINETRI_IMPL_ALGEBRA_ROUNDED_QUOTIENT_H
+#endif  // KINETRI_SRC_ALGEBRA_ROUNDED_QUOTIENT_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Intersections of a polygon with half planes, in binary64 arithmetic, for areas.
-#ifndef KINETRI_IMPL_TRIANGULATION_CLIPPED_POLYGON_H
-#define KINETRI_IMPL_TRIANGULATION_CLIPPED_POLYGON_H
+#ifndef KINETRI_SRC_TRIANGULATION_CLIPPED_POLYGON_H
+#define KINETRI_SRC_TRIANGULATION_CLIPPED_POLYGON_H
 
 #include <cmath>
 #include <span>
@@ -85,4 +85,4 @@ void check_polygon(std::span<const Vector_2> polygon);
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_CLIPPED_POLYGON_H
+#endif  // KINETRI_SRC_TRIANGULATION_CLIPPED_POLYGON_H
