@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/observers/gap_of_pair.h"
+#include "observers/gap_of_pair.h"
 #include "simulation/disc_boxes.h"
 
 namespace kinetri::detail {

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/observers/gap_of_pair.h"
 #include "kinetri/observers/encounters.h"
+#include "observers/gap_of_pair.h"
 
 namespace kinetri::detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/impl/observers/gap_of_pair.h"
+#include "observers/gap_of_pair.h"
 
 #include <CGAL/FPU.h>
 #include <CGAL/Interval_nt.h>

@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "triangulation/ball.h"
-#include "triangulation/clipped_polygon.h"
 #include "kinetri/observers/cell_areas.h"
 #include "observers/triangulated_area.h"
+#include "triangulation/ball.h"
+#include "triangulation/clipped_polygon.h"
 
 namespace kinetri::detail {
 

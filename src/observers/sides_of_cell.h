@@ -11,9 +11,9 @@
 #include <span>
 
 #include "algebra/rounded_quotient.h"
-#include "triangulation/ball.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "observers/limited_cell.h"
+#include "triangulation/ball.h"
 
 namespace kinetri::detail {
 

@@ -2,8 +2,13 @@
 #include "kinetri/simulation/event_certificates.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/impl/base/check.h"
@@ -52,8 +57,92 @@ std::vector<Point_id> points_named(const Event& event) {
 
 }  // namespace
 
+namespace detail {
+
+// Follows which certificates there are, and since when.
 template <class Traits>
-Event_certificates<Traits>::Event_certificates(const Triangulation& triangulation,
+class Certificate_finder {
+ public:
+  using Triangulation = typename Event_certificates<Traits>::Triangulation;
+  using Function = typename Event_certificates<Traits>::Function;
+
+  Certificate_finder(const Triangulation& triangulation, const Simulation_options& options,
+                     Function function);
+
+  void before_event(const Event& event);
+  void after_event(const Event& event);
+  void after_rebuild(const Algebraic_number& time, std::span<const Edge_ids> edges);
+  void after_hiding(const Algebraic_number& time, std::span<const Point_id> points);
+
+ private:
+  using Point_2 = typename Traits::Point_2;
+  using Motion = typename Traits::Motion;
+  using Cgal = typename Triangulation::Triangulation;
+  using Edge = typename Triangulation::Edge;
+  using Sides = std::array<Point_id, 2>;
+  using Triple = std::array<Point_id, 3>;
+
+  /// A time, and the number of times recorded before it.
+  struct Moment {
+    std::uint64_t number = 0;
+    Algebraic_number time;
+  };
+  /// An edge with the points opposite it, or a hidden point with the triangle that hides it. Points
+  /// that coincide with the one that hides them have no certificate.
+  template <class Beside>
+  struct Watched {
+    Watched(const Beside& b, const Moment& m) : beside(b), since(m) {}
+    Beside beside;
+    Moment since;
+  };
+  /// A polynomial that must not be negative from a time on.
+  struct Condition {
+    std::vector<Point_id> points;
+    Polynomial polynomial;
+    Algebraic_number since;
+  };
+
+  const Point_2& point(Point_id id) const { return triangulation_.point(id); }
+  void set_now(const Algebraic_number& time);
+  const Moment& latest(const Moment& moment, std::span<const Point_id> points) const;
+
+  static Edge_ids ids_of(const Edge& edge);
+  Sides opposite(const Edge& edge) const;
+  std::optional<Edge> find_edge(const Edge_ids& ids) const;
+  Triple hiding_triangle(Point_id id) const;
+  void watch(const Edge& edge);
+  void watch_around(Point_id id);
+  void watch_hidden(Point_id id);
+  void replace_beside(Point_id a, Point_id b, Point_id before, Point_id after);
+  void follow_flip(const Event& event);
+  void follow_contact(const Edge_ids& pair);
+
+  Condition condition(std::vector<Point_id> points, const Moment& since) const;
+  Condition condition_of_edge(const Edge_ids& ids) const;
+  Condition condition_of_vertex(Point_id id) const;
+  std::vector<Condition> conditions_of_hidden(Point_id id) const;
+  std::vector<Condition> conditions_of_walls(Point_id id) const;
+  std::vector<Condition> conditions_of_pair(const Edge_ids& pair) const;
+  std::vector<Condition> conditions(const Event& event) const;
+
+  const Triangulation& triangulation_;
+  Function function_;
+  double diameter_;
+  std::vector<Wall_2> walls_;
+  Moment start_;
+  Moment now_;
+  // Edges of the triangulation, infinite ones too, if it has dimension 2. The infinite vertex has
+  // the id no_point.
+  std::map<Edge_ids, Watched<Sides>> edges_;
+  std::map<Point_id, Watched<Triple>> hidden_;
+  std::map<Point_id, Moment> motions_;  // the begin of motions, if not the start
+  std::map<Edge_ids, Moment> touched_;  // the last contacts at which discs kept their motions
+  Event_certificate certificate_;       // of the event that is about to happen
+  std::vector<Motion> motions_before_;  // of the discs that are about to touch
+};
+
+template <class Traits>
+Certificate_finder<Traits>::Certificate_finder(const Triangulation& triangulation,
                                                const Simulation_options& options, Function function)
     : triangulation_(triangulation),
       function_(std::move(function)),
@@ -76,13 +165,13 @@ Event_certificates<Traits>::Event_certificates(const Triangulation& triangulatio
 // ---- times ----
 
 template <class Traits>
-void Event_certificates<Traits>::set_now(const Algebraic_number& time) {
+void Certificate_finder<Traits>::set_now(const Algebraic_number& time) {
   if (time != now_.time) now_ = {now_.number + 1, time};
 }
 
 // The latest of the moment and those at which the points got their motions.
 template <class Traits>
-auto Event_certificates<Traits>::latest(const Moment& moment,
+auto Certificate_finder<Traits>::latest(const Moment& moment,
                                         std::span<const Point_id> points) const -> const Moment& {
   const Moment* result = &moment;
   for (const Point_id id : points) {
@@ -95,7 +184,7 @@ auto Event_certificates<Traits>::latest(const Moment& moment,
 // ---- neighborhoods of edges and hidden points ----
 
 template <class Traits>
-Edge_ids Event_certificates<Traits>::ids_of(const Edge& edge) {
+Edge_ids Certificate_finder<Traits>::ids_of(const Edge& edge) {
   const auto& [face, i] = edge;
   return edge_ids(face->vertex(Cgal::cw(i))->point().id(),
                   face->vertex(Cgal::ccw(i))->point().id());
@@ -104,7 +193,7 @@ Edge_ids Event_certificates<Traits>::ids_of(const Edge& edge) {
 // The points opposite the edge: left and right of it, directed from the smaller id to the greater.
 // So an inverted triangle is a different one.
 template <class Traits>
-auto Event_certificates<Traits>::opposite(const Edge& edge) const -> Sides {
+auto Certificate_finder<Traits>::opposite(const Edge& edge) const -> Sides {
   const auto& [face, i] = edge;
   const Point_id apex = face->vertex(i)->point().id();
   const Point_id beyond = triangulation_.triangulation().mirror_vertex(face, i)->point().id();
@@ -115,7 +204,7 @@ auto Event_certificates<Traits>::opposite(const Edge& edge) const -> Sides {
 
 // The edge of two points, of which the second may be infinite, if there is one.
 template <class Traits>
-auto Event_certificates<Traits>::find_edge(const Edge_ids& ids) const -> std::optional<Edge> {
+auto Certificate_finder<Traits>::find_edge(const Edge_ids& ids) const -> std::optional<Edge> {
   const Cgal& triangulation = triangulation_.triangulation();
   const auto is_there = [&](Point_id id) {
     return id == no_point || (triangulation_.contains(id) && !triangulation_.is_hidden(id));
@@ -132,7 +221,7 @@ auto Event_certificates<Traits>::find_edge(const Edge_ids& ids) const -> std::op
 }
 
 template <class Traits>
-void Event_certificates<Traits>::watch(const Edge& edge) {
+void Certificate_finder<Traits>::watch(const Edge& edge) {
   const Sides beside = opposite(edge);
   const auto [watched, is_new] = edges_.try_emplace(ids_of(edge), beside, now_);
   if (!is_new && watched->second.beside != beside) watched->second = {beside, now_};
@@ -140,20 +229,20 @@ void Event_certificates<Traits>::watch(const Edge& edge) {
 
 // The edges of the triangles of a point.
 template <class Traits>
-void Event_certificates<Traits>::watch_around(Point_id id) {
+void Certificate_finder<Traits>::watch_around(Point_id id) {
   const Edge_ids to_infinity = {id, no_point};
   if (!find_edge(to_infinity)) edges_.erase(to_infinity);
   if (!triangulation_.contains(id) || triangulation_.is_hidden(id)) return;
-  detail::for_each_face_at(triangulation_.triangulation(), triangulation_.vertex(id),
-                           [this](auto face, int i) {
-                             watch(Edge(face, i));
-                             watch(Edge(face, Cgal::cw(i)));
-                           });
+  for_each_face_at(triangulation_.triangulation(), triangulation_.vertex(id),
+                   [this](auto face, int i) {
+                     watch(Edge(face, i));
+                     watch(Edge(face, Cgal::cw(i)));
+                   });
 }
 
 // The corners of the triangle that hides a point, counterclockwise, the least id first.
 template <class Traits>
-auto Event_certificates<Traits>::hiding_triangle(Point_id id) const -> Triple {
+auto Certificate_finder<Traits>::hiding_triangle(Point_id id) const -> Triple {
   const auto face = triangulation_.vertex(id)->face();
   Triple result;
   for (int i = 0; i < 3; ++i) {
@@ -164,7 +253,7 @@ auto Event_certificates<Traits>::hiding_triangle(Point_id id) const -> Triple {
 }
 
 template <class Traits>
-void Event_certificates<Traits>::watch_hidden(Point_id id) {
+void Certificate_finder<Traits>::watch_hidden(Point_id id) {
   const bool is_in_triangle = triangulation_.contains(id) && triangulation_.is_hidden(id) &&
                               triangulation_.vertex(id)->point().id() == id;
   if (!is_in_triangle || triangulation_.triangulation().dimension() < 2) {
@@ -177,7 +266,7 @@ void Event_certificates<Traits>::watch_hidden(Point_id id) {
 }
 
 template <class Traits>
-void Event_certificates<Traits>::replace_beside(Point_id a, Point_id b, Point_id before,
+void Certificate_finder<Traits>::replace_beside(Point_id a, Point_id b, Point_id before,
                                                 Point_id after) {
   auto& [beside, since] = edges_.at(edge_ids(a, b));
   beside[beside[0] == before ? 0 : 1] = after;
@@ -186,7 +275,7 @@ void Event_certificates<Traits>::replace_beside(Point_id a, Point_id b, Point_id
 
 // A flip of an edge; one end may be infinite, at hull events.
 template <class Traits>
-void Event_certificates<Traits>::follow_flip(const Event& event) {
+void Certificate_finder<Traits>::follow_flip(const Event& event) {
   const Edge_ids to_infinity = {event.apex.value_or(no_point), no_point};
   const auto [a, b] = event.removed.value_or(to_infinity);
   const auto [c, d] = event.added.value_or(to_infinity);
@@ -202,7 +291,7 @@ void Event_certificates<Traits>::follow_flip(const Event& event) {
 // ---- polynomials ----
 
 template <class Traits>
-auto Event_certificates<Traits>::condition(std::vector<Point_id> points, const Moment& since) const
+auto Certificate_finder<Traits>::condition(std::vector<Point_id> points, const Moment& since) const
     -> Condition {
   const auto at = [&](std::size_t i) -> const Point_2& { return point(points[i]); };
   Polynomial polynomial = points.size() == 4
@@ -214,7 +303,7 @@ auto Event_certificates<Traits>::condition(std::vector<Point_id> points, const M
 
 // The condition that the edge belongs to the triangulation, as in Kinetic_triangulation_2.
 template <class Traits>
-auto Event_certificates<Traits>::condition_of_edge(const Edge_ids& ids) const -> Condition {
+auto Certificate_finder<Traits>::condition_of_edge(const Edge_ids& ids) const -> Condition {
   const std::optional<Edge> edge = find_edge(ids);
   KINETRI_ASSERT(edge, "an edge that is about to change is there");
   const auto& [face, i] = *edge;
@@ -242,16 +331,16 @@ auto Event_certificates<Traits>::condition_of_edge(const Edge_ids& ids) const ->
 // The condition that the vertex is not hidden: that of any of its edges, since it has three
 // neighbors, of which one may be infinite.
 template <class Traits>
-auto Event_certificates<Traits>::condition_of_vertex(Point_id id) const -> Condition {
+auto Certificate_finder<Traits>::condition_of_vertex(Point_id id) const -> Condition {
   Point_id neighbor = no_point;
-  detail::for_each_neighbor(triangulation_.triangulation(), triangulation_.vertex(id),
-                            [&](auto v) { neighbor = std::min(neighbor, v->point().id()); });
+  for_each_neighbor(triangulation_.triangulation(), triangulation_.vertex(id),
+                    [&](auto v) { neighbor = std::min(neighbor, v->point().id()); });
   return condition_of_edge(edge_ids(id, neighbor));
 }
 
 // The conditions that the point is above the triangle that hides it, and does not leave it.
 template <class Traits>
-auto Event_certificates<Traits>::conditions_of_hidden(Point_id id) const -> std::vector<Condition> {
+auto Certificate_finder<Traits>::conditions_of_hidden(Point_id id) const -> std::vector<Condition> {
   const Triple triangle = hiding_triangle(id);
   const auto watched = hidden_.find(id);
   const Moment& since =
@@ -264,7 +353,7 @@ auto Event_certificates<Traits>::conditions_of_hidden(Point_id id) const -> std:
 }
 
 template <class Traits>
-auto Event_certificates<Traits>::conditions_of_walls(Point_id id) const -> std::vector<Condition> {
+auto Certificate_finder<Traits>::conditions_of_walls(Point_id id) const -> std::vector<Condition> {
   const Algebraic_number& since = latest(start_, {&id, 1}).time;
   std::vector<Condition> result;
   for (const Wall_2& wall : walls_) {
@@ -276,7 +365,7 @@ auto Event_certificates<Traits>::conditions_of_walls(Point_id id) const -> std::
 // The conditions that the discs are apart, since they last separated; or, if they overlap, that
 // they separate.
 template <class Traits>
-auto Event_certificates<Traits>::conditions_of_pair(const Edge_ids& pair) const
+auto Certificate_finder<Traits>::conditions_of_pair(const Edge_ids& pair) const
     -> std::vector<Condition> {
   const auto touched = touched_.find(pair);
   const Algebraic_number& since =
@@ -296,7 +385,7 @@ auto Event_certificates<Traits>::conditions_of_pair(const Edge_ids& pair) const
 }
 
 template <class Traits>
-auto Event_certificates<Traits>::conditions(const Event& event) const -> std::vector<Condition> {
+auto Certificate_finder<Traits>::conditions(const Event& event) const -> std::vector<Condition> {
   switch (event.kind) {
     case Event_kind::flip:
     case Event_kind::hull_insert:
@@ -322,7 +411,7 @@ auto Event_certificates<Traits>::conditions(const Event& event) const -> std::ve
 // ---- events ----
 
 template <class Traits>
-void Event_certificates<Traits>::before_event(const Event& event) {
+void Certificate_finder<Traits>::before_event(const Event& event) {
   set_now(event.time);
   certificate_ = {event.number, event.kind, points_named(event), std::nullopt, {}};
   const std::vector<Condition> all = conditions(event);
@@ -347,7 +436,7 @@ void Event_certificates<Traits>::before_event(const Event& event) {
 }
 
 template <class Traits>
-void Event_certificates<Traits>::after_event(const Event& event) {
+void Certificate_finder<Traits>::after_event(const Event& event) {
   switch (event.kind) {
     case Event_kind::flip:
     case Event_kind::hull_insert:
@@ -373,7 +462,7 @@ void Event_certificates<Traits>::after_event(const Event& event) {
 }
 
 template <class Traits>
-void Event_certificates<Traits>::follow_contact(const Edge_ids& pair) {
+void Certificate_finder<Traits>::follow_contact(const Edge_ids& pair) {
   bool have_changed = false;
   for (const std::size_t i : {0U, 1U}) {
     const Point_id id = pair[i];
@@ -395,7 +484,7 @@ void Event_certificates<Traits>::follow_contact(const Edge_ids& pair) {
 }
 
 template <class Traits>
-void Event_certificates<Traits>::after_rebuild(const Algebraic_number& time,
+void Certificate_finder<Traits>::after_rebuild(const Algebraic_number& time,
                                                std::span<const Edge_ids> edges) {
   set_now(time);
   if (triangulation_.triangulation().dimension() < 2) return edges_.clear();
@@ -409,10 +498,43 @@ void Event_certificates<Traits>::after_rebuild(const Algebraic_number& time,
 }
 
 template <class Traits>
-void Event_certificates<Traits>::after_hiding(const Algebraic_number& time,
+void Certificate_finder<Traits>::after_hiding(const Algebraic_number& time,
                                               std::span<const Point_id> points) {
   set_now(time);
   for (const Point_id id : points) watch_hidden(id);
+}
+
+}  // namespace detail
+
+template <class Traits>
+Event_certificates<Traits>::Event_certificates(const Triangulation& triangulation,
+                                               const Simulation_options& options, Function function)
+    : finder_(std::make_unique<detail::Certificate_finder<Traits>>(triangulation, options,
+                                                                   std::move(function))) {}
+
+template <class Traits>
+Event_certificates<Traits>::~Event_certificates() = default;
+
+template <class Traits>
+void Event_certificates<Traits>::before_event(const Event& event) {
+  finder_->before_event(event);
+}
+
+template <class Traits>
+void Event_certificates<Traits>::after_event(const Event& event) {
+  finder_->after_event(event);
+}
+
+template <class Traits>
+void Event_certificates<Traits>::after_rebuild(const Algebraic_number& time,
+                                               std::span<const Edge_ids> edges) {
+  finder_->after_rebuild(time, edges);
+}
+
+template <class Traits>
+void Event_certificates<Traits>::after_hiding(const Algebraic_number& time,
+                                              std::span<const Point_id> points) {
+  finder_->after_hiding(time, points);
 }
 
 template class Event_certificates<Linear_kinetic_traits_2>;

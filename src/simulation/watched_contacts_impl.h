@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "events/distribute.h"
 #include "kinetri/impl/base/check.h"
 #include "simulation/watched_contacts.h"
 

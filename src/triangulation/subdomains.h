@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "events/distribute.h"
 #include "kinetri/impl/kinetic/rounded_places.h"
 #include "kinetri/impl/triangulation/kinetic_core.h"
 #include "kinetri/impl/triangulation/parallel.h"

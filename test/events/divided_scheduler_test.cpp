@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "events/distribute.h"
 #include "kinetri/algebra/algebraic_number.h"
 
 namespace kinetri::detail::divided_scheduler_test {

@@ -5,10 +5,9 @@
 #ifndef KINETRI_SIMULATION_EVENT_CERTIFICATES_H
 #define KINETRI_SIMULATION_EVENT_CERTIFICATES_H
 
-#include <array>
 #include <cstdint>
 #include <functional>
-#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -45,6 +44,11 @@ struct Event_certificate {
   std::string_view reason;                     ///< why there is none, for people
 };
 
+namespace detail {
+template <class Traits>
+class Certificate_finder;
+}  // namespace detail
+
 /// An observer that certifies events. A certificate begins at the last time at which the edge got
 /// its two triangles, the hidden point came into its triangle, or one of the points got its motion,
 /// or else at the start of the observation. That of a contact begins at the last time at which a
@@ -66,6 +70,7 @@ class Event_certificates : public Event_observer {
   /// O(n log n).
   Event_certificates(const Triangulation& triangulation, const Simulation_options& options,
                      Function function);
+  ~Event_certificates() override;
 
   /// Computes the certificate of the event.
   void before_event(const Event& event) override;
@@ -77,70 +82,7 @@ class Event_certificates : public Event_observer {
   void after_hiding(const Algebraic_number& time, std::span<const Point_id> points) override;
 
  private:
-  using Point_2 = typename Traits::Point_2;
-  using Motion = typename Traits::Motion;
-  using Cgal = typename Triangulation::Triangulation;
-  using Edge = typename Triangulation::Edge;
-  using Sides = std::array<Point_id, 2>;
-  using Triple = std::array<Point_id, 3>;
-
-  /// A time, and the number of times recorded before it.
-  struct Moment {
-    std::uint64_t number = 0;
-    Algebraic_number time;
-  };
-  /// An edge with the points opposite it, or a hidden point with the triangle that hides it. Points
-  /// that coincide with the one that hides them have no certificate.
-  template <class Beside>
-  struct Watched {
-    Watched(const Beside& b, const Moment& m) : beside(b), since(m) {}
-    Beside beside;
-    Moment since;
-  };
-  /// A polynomial that must not be negative from a time on.
-  struct Condition {
-    std::vector<Point_id> points;
-    Polynomial polynomial;
-    Algebraic_number since;
-  };
-
-  const Point_2& point(Point_id id) const { return triangulation_.point(id); }
-  void set_now(const Algebraic_number& time);
-  const Moment& latest(const Moment& moment, std::span<const Point_id> points) const;
-
-  static Edge_ids ids_of(const Edge& edge);
-  Sides opposite(const Edge& edge) const;
-  std::optional<Edge> find_edge(const Edge_ids& ids) const;
-  Triple hiding_triangle(Point_id id) const;
-  void watch(const Edge& edge);
-  void watch_around(Point_id id);
-  void watch_hidden(Point_id id);
-  void replace_beside(Point_id a, Point_id b, Point_id before, Point_id after);
-  void follow_flip(const Event& event);
-  void follow_contact(const Edge_ids& pair);
-
-  Condition condition(std::vector<Point_id> points, const Moment& since) const;
-  Condition condition_of_edge(const Edge_ids& ids) const;
-  Condition condition_of_vertex(Point_id id) const;
-  std::vector<Condition> conditions_of_hidden(Point_id id) const;
-  std::vector<Condition> conditions_of_walls(Point_id id) const;
-  std::vector<Condition> conditions_of_pair(const Edge_ids& pair) const;
-  std::vector<Condition> conditions(const Event& event) const;
-
-  const Triangulation& triangulation_;
-  Function function_;
-  double diameter_;
-  std::vector<Wall_2> walls_;
-  Moment start_;
-  Moment now_;
-  // Edges of the triangulation, infinite ones too, if it has dimension 2. The infinite vertex has
-  // the id no_point.
-  std::map<Edge_ids, Watched<Sides>> edges_;
-  std::map<Point_id, Watched<Triple>> hidden_;
-  std::map<Point_id, Moment> motions_;  // the begin of motions, if not the start
-  std::map<Edge_ids, Moment> touched_;  // the last contacts at which discs kept their motions
-  Event_certificate certificate_;       // of the event that is about to happen
-  std::vector<Motion> motions_before_;  // of the discs that are about to touch
+  std::unique_ptr<detail::Certificate_finder<Traits>> finder_;
 };
 
 extern template class Event_certificates<Linear_kinetic_traits_2>;

@@ -2,8 +2,8 @@
 //
 // The gap between two discs: the distance of their centers minus both radii. Points are discs of
 // radius 0.
-#ifndef KINETRI_IMPL_OBSERVERS_GAP_OF_PAIR_H
-#define KINETRI_IMPL_OBSERVERS_GAP_OF_PAIR_H
+#ifndef KINETRI_SRC_OBSERVERS_GAP_OF_PAIR_H
+#define KINETRI_SRC_OBSERVERS_GAP_OF_PAIR_H
 
 #include <optional>
 
@@ -72,4 +72,4 @@ extern template class Gap_of_pair<Polynomial_disc_motion_2>;
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_OBSERVERS_GAP_OF_PAIR_H
+#endif  // KINETRI_SRC_OBSERVERS_GAP_OF_PAIR_H
