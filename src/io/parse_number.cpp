@@ -5,7 +5,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "kinetri/impl/base/from_chars.h"
+#include "base/from_chars.h"
 
 namespace kinetri {
 namespace {

@@ -5,7 +5,11 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "kinetri/impl/base/check.h"
 #include "observers/limited_cell.h"
@@ -104,28 +108,68 @@ class Cell_integrator {
   double greatest_error_ = 0;  // of the areas of an integral
 };
 
-}  // namespace detail
+// Follows the neighbors of each cell, and integrates its area while these do not change.
+template <ContactKineticTraits_2 Traits>
+class Mean_area_tracker final : private Edge_follower<Traits> {
+ public:
+  Mean_area_tracker(Simulation_2<Traits>& simulation, const Cell_limits& limits, double tolerance);
+  Mean_area_tracker(Kinetic_triangulation_2<Traits>& triangulation, const Cell_limits& limits,
+                    double tolerance);
+
+  std::vector<Mean_cell_area> means();
+
+ private:
+  using Point_2 = typename Traits::Point_2;
+  using Changed_point = typename Edge_follower<Traits>::Changed_point;
+
+  struct Record {
+    double from = 0;
+    double until = 0;  // the end of what has been integrated
+    double integral = 0;
+    double error = 0;
+    bool has_come = false;
+    bool is_there = false;
+    bool is_hidden = false;            // by a triangle
+    bool is_linked = false;            // hidden by a point that coincides with it for a while
+    int count = 1;                     // of points that share the cell
+    std::vector<Point_2> points = {};  // the point, and the neighbors of the cell
+  };
+
+  void start(const Cell_limits& limits, double tolerance);
+  void advance(const Algebraic_number& /*time*/) override {}
+  void change(const Algebraic_number& time, std::span<const Edge_ids> removed,
+              std::span<const Edge_ids> added, std::span<const Changed_point> points) override;
+  void integrate(Record& record, double until);
+  void begin(Point_id id, double time);
+  void update_link(Point_id id);
+  // The point that has the vertex of the point.
+  Point_id shown_at(Point_id id) const { return this->graph().hidden_by(id).value_or(id); }
+
+  std::unique_ptr<Cell_integrator<Traits>> integrator_;
+  std::vector<Record> records_;  // by id
+  std::size_t edges_ = 0;        // of the graph
+  std::size_t links_ = 0;        // those of them that join points that coincide for a while
+};
 
 template <ContactKineticTraits_2 Traits>
-Mean_cell_areas<Traits>::Mean_cell_areas(Simulation_2<Traits>& simulation,
-                                         const Cell_limits& limits, double tolerance)
+Mean_area_tracker<Traits>::Mean_area_tracker(Simulation_2<Traits>& simulation,
+                                             const Cell_limits& limits, double tolerance)
     : Edge_follower<Traits>(simulation) {
   start(limits, tolerance);
 }
 
 template <ContactKineticTraits_2 Traits>
-Mean_cell_areas<Traits>::Mean_cell_areas(Kinetic_triangulation_2<Traits>& triangulation,
-                                         const Cell_limits& limits, double tolerance)
+Mean_area_tracker<Traits>::Mean_area_tracker(Kinetic_triangulation_2<Traits>& triangulation,
+                                             const Cell_limits& limits, double tolerance)
     : Edge_follower<Traits>(triangulation) {
   start(limits, tolerance);
 }
 
 template <ContactKineticTraits_2 Traits>
-void Mean_cell_areas<Traits>::start(const Cell_limits& limits, double tolerance) {
+void Mean_area_tracker<Traits>::start(const Cell_limits& limits, double tolerance) {
   KINETRI_PRECONDITION(tolerance > 0, "the tolerance is " + std::to_string(tolerance) +
                                           "; expected a number greater than 0");
-  integrator_ =
-      std::make_unique<detail::Cell_integrator<Traits>>(this->traits(), limits, tolerance);
+  integrator_ = std::make_unique<Cell_integrator<Traits>>(this->traits(), limits, tolerance);
   const double now = this->triangulation().current_time().to_double();
   records_.resize(this->graph().next_id());
   for (Point_id id = 0; id < this->graph().next_id(); ++id) {
@@ -140,10 +184,7 @@ void Mean_cell_areas<Traits>::start(const Cell_limits& limits, double tolerance)
 }
 
 template <ContactKineticTraits_2 Traits>
-Mean_cell_areas<Traits>::~Mean_cell_areas() = default;
-
-template <ContactKineticTraits_2 Traits>
-std::vector<Mean_cell_area> Mean_cell_areas<Traits>::means() {
+std::vector<Mean_cell_area> Mean_area_tracker<Traits>::means() {
   this->update();
   const double now = this->triangulation().current_time().to_double();
   std::vector<Mean_cell_area> result;
@@ -160,7 +201,7 @@ std::vector<Mean_cell_area> Mean_cell_areas<Traits>::means() {
 
 // Integrates from the last change to `until`.
 template <ContactKineticTraits_2 Traits>
-void Mean_cell_areas<Traits>::integrate(Record& record, double until) {
+void Mean_area_tracker<Traits>::integrate(Record& record, double until) {
   if (until == record.until) return;
   if (!record.is_hidden) {
     const auto [integral, error] = integrator_->integral(record.points, record.until, until);
@@ -172,7 +213,7 @@ void Mean_cell_areas<Traits>::integrate(Record& record, double until) {
 
 // Counts the point among those that others hide, if it is.
 template <ContactKineticTraits_2 Traits>
-void Mean_cell_areas<Traits>::update_link(Point_id id) {
+void Mean_area_tracker<Traits>::update_link(Point_id id) {
   Record& record = records_[id];
   if (record.is_linked) --links_;
   record.is_linked = this->graph().hidden_by(id).has_value();
@@ -181,7 +222,7 @@ void Mean_cell_areas<Traits>::update_link(Point_id id) {
 
 // A point has these neighbors from now on.
 template <ContactKineticTraits_2 Traits>
-void Mean_cell_areas<Traits>::begin(Point_id id, double time) {
+void Mean_area_tracker<Traits>::begin(Point_id id, double time) {
   Record& record = records_[id];
   if (!record.has_come) record.from = record.until = time;
   record.has_come = true;
@@ -207,10 +248,10 @@ void Mean_cell_areas<Traits>::begin(Point_id id, double time) {
 }
 
 template <ContactKineticTraits_2 Traits>
-void Mean_cell_areas<Traits>::change(const Algebraic_number& time,
-                                     std::span<const Edge_ids> removed,
-                                     std::span<const Edge_ids> added,
-                                     std::span<const Changed_point> points) {
+void Mean_area_tracker<Traits>::change(const Algebraic_number& time,
+                                       std::span<const Edge_ids> removed,
+                                       std::span<const Edge_ids> added,
+                                       std::span<const Changed_point> points) {
   const double now = time.to_double();
   records_.resize(this->graph().next_id());
   const bool had_edges = edges_ > links_;
@@ -251,6 +292,28 @@ void Mean_cell_areas<Traits>::change(const Algebraic_number& time,
       record.points = {};
     }
   }
+}
+
+}  // namespace detail
+
+template <ContactKineticTraits_2 Traits>
+Mean_cell_areas<Traits>::Mean_cell_areas(Simulation_2<Traits>& simulation,
+                                         const Cell_limits& limits, double tolerance)
+    : tracker_(std::make_unique<detail::Mean_area_tracker<Traits>>(simulation, limits, tolerance)) {
+}
+
+template <ContactKineticTraits_2 Traits>
+Mean_cell_areas<Traits>::Mean_cell_areas(Kinetic_triangulation_2<Traits>& triangulation,
+                                         const Cell_limits& limits, double tolerance)
+    : tracker_(
+          std::make_unique<detail::Mean_area_tracker<Traits>>(triangulation, limits, tolerance)) {}
+
+template <ContactKineticTraits_2 Traits>
+Mean_cell_areas<Traits>::~Mean_cell_areas() = default;
+
+template <ContactKineticTraits_2 Traits>
+std::vector<Mean_cell_area> Mean_cell_areas<Traits>::means() {
+  return tracker_->means();
 }
 
 template class Mean_cell_areas<Linear_kinetic_traits_2>;

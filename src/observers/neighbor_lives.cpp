@@ -4,12 +4,18 @@
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <iterator>
+#include <map>
+#include <memory>
+#include <optional>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/impl/base/check.h"
@@ -103,22 +109,94 @@ const char* name(Life_limit limit) {
   }
 }
 
+namespace detail {
+
+// Follows the triangles at the edges, and records when edges begin and end.
 template <ContactKineticTraits_2 Traits>
-Neighbor_lives<Traits>::Neighbor_lives(Simulation_2<Traits>& simulation,
-                                       std::optional<double> ridge_threshold)
+class Life_recorder final : private Edge_follower<Traits> {
+ public:
+  using Time = Algebraic_number;
+  using Triangulation = Kinetic_triangulation_2<Traits>;
+
+  Life_recorder(Simulation_2<Traits>& simulation, std::optional<double> ridge_threshold);
+  Life_recorder(Triangulation& triangulation, std::optional<double> ridge_threshold);
+
+  std::vector<Neighbor_life> lives();
+  std::vector<Point_exchanges> exchanges();
+
+ private:
+  using Base = Edge_follower<Traits>;
+  using typename Base::Changed_point;
+  using typename Base::Motion;
+  using typename Base::Point_2;
+  using Index = std::size_t;
+  using Opposite = std::array<Point_id, 2>;  // sorted; no_point of the infinite vertex
+
+  static constexpr Index none = static_cast<Index>(-1);
+
+  struct Life {
+    Neighbor_life life;
+    bool has_ended = false;
+    Index replaced = none;     // the lifetime that the exchange has ended
+    Index replaced_by = none;  // the one that has begun instead
+  };
+
+  /// A present edge. All but `index` is kept with a threshold only.
+  struct Present {
+    Index index = none;
+    Opposite opposite = {no_point, no_point};  // the points of the triangles at the edge ...
+    Time since;                                // ... from then on
+    bool is_long = false;                      // the ridge has reached the threshold
+  };
+
+  struct Presence {
+    Time from;
+    std::optional<Time> until;
+  };
+
+  void start();
+  void advance(const Time& time) override { now_ = time; }
+  void before_change(std::span<const Edge_ids> removed,
+                     std::span<const Changed_point> points) override;
+  void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
+              std::span<const Changed_point> points) override;
+  void change_triangles(std::span<const Edge_ids> edges) override;
+
+  void follow_opposites(std::span<const Edge_ids> removed, std::span<const Edge_ids> added);
+  void add_points_around(std::span<const Edge_ids> edges, std::set<Point_id>& around) const;
+  void update_opposites(const std::set<Point_id>& around);
+  std::vector<Point_id> common_neighbors(Point_id a, Point_id b) const;
+  Opposite opposite(const Edge_ids& edge) const;
+  void end_piece(const Edge_ids& edge);
+  bool reaches_threshold(const Edge_ids& edge, const Present& present, const Time& until) const;
+  std::vector<bool> short_lives() const;
+
+  std::optional<double> threshold_;
+  Time now_;
+  std::vector<Life> lives_;
+  std::map<Edge_ids, Present> present_;
+  std::map<Point_id, Presence> presences_;
+  // Of the change in progress: the former neighbors of changed points, and removed edges.
+  std::vector<std::pair<Point_id, std::vector<Point_id>>> neighbors_before_;
+  std::map<Edge_ids, Present> ended_;
+};
+
+template <ContactKineticTraits_2 Traits>
+Life_recorder<Traits>::Life_recorder(Simulation_2<Traits>& simulation,
+                                     std::optional<double> ridge_threshold)
     : Base(simulation), threshold_(ridge_threshold) {
   start();
 }
 
 template <ContactKineticTraits_2 Traits>
-Neighbor_lives<Traits>::Neighbor_lives(Triangulation& triangulation,
-                                       std::optional<double> ridge_threshold)
+Life_recorder<Traits>::Life_recorder(Triangulation& triangulation,
+                                     std::optional<double> ridge_threshold)
     : Base(triangulation), threshold_(ridge_threshold) {
   start();
 }
 
 template <ContactKineticTraits_2 Traits>
-void Neighbor_lives<Traits>::start() {
+void Life_recorder<Traits>::start() {
   KINETRI_PRECONDITION(!threshold_ || (std::isfinite(*threshold_) && *threshold_ > 0),
                        "the threshold of ridges is not positive and finite");
   now_ = this->triangulation().current_time();
@@ -138,7 +216,7 @@ void Neighbor_lives<Traits>::start() {
 // ---- answers ----
 
 template <ContactKineticTraits_2 Traits>
-std::vector<Neighbor_life> Neighbor_lives<Traits>::lives() {
+std::vector<Neighbor_life> Life_recorder<Traits>::lives() {
   this->update();
   const Time& now = this->triangulation().current_time();
   const std::vector<bool> is_short = short_lives();
@@ -156,7 +234,7 @@ std::vector<Neighbor_life> Neighbor_lives<Traits>::lives() {
 }
 
 template <ContactKineticTraits_2 Traits>
-std::vector<Point_exchanges> Neighbor_lives<Traits>::exchanges() {
+std::vector<Point_exchanges> Life_recorder<Traits>::exchanges() {
   this->update();
   const Time& now = this->triangulation().current_time();
   std::map<Point_id, Point_exchanges> of_points;
@@ -186,7 +264,7 @@ std::vector<Point_exchanges> Neighbor_lives<Traits>::exchanges() {
 
 // Whether each lifetime is short up to now.
 template <ContactKineticTraits_2 Traits>
-std::vector<bool> Neighbor_lives<Traits>::short_lives() const {
+std::vector<bool> Life_recorder<Traits>::short_lives() const {
   std::vector<bool> result(lives_.size(), false);
   for (Index i = 0; i < lives_.size(); ++i) result[i] = lives_[i].life.is_short;
   if (!threshold_) return result;
@@ -200,8 +278,8 @@ std::vector<bool> Neighbor_lives<Traits>::short_lives() const {
 // ---- called by the base ----
 
 template <ContactKineticTraits_2 Traits>
-void Neighbor_lives<Traits>::before_change(std::span<const Edge_ids> removed,
-                                           std::span<const Changed_point> points) {
+void Life_recorder<Traits>::before_change(std::span<const Edge_ids> removed,
+                                          std::span<const Changed_point> points) {
   const auto& graph = this->graph();
   neighbors_before_.clear();
   for (const Changed_point& changed : points) {
@@ -226,9 +304,9 @@ void Neighbor_lives<Traits>::before_change(std::span<const Edge_ids> removed,
 }
 
 template <ContactKineticTraits_2 Traits>
-void Neighbor_lives<Traits>::change(const Time& time, std::span<const Edge_ids> removed,
-                                    std::span<const Edge_ids> added,
-                                    std::span<const Changed_point> points) {
+void Life_recorder<Traits>::change(const Time& time, std::span<const Edge_ids> removed,
+                                   std::span<const Edge_ids> added,
+                                   std::span<const Changed_point> points) {
   const auto& graph = this->graph();
   now_ = time;
   // Inserted and erased points, and their neighbors.
@@ -270,7 +348,7 @@ void Neighbor_lives<Traits>::change(const Time& time, std::span<const Edge_ids> 
 
 // When points meet, triangles may change although no edge does.
 template <ContactKineticTraits_2 Traits>
-void Neighbor_lives<Traits>::change_triangles(std::span<const Edge_ids> edges) {
+void Life_recorder<Traits>::change_triangles(std::span<const Edge_ids> edges) {
   if (!threshold_) return;
   std::set<Point_id> around;
   add_points_around(edges, around);
@@ -279,8 +357,8 @@ void Neighbor_lives<Traits>::change_triangles(std::span<const Edge_ids> edges) {
 
 // Updates the triangles at edges near added and removed ones.
 template <ContactKineticTraits_2 Traits>
-void Neighbor_lives<Traits>::follow_opposites(std::span<const Edge_ids> removed,
-                                              std::span<const Edge_ids> added) {
+void Life_recorder<Traits>::follow_opposites(std::span<const Edge_ids> removed,
+                                             std::span<const Edge_ids> added) {
   std::set<Point_id> around;
   add_points_around(removed, around);
   add_points_around(added, around);
@@ -297,8 +375,8 @@ void Neighbor_lives<Traits>::follow_opposites(std::span<const Edge_ids> removed,
 // Adds the ends of edges and their common neighbors; of an erased point, the other ends of its
 // edges.
 template <ContactKineticTraits_2 Traits>
-void Neighbor_lives<Traits>::add_points_around(std::span<const Edge_ids> edges,
-                                               std::set<Point_id>& around) const {
+void Life_recorder<Traits>::add_points_around(std::span<const Edge_ids> edges,
+                                              std::set<Point_id>& around) const {
   const auto& graph = this->graph();
   for (const Edge_ids& edge : edges) {
     for (const Point_id id : edge) {
@@ -312,7 +390,7 @@ void Neighbor_lives<Traits>::add_points_around(std::span<const Edge_ids> edges,
 
 // Updates the triangles of all edges between these points.
 template <ContactKineticTraits_2 Traits>
-void Neighbor_lives<Traits>::update_opposites(const std::set<Point_id>& around) {
+void Life_recorder<Traits>::update_opposites(const std::set<Point_id>& around) {
   const auto& graph = this->graph();
   for (const Point_id id : around) {
     for (const Point_id other : graph.neighbors(id)) {
@@ -331,7 +409,7 @@ void Neighbor_lives<Traits>::update_opposites(const std::set<Point_id>& around) 
 // ---- ridges ----
 
 template <ContactKineticTraits_2 Traits>
-std::vector<Point_id> Neighbor_lives<Traits>::common_neighbors(Point_id a, Point_id b) const {
+std::vector<Point_id> Life_recorder<Traits>::common_neighbors(Point_id a, Point_id b) const {
   const auto of_b = this->graph().neighbors(b);
   std::vector<Point_id> result;
   std::ranges::copy_if(this->graph().neighbors(a), std::back_inserter(result),
@@ -343,7 +421,7 @@ std::vector<Point_id> Neighbor_lives<Traits>::common_neighbors(Point_id a, Point
 // whose circle contains no other one. It is unique even among cocircular ones: edges from two of
 // them to both ends would cross.
 template <ContactKineticTraits_2 Traits>
-auto Neighbor_lives<Traits>::opposite(const Edge_ids& edge) const -> Opposite {
+auto Life_recorder<Traits>::opposite(const Edge_ids& edge) const -> Opposite {
   const auto& graph = this->graph();
   const auto instantaneous = this->traits().instantaneous_traits(Instant{now_, Time_side::after});
   const auto orientation = instantaneous.orientation_2_object();
@@ -368,7 +446,7 @@ auto Neighbor_lives<Traits>::opposite(const Edge_ids& edge) const -> Opposite {
 
 // The quadrilateral of the edge, or one of its motions, ends now.
 template <ContactKineticTraits_2 Traits>
-void Neighbor_lives<Traits>::end_piece(const Edge_ids& edge) {
+void Life_recorder<Traits>::end_piece(const Edge_ids& edge) {
   if (!threshold_) return;
   const auto found = present_.find(edge);
   if (found == present_.end()) return;
@@ -379,8 +457,8 @@ void Neighbor_lives<Traits>::end_piece(const Edge_ids& edge) {
 
 // Whether the ridge reaches the threshold at a time since the present piece began.
 template <ContactKineticTraits_2 Traits>
-bool Neighbor_lives<Traits>::reaches_threshold(const Edge_ids& edge, const Present& present,
-                                               const Time& until) const {
+bool Life_recorder<Traits>::reaches_threshold(const Edge_ids& edge, const Present& present,
+                                              const Time& until) const {
   if (present.since == until) return false;
   if (present.opposite[1] == no_point) return true;
   const auto& graph = this->graph();
@@ -407,6 +485,31 @@ bool Neighbor_lives<Traits>::reaches_threshold(const Edge_ids& edge, const Prese
   if (excess.sign_at(simplest_between(present.since, until)) != CGAL::NEGATIVE) return true;
   const auto root = first_root_after(excess, present.since);
   return root && root->value < until;
+}
+
+}  // namespace detail
+
+template <ContactKineticTraits_2 Traits>
+Neighbor_lives<Traits>::Neighbor_lives(Simulation_2<Traits>& simulation,
+                                       std::optional<double> ridge_threshold)
+    : recorder_(std::make_unique<detail::Life_recorder<Traits>>(simulation, ridge_threshold)) {}
+
+template <ContactKineticTraits_2 Traits>
+Neighbor_lives<Traits>::Neighbor_lives(Triangulation& triangulation,
+                                       std::optional<double> ridge_threshold)
+    : recorder_(std::make_unique<detail::Life_recorder<Traits>>(triangulation, ridge_threshold)) {}
+
+template <ContactKineticTraits_2 Traits>
+Neighbor_lives<Traits>::~Neighbor_lives() = default;
+
+template <ContactKineticTraits_2 Traits>
+std::vector<Neighbor_life> Neighbor_lives<Traits>::lives() {
+  return recorder_->lives();
+}
+
+template <ContactKineticTraits_2 Traits>
+std::vector<Point_exchanges> Neighbor_lives<Traits>::exchanges() {
+  return recorder_->exchanges();
 }
 
 template class Neighbor_lives<Linear_kinetic_traits_2>;

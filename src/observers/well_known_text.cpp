@@ -5,8 +5,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "base/from_chars.h"
 #include "kinetri/base/error.h"
-#include "kinetri/impl/base/from_chars.h"
 
 namespace kinetri::detail {
 namespace {

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <functional>
 
 #include "cli/arguments.h"
 #include "cli/text.h"
-#include "kinetri/impl/base/from_chars.h"
+#include "kinetri/impl/io/parse_number.h"
 #include "kinetri/impl/io/text.h"
 #include "kinetri/impl/io/text_table.h"
 #include "kinetri/io/viewer_page.h"
@@ -40,11 +39,9 @@ std::string decoded(std::string_view text) {
 
 // A finite decimal number, as pages read it.
 Possible<double> finite_number(std::string_view text) {
-  double result = 0;
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, error] = from_chars(text.data(), text.data() + text.size(), result);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  return is_number && std::isfinite(result) ? Possible<double>(result) : std::nullopt;
+  const auto [value, problem] = parse_number(text);
+  const bool is_decimal = problem.empty() && text.find_first_of("xX") == std::string_view::npos;
+  return is_decimal ? Possible<double>(value) : std::nullopt;
 }
 
 template <class Whole>

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "kinetri/impl/observers/edge_follower.h"
@@ -15,10 +14,8 @@
 namespace kinetri {
 
 namespace detail {
-
-template <class Traits>
-class Cell_integrator;
-
+template <ContactKineticTraits_2 Traits>
+class Mean_area_tracker;
 }  // namespace detail
 
 /// The mean area of a point over the time in which it was observed.
@@ -46,7 +43,7 @@ struct Mean_cell_area {
 /// Cost: 7 areas of cells for each piece and point, and more if it is halved. Memory: O(n), and one
 /// result for each point that has ever existed.
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
-class Mean_cell_areas : private Edge_follower<Traits> {
+class Mean_cell_areas {
  public:
   /// @{
   /// Observes from the current time on. A piece is divided until the estimate of its error is at
@@ -58,42 +55,13 @@ class Mean_cell_areas : private Edge_follower<Traits> {
   Mean_cell_areas(Kinetic_triangulation_2<Traits>& triangulation, const Cell_limits& limits,
                   double tolerance = 1e-6);
   /// @}
-  ~Mean_cell_areas() override;
+  ~Mean_cell_areas();
 
   /// The mean of each point that has existed for a time, up to now or its erasure, by ascending id.
   std::vector<Mean_cell_area> means();
 
  private:
-  using Point_2 = typename Traits::Point_2;
-  using Changed_point = typename Edge_follower<Traits>::Changed_point;
-
-  struct Record {
-    double from = 0;
-    double until = 0;  // the end of what has been integrated
-    double integral = 0;
-    double error = 0;
-    bool has_come = false;
-    bool is_there = false;
-    bool is_hidden = false;            // by a triangle
-    bool is_linked = false;            // hidden by a point that coincides with it for a while
-    int count = 1;                     // of points that share the cell
-    std::vector<Point_2> points = {};  // the point, and the neighbors of the cell
-  };
-
-  void start(const Cell_limits& limits, double tolerance);
-  void advance(const Algebraic_number& /*time*/) override {}
-  void change(const Algebraic_number& time, std::span<const Edge_ids> removed,
-              std::span<const Edge_ids> added, std::span<const Changed_point> points) override;
-  void integrate(Record& record, double until);
-  void begin(Point_id id, double time);
-  void update_link(Point_id id);
-  // The point that has the vertex of the point.
-  Point_id shown_at(Point_id id) const { return this->graph().hidden_by(id).value_or(id); }
-
-  std::unique_ptr<detail::Cell_integrator<Traits>> integrator_;
-  std::vector<Record> records_;  // by id
-  std::size_t edges_ = 0;        // of the graph
-  std::size_t links_ = 0;        // those of them that join points that coincide for a while
+  std::unique_ptr<detail::Mean_area_tracker<Traits>> tracker_;
 };
 
 extern template class Mean_cell_areas<Linear_kinetic_traits_2>;

@@ -11,14 +11,10 @@
 #ifndef KINETRI_OBSERVERS_NEIGHBOR_LIVES_H
 #define KINETRI_OBSERVERS_NEIGHBOR_LIVES_H
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <memory>
 #include <optional>
-#include <set>
-#include <span>
-#include <utility>
 #include <vector>
 
 #include "kinetri/impl/observers/edge_follower.h"
@@ -59,6 +55,11 @@ struct Point_exchanges {
   std::size_t short_ones = 0;
 };
 
+namespace detail {
+template <ContactKineticTraits_2 Traits>
+class Life_recorder;
+}  // namespace detail
+
 /// An observer that records the lifetime of every edge of a triangulation. An edge that is removed
 /// and added again at one time has one lifetime. A new motion of a point does not end the lifetimes
 /// of its edges; if the point jumps, lifetimes of edges that it does not have at the new position
@@ -84,7 +85,7 @@ struct Point_exchanges {
 /// threshold, bounds of its length for each of its quadrilaterals, or a polynomial if these do not
 /// decide. Memory: O(n), and two exact times for each lifetime.
 template <ContactKineticTraits_2 Traits>
-class Neighbor_lives final : private Edge_follower<Traits> {
+class Neighbor_lives {
  public:
   using Time = Algebraic_number;                          ///< of lifetimes
   using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what is observed
@@ -96,6 +97,7 @@ class Neighbor_lives final : private Edge_follower<Traits> {
   explicit Neighbor_lives(Triangulation& triangulation,
                           std::optional<double> ridge_threshold = std::nullopt);
   /// @}
+  ~Neighbor_lives();
 
   /// All lifetimes up to now, in the exact order of their begin, then of the ids. Those of present
   /// edges end at the current time, by the end of the run; those that have begun at the current
@@ -107,60 +109,7 @@ class Neighbor_lives final : private Edge_follower<Traits> {
   std::vector<Point_exchanges> exchanges();
 
  private:
-  using Base = Edge_follower<Traits>;
-  using typename Base::Changed_point;
-  using typename Base::Motion;
-  using typename Base::Point_2;
-  using Index = std::size_t;
-  using Opposite = std::array<Point_id, 2>;  // sorted; no_point of the infinite vertex
-
-  static constexpr Index none = static_cast<Index>(-1);
-
-  struct Life {
-    Neighbor_life life;
-    bool has_ended = false;
-    Index replaced = none;     // the lifetime that the exchange has ended
-    Index replaced_by = none;  // the one that has begun instead
-  };
-
-  /// A present edge. All but `index` is kept with a threshold only.
-  struct Present {
-    Index index = none;
-    Opposite opposite = {no_point, no_point};  // the points of the triangles at the edge ...
-    Time since;                                // ... from then on
-    bool is_long = false;                      // the ridge has reached the threshold
-  };
-
-  struct Presence {
-    Time from;
-    std::optional<Time> until;
-  };
-
-  void start();
-  void advance(const Time& time) override { now_ = time; }
-  void before_change(std::span<const Edge_ids> removed,
-                     std::span<const Changed_point> points) override;
-  void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
-              std::span<const Changed_point> points) override;
-  void change_triangles(std::span<const Edge_ids> edges) override;
-
-  void follow_opposites(std::span<const Edge_ids> removed, std::span<const Edge_ids> added);
-  void add_points_around(std::span<const Edge_ids> edges, std::set<Point_id>& around) const;
-  void update_opposites(const std::set<Point_id>& around);
-  std::vector<Point_id> common_neighbors(Point_id a, Point_id b) const;
-  Opposite opposite(const Edge_ids& edge) const;
-  void end_piece(const Edge_ids& edge);
-  bool reaches_threshold(const Edge_ids& edge, const Present& present, const Time& until) const;
-  std::vector<bool> short_lives() const;
-
-  std::optional<double> threshold_;
-  Time now_;
-  std::vector<Life> lives_;
-  std::map<Edge_ids, Present> present_;
-  std::map<Point_id, Presence> presences_;
-  // Of the change in progress: the former neighbors of changed points, and removed edges.
-  std::vector<std::pair<Point_id, std::vector<Point_id>>> neighbors_before_;
-  std::map<Edge_ids, Present> ended_;
+  std::unique_ptr<detail::Life_recorder<Traits>> recorder_;
 };
 
 extern template class Neighbor_lives<Linear_kinetic_traits_2>;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // std::from_chars for binary64, which libc++ before version 20 does not have.
-#ifndef KINETRI_IMPL_BASE_FROM_CHARS_H
-#define KINETRI_IMPL_BASE_FROM_CHARS_H
+#ifndef KINETRI_SRC_BASE_FROM_CHARS_H
+#define KINETRI_SRC_BASE_FROM_CHARS_H
 
 #include <charconv>
 #include <version>
@@ -65,4 +65,4 @@ using std::from_chars;
 
 }  // namespace kinetri
 
-#endif  // KINETRI_IMPL_BASE_FROM_CHARS_H
+#endif  // KINETRI_SRC_BASE_FROM_CHARS_H
