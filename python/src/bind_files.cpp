@@ -41,15 +41,13 @@ py::array_t<double> column(const std::vector<Motion>& motions, Vector_2 Motion::
 py::dict points_file(const std::string& path) {
   const Points_file file = without_gil([&] { return read_points_file(path); });
   py::dict result;
+  file.with_motions([&]<class Motion>(const std::vector<Motion>& motions) {
+    result["positions"] = column(motions, &Motion::position);
+    result["velocities"] = column(motions, &Motion::velocity);
+  });
   if (file.is_polynomial) {
-    const auto& motions = file.polynomial_motions;
-    result["positions"] = column(motions, &Polynomial_motion_2::position);
-    result["velocities"] = column(motions, &Polynomial_motion_2::velocity);
-    result["acceleration"] = column(motions, &Polynomial_motion_2::acceleration);
-    result["jerk"] = column(motions, &Polynomial_motion_2::jerk);
-  } else {
-    result["positions"] = column(file.motions, &Linear_motion_2::position);
-    result["velocities"] = column(file.motions, &Linear_motion_2::velocity);
+    result["acceleration"] = column(file.polynomial_motions, &Polynomial_motion_2::acceleration);
+    result["jerk"] = column(file.polynomial_motions, &Polynomial_motion_2::jerk);
   }
   if (!file.radii.empty()) result["radius"] = array_of<double>(file.radii);
   if (!file.growths.empty()) result["growth"] = array_of<double>(file.growths);

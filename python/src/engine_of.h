@@ -62,19 +62,6 @@ std::vector<Motion> motions_of(const Motion_columns& columns) {
   return result;
 }
 
-template <class Motion>
-Polynomial_disc_motion_2 general_motion(const Motion& motion) {
-  if constexpr (kind_of<Motion> == Motion_kind{true, true}) {
-    return motion;
-  } else if constexpr (HasWeight<Motion>) {
-    return polynomial_motion(motion);
-  } else if constexpr (kind_of<Motion>.is_polynomial) {
-    return {motion, 0, 0, 0};
-  } else {
-    return {polynomial_motion(motion), 0, 0, 0};
-  }
-}
-
 /// `Core` is Kinetic_triangulation_2 or Simulation_2, with `Traits`.
 template <template <class> class Core, class Traits>
 class Engine_of final : public Engine {

@@ -12,19 +12,6 @@
 namespace kinetri {
 namespace {
 
-Polynomial_disc_motion_2 as_disc(const Linear_motion_2& motion) {
-  return {polynomial_motion(motion)};
-}
-Polynomial_disc_motion_2 as_disc(const Polynomial_motion_2& motion) {
-  return {motion};
-}
-Polynomial_disc_motion_2 as_disc(const Disc_motion_2& motion) {
-  return polynomial_motion(motion);
-}
-const Polynomial_disc_motion_2& as_disc(const Polynomial_disc_motion_2& motion) {
-  return motion;
-}
-
 // Whether the points of such an event keep their motions.
 bool is_of_topology(Event_kind kind) {
   return kind < Event_kind::wall;
@@ -188,7 +175,7 @@ void Recorder<Traits>::record_motion(Point_id id, std::optional<std::size_t> eve
   Recorded_motion& motion = recording_.motions.emplace_back();
   motion.event = event;
   motion.point = id;
-  if (triangulation_.contains(id)) motion.motion = as_disc(triangulation_.motion(id));
+  if (triangulation_.contains(id)) motion.motion = general_motion(triangulation_.motion(id));
 }
 
 // Records which point is shown in the place of the point, if that has changed.

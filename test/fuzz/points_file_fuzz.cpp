@@ -33,9 +33,8 @@ void check_number(const std::string& text) {
 
 void check_points(const Points_file& points) {
   const std::size_t number = points.number_of_points();
-  require(
-      (points.is_polynomial ? points.polynomial_motions.size() : points.motions.size()) == number,
-      "a line for each point");
+  require(points.with_motions([](const auto& motions) { return motions.size(); }) == number,
+          "a line for each point");
   for (const std::vector<double>& column : {points.radii, points.growths, points.masses}) {
     require(column.empty() || column.size() == number, "a number for each point or none");
     for (const double value : column) require(std::isfinite(value), "a finite number");

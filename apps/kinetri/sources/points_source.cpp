@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,14 +36,7 @@ class Points_source final : public Run_source {
  private:
   bool has_discs() const;
   Simulation_options options() const;
-  Any_simulation simulation_of_points(const Simulation_options& simulation_options,
-                                      Arithmetic arithmetic) const;
-  Any_simulation simulation_of_discs(const Point_discs& discs,
-                                     const Simulation_options& simulation_options,
-                                     Arithmetic arithmetic) const;
-  template <class Traits>
-  Any_simulation simulation(const std::vector<typename Traits::Motion>& motions,
-                            const Simulation_options& simulation_options,
+  Any_simulation simulation(const Point_discs* discs, const Simulation_options& simulation_options,
                             Arithmetic arithmetic) const;
   Input_error overlap(const Overlapping_discs_error& error) const;
   double equal_radius(const Point_discs& discs) const;
@@ -73,7 +65,7 @@ std::vector<std::string> Points_source::remarks() const {
 
 Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
   try {
-    if (!has_discs()) return simulation_of_points(options(), arithmetic);
+    if (!has_discs()) return simulation(nullptr, options(), arithmetic);
     const Point_discs discs = point_discs(points_, settings_);
     Simulation_options with_discs = options();
     with_discs.masses = point_masses(points_, discs, settings_);
@@ -81,12 +73,12 @@ Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
       // Equal discs may overlap: they have no contact until they approach.
       with_discs.refuses_overlaps =
           !discs.are_equal() && with_discs.response && settings_.collisions.response != log_contact;
-      return simulation_of_discs(discs, with_discs, arithmetic);
+      return simulation(&discs, with_discs, arithmetic);
     }
     with_discs.radius = equal_radius(discs);
     // Without discs.
     if (discs.radii.empty()) with_discs.rim_touches = false;
-    return simulation_of_points(with_discs, arithmetic);
+    return simulation(nullptr, with_discs, arithmetic);
   } catch (const Outside_box_error& error) {
     throw Input_error(input_name(path()), points_.lines[error.point()], error.what());
   } catch (const Overlapping_discs_error& error) {
@@ -145,40 +137,23 @@ Simulation_options Points_source::options() const {
   return result;
 }
 
-Any_simulation Points_source::simulation_of_points(const Simulation_options& simulation_options,
-                                                   Arithmetic arithmetic) const {
-  if (points_.is_polynomial) {
-    return simulation<Polynomial_kinetic_traits_2>(points_.polynomial_motions, simulation_options,
-                                                   arithmetic);
-  }
-  return simulation<Linear_kinetic_traits_2>(points_.motions, simulation_options, arithmetic);
-}
-
-Any_simulation Points_source::simulation_of_discs(const Point_discs& discs,
-                                                  const Simulation_options& simulation_options,
-                                                  Arithmetic arithmetic) const {
-  const auto motions_of = [&](const auto& centers) {
-    using Center = typename std::decay_t<decltype(centers)>::value_type;
-    std::vector<Basic_disc_motion_2<Center>> result;
-    for (std::size_t i = 0; i < centers.size(); ++i) {
-      result.push_back({centers[i], discs.radii[i], discs.growths[i], 0});
-    }
-    return result;
-  };
-  if (points_.is_polynomial) {
-    return simulation<Polynomial_disc_kinetic_traits_2>(motions_of(points_.polynomial_motions),
-                                                        simulation_options, arithmetic);
-  }
-  return simulation<Disc_kinetic_traits_2>(motions_of(points_.motions), simulation_options,
-                                           arithmetic);
-}
-
-template <class Traits>
-Any_simulation Points_source::simulation(const std::vector<typename Traits::Motion>& motions,
+// Of points, or of discs with radii of their own if these are given.
+Any_simulation Points_source::simulation(const Point_discs* discs,
                                          const Simulation_options& simulation_options,
                                          Arithmetic arithmetic) const {
-  return std::make_unique<Simulation_2<Traits>>(motions, simulation_options, settings_.from,
-                                                Traits(arithmetic));
+  const auto of = [&]<class Motion>(const std::vector<Motion>& motions) -> Any_simulation {
+    using Traits = Basic_kinetic_traits_2<Motion>;
+    return std::make_unique<Simulation_2<Traits>>(motions, simulation_options, settings_.from,
+                                                  Traits(arithmetic));
+  };
+  return points_.with_motions([&]<class Center>(const std::vector<Center>& centers) {
+    if (discs == nullptr) return of(centers);
+    std::vector<Basic_disc_motion_2<Center>> motions;
+    for (std::size_t i = 0; i < centers.size(); ++i) {
+      motions.push_back({centers[i], discs->radii[i], discs->growths[i], 0});
+    }
+    return of(motions);
+  });
 }
 
 // The common radius, if contacts can be computed with it.

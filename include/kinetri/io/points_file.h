@@ -51,6 +51,12 @@ struct Points_file {
 
   /// The number of points, of either kind.
   std::size_t number_of_points() const { return lines.size(); }
+
+  /// The result of function(motions) with the motions, of either kind.
+  template <class Function>
+  auto with_motions(const Function& function) const {
+    return is_polynomial ? function(polynomial_motions) : function(motions);
+  }
 };
 
 /// Reads points from `in`, line by line: beyond the result it needs memory for one line, which may

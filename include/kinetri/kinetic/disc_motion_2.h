@@ -68,6 +68,20 @@ using Center_motion_of = std::remove_cvref_t<decltype(center(std::declval<const 
 /// The same disc, as one whose center may accelerate.
 Polynomial_disc_motion_2 polynomial_motion(const Disc_motion_2& disc);
 
+/// The same motion, as one that has all numbers: those that it does not have are 0.
+template <class Motion>
+Polynomial_disc_motion_2 general_motion(const Motion& motion) {
+  if constexpr (std::is_same_v<Motion, Polynomial_motion_2>) {
+    return {motion, 0, 0, 0};
+  } else if constexpr (std::is_same_v<Motion, Linear_motion_2>) {
+    return {polynomial_motion(motion), 0, 0, 0};
+  } else if constexpr (std::is_same_v<Motion, Disc_motion_2>) {
+    return polynomial_motion(motion);
+  } else {
+    return motion;
+  }
+}
+
 // As for Linear_motion_2, where `Disc` is Disc_motion_2 or Polynomial_disc_motion_2. Functions of
 // motions without radii, such as `rounded_place`, concern the center.
 
