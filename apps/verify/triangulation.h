@@ -1,35 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The triangulation that edges and motions imply at each time, and the lives of its certificates.
+// The triangulation as time goes on, and the lives of its certificates.
 // The lemmas named here are in README.md.
 #ifndef KINETRI_VERIFY_TRIANGULATION_H
 #define KINETRI_VERIFY_TRIANGULATION_H
 
-#include "lives.h"
+#include "surface.h"
 
 namespace verify {
 
 // Edges and motions may be changed at the present instant. When time advances, they must form a
 // Delaunay triangulation just after that instant, whose certificates live until they are changed.
-class Certified_triangulation {
+class Certified_triangulation : protected Surface {
  protected:
   Certified_triangulation(const Options& options, const std::vector<Change>& points,
                           const std::vector<Row>& rows)
-      : options_(options), rows_(rows), scale_(options, points, rows), certifier_(options, scale_) {
-    Id size = 0;
-    const auto note_id = [&](const Change& change) { size = std::max(size, change.id + 1); };
-    std::ranges::for_each(points, note_id);
-    for (const Row& row : rows) std::ranges::for_each(row.changes, note_id);
-    courses_.resize(size);
-    neighbors_.resize(size);
-    groups_of_.resize(size, groups_.end());
-    begins_.resize(size);
-    past_motions_.resize(size);
-    workers_.resize(options.threads - 1);
+      : Surface(options, points, rows),
+        certifier_(options, scale_),
+        begins_(courses_.size()),
+        past_motions_(courses_.size()),
+        workers_(options.threads - 1) {
     push_instant(exactly(options.from));
     for (const Change& change : points) set_motion(change);
   }
-
-  using Triangle = std::array<Id, 3>;
 
   // A time at which the ends of an edge meet; or all points may be on a line (both ids are
   // `infinite`); or a hidden point leaves its triangle (both are that point).
@@ -37,175 +29,6 @@ class Certified_triangulation {
     Time time;
     std::set<Edge> what;
   };
-
-  // ---- the triangulation: a closed surface with an infinite point ----
-
-  static std::uint64_t key(Id a, Id b) { return std::uint64_t{a} << 32U | b; }
-  static Edge edge(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
-  static std::string name(const Edge& e) {
-    const std::string a = std::to_string(e.first);
-    return e.second == infinite ? "hull corner " + a : "edge " + a + "-" + std::to_string(e.second);
-  }
-
-  // The third corner of the triangle at the left.
-  Id apex(Id a, Id b) const {
-    const auto found = left_.find(key(a, b));
-    return found == left_.end() ? absent : found->second;
-  }
-  bool is_present(Id id) const { return id < courses_.size() && courses_[id] != nullptr; }
-  const Course& course(Id id) const { return *courses_[id]; }
-
-  void add_triangle(Id a, Id b, Id c) {
-    const std::array<Triangle, 3> turns = {{{a, b, c}, {b, c, a}, {c, a, b}}};
-    for (const auto& [u, v, w] : turns) {
-      if (u != infinite && v != infinite && !neighbors_[u].contains(v)) {
-        refute("a face is no triangle: there is no " + name(edge(u, v)));
-      }
-      if (apex(u, v) != absent && apex(u, v) != w) {
-        refute("two triangles are on one side of " + name(edge(u, v)));
-      }
-    }
-    for (const auto& [u, v, w] : turns) {
-      left_[key(u, v)] = w;
-      changed_.insert(edge(u, v));
-      if (v == infinite) hull_.insert(u);
-    }
-  }
-
-  void remove_triangle(Id a, Id b, Id c) {
-    for (const auto& [u, v] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-      left_.erase(key(u, v));
-      changed_.insert(edge(u, v));
-      if (v == infinite) hull_.erase(u);
-    }
-  }
-
-  void remove_edge(const Edge& e) {
-    const auto [a, b] = e;
-    if (b >= neighbors_.size() || neighbors_[a].erase(b) == 0) refute("there is no " + name(e));
-    neighbors_[b].erase(a);
-    --edges_;
-    for (const auto& [u, v] : {std::pair(a, b), std::pair(b, a)}) {
-      if (apex(u, v) != absent) remove_triangle(u, v, apex(u, v));
-    }
-    changed_.insert(e);
-    touched_.insert({a, b});
-  }
-
-  void add_edge(const Edge& e) {
-    const auto [a, b] = e;
-    if (!is_present(a) || !is_present(b)) refute(name(e) + " has an end that is not there");
-    if (!neighbors_[a].insert(b).second) refute(name(e) + " is there already");
-    neighbors_[b].insert(a);
-    ++edges_;
-    changed_.insert(e);
-    touched_.insert({a, b});
-  }
-
-  // The triangles at a point, from the directions of its edges just after now (Lemma 5).
-  void make_star(Id v) {
-    std::array<std::vector<Id>, 2> halves;  // of the directions: upper and lower
-    for (const Id n : neighbors_[v]) {
-      const auto [dx, dy] = minus(course(n), course(v));
-      if (dx.empty() && dy.empty()) refute("the ends of " + name(edge(n, v)) + " are one place");
-      const int sign = sign_just_after(dy, now_);
-      halves[sign < 0 || (sign == 0 && sign_just_after(dx, now_) < 0) ? 1 : 0].push_back(n);
-    }
-    const auto is_left_turn = [&](Id a, Id b) {
-      return sign_just_after(orientation(course(v), course(a), course(b)), now_) > 0;
-    };
-    std::vector<Id> star;
-    for (std::vector<Id>& half : halves) {
-      std::ranges::sort(half, is_left_turn);
-      star.insert(star.end(), half.begin(), half.end());
-    }
-    for (std::size_t i = 0; i < star.size(); ++i) {
-      const Id a = star[i];
-      const Id b = star[i + 1 == star.size() ? 0 : i + 1];
-      if (is_left_turn(a, b)) {
-        add_triangle(v, a, b);
-      } else {  // the only gap, at which v is a corner of the hull
-        add_triangle(v, a, infinite);
-        add_triangle(b, v, infinite);
-      }
-    }
-  }
-
-  // A triangle that is flat now may turn over while all its edges stay. Then the triangles at these
-  // edges change, too, so all its corners are touched if one is (Lemma 5).
-  void touch_flat() {
-    std::vector<Id> more(touched_.begin(), touched_.end());
-    while (!more.empty()) {
-      const Id v = more.back();
-      more.pop_back();
-      for (const Id n : neighbors_[v]) {
-        for (const Id m : {apex(v, n), apex(n, v)}) {
-          if (m == absent || m == infinite) continue;
-          if (sign_at(orientation(course(v), course(n), course(m)), now_) != 0) continue;
-          for (const Id w : {n, m}) {
-            if (touched_.insert(w).second) more.push_back(w);
-          }
-        }
-      }
-    }
-  }
-
-  // Makes the triangles at all touched points anew.
-  void remake() {
-    touch_flat();
-    for (const Id v : touched_) {
-      for (const Id n : neighbors_[v]) {
-        if (apex(v, n) != absent) remove_triangle(v, n, apex(v, n));
-        if (apex(n, v) != absent) remove_triangle(n, v, apex(n, v));
-      }
-    }
-    for (const Id v : touched_) make_star(v);
-    std::erase_if(touched_, [&](Id v) { return !neighbors_[v].empty(); });
-  }
-
-  // Points that are always on a line: the edges are a path, each inner point of which is a corner
-  // between its neighbors (Lemma 4).
-  void make_path() {
-    for (const auto& [ab, c] : std::exchange(left_, {})) {
-      changed_.insert(edge(static_cast<Id>(ab >> 32U), static_cast<Id>(ab)));
-    }
-    hull_.clear();
-    touched_.clear();
-    if (!hidden_.empty()) check_radii();
-    if (!groups_.empty() && edges_ + 1 != groups_.size())
-      refute("the points on a line have no path of edges");
-    for (Id v = 0; v < courses_.size(); ++v) {
-      const std::set<Id>& n = neighbors_[v];
-      if (n.size() > 2) refute("the points on a line have no path of edges");
-      for (const Id u : n) {
-        if (course(u).place == course(v).place) {
-          refute("the ends of " + name(edge(u, v)) + " are one place");
-        }
-      }
-      if (n.size() < 2) continue;
-      left_[key(v, infinite)] = *n.begin();
-      left_[key(infinite, v)] = *n.rbegin();
-      changed_.insert({v, infinite});
-    }
-  }
-
-  // Not supported are points on one line some of which are hidden by others of other radii.
-  void check_radii() const {
-    const auto has_other_radius = [&](const Course* c) {
-      return c != nullptr && c->radius != witness_.front()->radius;
-    };
-    if (std::ranges::any_of(courses_, has_other_radius)) {
-      throw Bad_input(
-          "all discs are on one line, and a larger one hides a smaller one: such runs are not "
-          "supported");
-    }
-  }
-
-  void touch_all() {
-    for (Id v = 0; v < courses_.size(); ++v) {
-      if (is_present(v)) touched_.insert(v);
-    }
-  }
 
   // Three points that are not always on a line, if there are any.
   void find_witness() {
@@ -347,33 +170,12 @@ class Certified_triangulation {
     blamed_ = row;
   }
 
-  // Checks that the hull winds once: exactly one corner is less than both neighbors in the order of
-  // x, then y.
-  void check_hull() {
-    const auto is_less = [&](Id a, Id b) {
-      const auto [dx, dy] = minus(course(a), course(b));
-      const int sign = sign_just_after(dx, now_);
-      return sign != 0 ? sign < 0 : sign_just_after(dy, now_) < 0;
-    };
-    const auto count = std::ranges::count_if(hull_, [&](Id v) {
-      return is_less(v, apex(v, infinite)) && is_less(v, apex(infinite, v));
-    });
-    if (count != 1) refute("the hull goes around " + std::to_string(count) + " times");
-  }
-
   // ---- hidden points ----
 
-  // The point of least id with the trajectory and weight of the point.
-  Id shown(Id v) const { return *groups_of_[v]->second.begin(); }
-  // Whether the point is hidden by another one (Lemma 8).
-  bool is_twin(Id v) const { return is_present(v) && shown(v) != v; }
   // Whether the point is hidden in a triangle, if the edges are right (Lemma 6).
   bool is_in_triangle(Id v) const {
     return is_present(v) && !is_twin(v) && neighbors_[v].empty() && groups_.size() > 1;
   }
-  // Whether it was when its row was due the last time, or before the first row.
-  bool was_hidden(Id v) const { return hidden_.contains(v) || twins_.contains(v); }
-
   void set_hidden(Id v) {
     if (is_twin(v)) {
       twins_.insert(v);
@@ -409,96 +211,6 @@ class Certified_triangulation {
       }
       set_hidden(v);
     }
-  }
-
-  // ---- points that coincide (Lemma 8) ----
-
-  // Changes in adjacent rows, which may have been made at once, or some before others, as long as
-  // no row would be missing in between. The states before each of these are remembered.
-  struct Regrouping {
-    template <class Value>
-    struct Past {
-      std::vector<Value> values;
-      std::size_t last = 0;  // the number of the change that has given it its present value
-    };
-    std::map<const Course*, Past<Id>, Is_before> shown;
-    std::map<Id, Past<const Course*>> courses;
-    std::size_t changes = 0;
-    std::size_t complete = 0;  // the last but one, or an earlier one, after which no row is missing
-    std::set<Id> lacking_rows;  // points that must have one
-  };
-
-  // The value that is replaced may have been one before some changes that were made at once.
-  template <class Value>
-  void remember(Regrouping::Past<Value>& past, Value value) {
-    if (regrouping_.complete >= past.last) past.values.push_back(value);
-    past.last = regrouping_.changes;
-  }
-
-  // The next row changes motions, maybe together with the row before.
-  void continue_regrouping() {
-    if (regrouping_.lacking_rows.empty() || !has_one_radius_) {
-      regrouping_.complete = regrouping_.changes;
-    }
-    ++regrouping_.changes;
-  }
-
-  // The next row is not of the same change as the row before.
-  void begin_regrouping() {
-    for (const Id v : regrouping_.lacking_rows) {
-      if (!is_twin(v) && !has_one_radius_) continue;  // a triangle may hide it
-      blamed_ = row_ - 1;
-      refute("point " + std::to_string(v) + " is hidden or revealed");
-    }
-    regrouping_ = {};
-  }
-
-  void note_regrouped(Id v) {
-    regrouped_.insert(v);
-    regrouping_.lacking_rows.erase(v);
-    if (is_present(v) && is_twin(v) != (was_hidden(v) != told_.contains(v))) {
-      regrouping_.lacking_rows.insert(v);
-    }
-  }
-
-  void leave_group(Id v) {
-    const auto group = groups_of_[v];
-    auto& [course, points] = *group;
-    remember(regrouping_.shown[course], shown(v));
-    remember(regrouping_.courses[v], course);
-    points.erase(v);
-    if (points.empty()) {
-      groups_.erase(group);
-    } else {
-      note_regrouped(*points.begin());
-    }
-  }
-
-  void join_group(Id v) {
-    const auto group = groups_.try_emplace(courses_[v]).first;
-    groups_of_[v] = group;
-    auto& points = group->second;
-    if (!points.empty()) remember(regrouping_.shown[group->first], *points.begin());
-    points.insert(v);
-    if (*points.begin() == v && points.size() > 1) note_regrouped(*std::next(points.begin()));
-  }
-
-  // Whether a point may have been hidden by another one when the changes of the present rows were
-  // made; or by none, if that is the point itself.
-  bool may_have_been_hidden_by(Id v, Id other) const {
-    const auto possible = [&](const auto& pasts, const auto& key, const auto& now) {
-      const auto found = pasts.find(key);
-      auto values = found == pasts.end() ? std::vector{now} : found->second.values;
-      if (found != pasts.end() && regrouping_.complete >= found->second.last) values.push_back(now);
-      return values;
-    };
-    const auto courses = possible(regrouping_.courses, v, courses_[v]);
-    return std::ranges::any_of(courses, [&](const Course* course) {
-      const auto group = groups_.find(course);
-      const Id now = group == groups_.end() ? absent : *group->second.begin();
-      const auto points = possible(regrouping_.shown, course, now);
-      return std::ranges::find(points, other) != points.end();
-    });
   }
 
   // Finds the triangle of each hidden point.
@@ -570,10 +282,6 @@ class Certified_triangulation {
     }
     return std::nullopt;
   }
-
-  // Whether the log may be that of a resumed run, in which discs may pass through each other from
-  // the start until they separate.
-  bool continues() const { return rows_.empty() || rows_.front().number != 0; }
 
   // Whether two discs have overlapped at all times from the start until now.
   bool have_always_overlapped(const Edge& pair) const {
@@ -753,28 +461,9 @@ class Certified_triangulation {
   void note(const std::optional<Refuted>& refuted) {
     if (refuted && (!refuted_ || refuted->row < refuted_->row)) refuted_ = refuted;
   }
-  [[noreturn]] void refute(const std::string& message) const { throw Refuted{blamed_, message}; }
-
-  const Options options_;
-  const std::vector<Row>& rows_;
-  const Scale scale_;
   const Certifier certifier_;
-  std::deque<Course> motions_;
-  std::vector<const Course*> courses_;                       // of the points that are present
-  std::map<const Course*, std::set<Id>, Is_before> groups_;  // of points that coincide
-  std::vector<decltype(groups_)::iterator> groups_of_;       // by id, of the points present
-  bool has_one_radius_ = true;                               // all discs so far
-  std::vector<const Course*> witness_;
   bool is_witness_lost_ = true;
-  bool is_on_line_ = true;  // all points, at all times
-
-  std::vector<std::set<Id>> neighbors_;
-  std::size_t edges_ = 0;
-  std::unordered_map<std::uint64_t, Id> left_;  // apexes
-  std::set<Id> hull_;
-  std::map<Id, Triangle> hidden_;  // in triangles
-  std::set<Id> twins_;             // hidden by other points
-  std::vector<Time> begins_;       // of motions
+  std::vector<Time> begins_;  // of motions
   struct Past_motion {
     Time begin;
     const Course* course;
@@ -783,21 +472,13 @@ class Certified_triangulation {
   std::map<Edge, Time> passing_;  // the last collision of discs that did not change them
 
   // In this instant:
-  std::set<Id> touched_;  // points whose triangles must be made anew
   std::set<Id> moved_;
-  std::set<Id> changing_;   // points whose motions the last rows have changed
-  std::set<Id> regrouped_;  // points that are the least of a group now, or were
-  Regrouping regrouping_;
-  std::set<Edge> changed_;  // edges whose ends or apexes changed
-  std::set<Id> told_;       // points that are hidden or revealed
+  std::set<Id> changing_;  // points whose motions the last rows have changed
   std::set<std::vector<Id>> contacts_;
   bool has_rows_ = false;
 
   std::deque<Special> specials_;  // to come, in order
-  Time now_;
   std::shared_ptr<const Instant> instant_;
-  long row_ = -1;
-  long blamed_ = -1;
 
   std::array<std::unordered_map<std::uint64_t, Life>, kinds> alive_;
   std::vector<Life> ended_;
