@@ -15,6 +15,7 @@
 
 #include "kinetri/observers/connected_components.h"
 #include "observers/departures.h"
+#include "observers/dynamic_connectivity.h"
 #include "observers/failure_queue.h"
 #include "observers/later_time_in_range.h"
 

@@ -77,8 +77,33 @@ const std::vector<Component_event>& Connected_components<Traits>::events() {
 }
 
 template <ContactKineticTraits_2 Traits>
-const Dynamic_connectivity& Connected_components<Traits>::components() {
-  return present().connectivity();
+bool Connected_components<Traits>::contains(Point_id id) {
+  return present().connectivity().contains(id);
+}
+
+template <ContactKineticTraits_2 Traits>
+auto Connected_components<Traits>::component(Point_id id) -> Component {
+  return present().connectivity().component(id);
+}
+
+template <ContactKineticTraits_2 Traits>
+std::size_t Connected_components<Traits>::size_of(Point_id id) {
+  return present().connectivity().size_of(id);
+}
+
+template <ContactKineticTraits_2 Traits>
+bool Connected_components<Traits>::are_connected(Point_id a, Point_id b) {
+  return present().connectivity().are_connected(a, b);
+}
+
+template <ContactKineticTraits_2 Traits>
+std::size_t Connected_components<Traits>::number_of_components() {
+  return present().connectivity().number_of_components();
+}
+
+template <ContactKineticTraits_2 Traits>
+std::size_t Connected_components<Traits>::largest() {
+  return present().connectivity().largest();
 }
 
 template <ContactKineticTraits_2 Traits>

@@ -162,7 +162,7 @@ void expect_right(const Make& make_simulation, double range, double until) {
     const Algebraic_number& now = again->current_time();
     const Partition expected = oracle.partition(now, Time_side::after);
     for (Point_id a = 0; a < again->triangulation().next_id(); ++a) {
-      EXPECT_EQ(asked.components().contains(a), again->triangulation().contains(a));
+      EXPECT_EQ(asked.contains(a), again->triangulation().contains(a));
       for (Point_id b = 0; b < a; ++b) {
         EXPECT_EQ(asked.are_connected(a, b), expected.are_joined(a, b)) << a << ", " << b;
       }
@@ -171,7 +171,7 @@ void expect_right(const Make& make_simulation, double range, double until) {
   };
   look();
   for (int k = 1; Algebraic_number(Rational(k, 7)) < Algebraic_number(until); ++k) {
-    while (again->step(Rational(k, 7)) > 0) asked.components();
+    while (again->step(Rational(k, 7)) > 0) asked.largest();
     again->advance_to(Rational(k, 7));
     look();
   }

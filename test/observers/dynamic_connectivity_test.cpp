@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/impl/observers/dynamic_connectivity.h"
+#include "observers/dynamic_connectivity.h"
 
 #include <gtest/gtest.h>
 

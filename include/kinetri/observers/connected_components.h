@@ -12,7 +12,6 @@
 #include <string_view>
 #include <vector>
 
-#include "kinetri/impl/observers/dynamic_connectivity.h"
 #include "kinetri/impl/observers/edge_follower.h"
 
 namespace kinetri {
@@ -71,7 +70,9 @@ class Component_tracker;
 /// The links of edges of the triangulation have the same components as all links (docs/MATH.md,
 /// section 12). Cost: a certificate for each new edge and each edge of a point that gets another
 /// motion; for each time at which an edge crosses the range, an event of a queue and a change of
-/// Dynamic_connectivity. Memory: O(n + events).
+/// the linked graph. That costs O(smaller component) if two are joined or one splits; if a link
+/// ends and the component does not split, it costs a search, few steps if the link is on a short
+/// cycle and O(component) at worst. Memory: O(n + events).
 ///
 /// Answers are for just after the current time; changes made afterwards at the same time come later
 /// in the order.
@@ -82,7 +83,7 @@ class Connected_components : public Edge_follower<Traits> {
  public:
   using typename Edge_follower<Traits>::Triangulation;
   using typename Edge_follower<Traits>::Time;
-  using Component = Dynamic_connectivity::Component;  ///< valid until the next event
+  using Component = std::uint32_t;  ///< names a component until the next event
 
   /// @{
   /// Observes from the current time on. What is observed must outlive this object. Precondition:
@@ -98,17 +99,18 @@ class Connected_components : public Edge_follower<Traits> {
   /// used again after the triangulation has advanced.
   const std::vector<Component_event>& events();
 
-  /// The components just after the current time.
-  const Dynamic_connectivity& components();
-
-  /// @{
-  /// The functions of Dynamic_connectivity of these names, just after the current time.
-  Component component(Point_id id) { return components().component(id); }
-  std::size_t size_of(Point_id id) { return components().size_of(id); }
-  bool are_connected(Point_id a, Point_id b) { return components().are_connected(a, b); }
-  std::size_t number_of_components() { return components().number_of_components(); }
-  std::size_t largest() { return components().largest(); }
-  /// @}
+  /// Whether there is the point.
+  bool contains(Point_id id);
+  /// The component of a point. Precondition: contains(id).
+  Component component(Point_id id);
+  /// The number of points in the component of a point. Precondition: contains(id).
+  std::size_t size_of(Point_id id);
+  /// Whether both points exist and are in one component.
+  bool are_connected(Point_id a, Point_id b);
+  /// The number of components.
+  std::size_t number_of_components();
+  /// The number of points in a component that has the most; 0 if there is none.
+  std::size_t largest();
 
   /// Records from the current time on when the two points are connected. They need not exist yet.
   /// Cost: O(1) for each pair and event. Precondition: they differ.

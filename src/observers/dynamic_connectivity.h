@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The connected components of a changing graph.
-#ifndef KINETRI_IMPL_OBSERVERS_DYNAMIC_CONNECTIVITY_H
-#define KINETRI_IMPL_OBSERVERS_DYNAMIC_CONNECTIVITY_H
+#ifndef KINETRI_SRC_OBSERVERS_DYNAMIC_CONNECTIVITY_H
+#define KINETRI_SRC_OBSERVERS_DYNAMIC_CONNECTIVITY_H
 
 #include <array>
 #include <cstddef>
@@ -100,4 +100,4 @@ class Dynamic_connectivity {
 
 }  // namespace kinetri
 
-#endif  // KINETRI_IMPL_OBSERVERS_DYNAMIC_CONNECTIVITY_H
+#endif  // KINETRI_SRC_OBSERVERS_DYNAMIC_CONNECTIVITY_H
