@@ -188,7 +188,9 @@ TEST(Queries, of_traits_that_are_derived_are_those_of_the_base) {
     EXPECT_EQ(of_derived.rounded_voronoi_cell(7).vertices,
               of_base.rounded_voronoi_cell(7).vertices);
   }
-  EXPECT_PRECONDITION_ERROR(Kinetic_queries_2(derived, 1.0), "a query about the past");
+  EXPECT_PRECONDITION_ERROR(Kinetic_queries_2(derived, 1.0),
+                            "a query about the past; query a time before the triangulation "
+                            "advances beyond it");
 }
 
 }  // namespace
