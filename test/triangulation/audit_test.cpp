@@ -183,10 +183,13 @@ TEST(Queries, of_traits_that_are_derived_are_those_of_the_base) {
     const Kinetic_queries_2 of_base(base, t);
     EXPECT_EQ(of_derived.time(), t);
     EXPECT_EQ(of_derived.nearest_neighbors(), of_base.nearest_neighbors());
-    EXPECT_EQ(of_derived.locate({20, 20}), of_base.locate({20, 20}));
-    EXPECT_EQ(of_derived.nearest_vertex({20, 20}), of_base.nearest_vertex({20, 20}));
-    EXPECT_EQ(of_derived.rounded_voronoi_cell(7).vertices,
-              of_base.rounded_voronoi_cell(7).vertices);
+    for (Point_id id = 0; id < 20; ++id) {
+      const Vector_2 place = rounded_place(base.motion(id), t + 0.5);
+      EXPECT_EQ(of_derived.locate(place), of_base.locate(place));
+      EXPECT_EQ(of_derived.nearest_vertex(place), of_base.nearest_vertex(place));
+      EXPECT_EQ(of_derived.rounded_voronoi_cell(id).vertices,
+                of_base.rounded_voronoi_cell(id).vertices);
+    }
   }
   EXPECT_PRECONDITION_ERROR(Kinetic_queries_2(derived, 1.0),
                             "a query about the past; query a time before the triangulation "
