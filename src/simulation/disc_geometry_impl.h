@@ -5,10 +5,10 @@
 #define KINETRI_SRC_SIMULATION_DISC_GEOMETRY_IMPL_H
 
 #include "kinetri/algebra/algebraic_number.h"
-#include "simulation/disc_boxes.h"
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/impl/triangulation/parallel.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
+#include "simulation/disc_boxes.h"
 #include "simulation/disc_geometry.h"
 
 namespace kinetri::detail {

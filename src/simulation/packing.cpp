@@ -12,10 +12,10 @@
 
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/impl/base/check.h"
-#include "simulation/disc_boxes.h"
 #include "kinetri/simulation/growth.h"
 #include "kinetri/simulation/scenarios.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "simulation/disc_boxes.h"
 
 namespace kinetri {
 namespace {

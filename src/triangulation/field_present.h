@@ -16,9 +16,9 @@
 #include "algebra/rounded_quotient.h"
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/kinetic/rounded_places.h"
-#include "triangulation/ball.h"
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/triangulation/queries_2.h"
+#include "triangulation/ball.h"
 
 namespace kinetri::detail {
 

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "triangulation/ball_positions.h"
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/impl/triangulation/prefetch.h"
 #include "kinetri/triangulation/queries_2.h"
+#include "triangulation/ball_positions.h"
 
 namespace kinetri::detail {
 

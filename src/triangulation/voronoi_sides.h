@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "triangulation/triangulation_at_time.h"
 #include "kinetri/triangulation/queries_2.h"
+#include "triangulation/triangulation_at_time.h"
 
 namespace kinetri::detail {
 

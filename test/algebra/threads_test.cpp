@@ -11,9 +11,9 @@
 #include <thread>
 #include <vector>
 
+#include "algebra/rounded_quotient.h"
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/algebra/real_roots.h"
-#include "algebra/rounded_quotient.h"
 
 namespace kinetri::algebra_threads_test {
 namespace {
