@@ -577,6 +577,64 @@ class MovingPoints(RunAnswers):
         """
         self._engine.set_positions(*self._ids_and_rows("positions", arguments, named))
 
+    def advance_through(self, positions: ArrayLike, duration: float, *, ids: IdsLike | None = None,
+                        progress: Progress = False) -> int:
+        """Moves points on straight lines to positions, and executes all events on the way.
+
+        For simulations in steps that need what happens between the steps: each call begins at the present
+        positions, rounded to float64, and ends at `float(self.time) + duration`, with the points exactly at
+        `positions`. Velocities are rounded, so that in the end each point jumps to its position, as far as
+        rounding has missed it; it stays there at rest. Radii, their growth, and weights stay.
+
+        Parameters
+        ----------
+        positions : array_like of float, shape (n, 2) or (2,)
+            As in `set_positions`.
+        duration : float
+            How long the points take.
+        ids : int, array of ids of shape (n,), slice, or array of bool, optional
+            The points, each once, as in `set_velocities`; by default all. The others go on.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        int
+            The number of events on the way.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no such point, one is given twice, a shape is wrong, or the end is not a finite time
+            after the present. Nothing is changed then.
+        CoincidentTrajectoriesError
+            If two points would coincide for a while, with ``coincident="refuse"``: on the way, and then nothing
+            is changed; or in the end, when they have moved.
+        KeyboardInterrupt
+            After Ctrl-C: the points are on the way.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[0, 0], [9, 0], [0, 9], [5, 5]], 4 * [[0, 0]])
+        >>> kd.advance_through([[0, 0], [9, 0], [0, 9], [3, 3]], 0.5)
+        1
+        >>> float(kd.time), kd.positions()[3].tolist()
+        (0.5, [3.0, 3.0])
+        """
+        chosen, ends = self._ids_and_rows(
+            "positions", (positions,) if ids is None else (ids, positions), {})
+        now = float(self.time)
+        end = now + duration
+        if not (np.isfinite(end) and end > now):
+            raise PreconditionError(
+                f"a duration of {duration} from time {now}; expected one that ends later, at a finite time")
+        here = self.positions()[chosen]
+        self._set_motions(chosen, here, (ends - here) / (end - now), None, None)
+        events = self.advance_to(end, progress=progress)
+        self._engine.set_positions(chosen, ends)
+        return events
+
     def _ids_and_rows(self, name: str, arguments: tuple[Any, ...],
                       named: dict[str, Any]) -> tuple[Ids, Floats]:
         """The ids, and two numbers for each, of arguments ``(rows)`` or ``(ids, rows)``."""

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <set>
 #include <string>
@@ -234,6 +235,69 @@ TEST(Set_positions, computes_certificates_only_when_time_goes_on) {
   EXPECT_EQ(kinetic.certificate_counters().created, before);
   EXPECT_EQ(kinetic.next_event_time(), std::nullopt);
   EXPECT_GT(kinetic.certificate_counters().created, before);
+}
+
+Places random_places(std::size_t n, Random& random) {
+  Places result;
+  for (std::size_t k = 0; k < n; ++k) {
+    result.push_back({random.between(0, 10), random.between(0, 10)});
+  }
+  return result;
+}
+
+// The events are those of a triangulation of points that start with the velocities of the step.
+TEST(Advance_through, executes_the_events_on_the_way_and_ends_at_the_positions) {
+  std::size_t all_events = 0;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Kinetic_delaunay kinetic(resting(random_places(60, random)));
+    std::vector<Point_id> ids(60);
+    std::iota(ids.begin(), ids.end(), 0);
+    for (double now = 0; now < 2; now += 0.25) {
+      if (now == 1) ids = {3, 7, 20, 41};
+      const Places ends = random_places(ids.size(), random);
+      std::vector<Linear_motion_2> motions;
+      for (Point_id id = 0; id < 60; ++id) motions.push_back(kinetic.motion(id));
+      for (std::size_t k = 0; k < ids.size(); ++k) {
+        const Vector_2 here = motions[ids[k]].position;
+        motions[ids[k]] = {here, {(ends[k].x - here.x) / 0.25, (ends[k].y - here.y) / 0.25}, now};
+      }
+      Kinetic_delaunay alone(motions, Algebraic_number(now));
+      const std::size_t events = alone.advance_to(Algebraic_number(now + 0.25));
+      EXPECT_EQ(ids.size() == 60 ? kinetic.advance_through(ends, 0.25)
+                                 : kinetic.advance_through(ids, ends, 0.25),
+                events);
+      all_events += events;
+      EXPECT_EQ(kinetic.current_time(), Algebraic_number(now + 0.25));
+      for (std::size_t k = 0; k < ids.size(); ++k) {
+        EXPECT_EQ(kinetic.motion(ids[k]).position, ends[k]);
+        EXPECT_EQ(kinetic.motion(ids[k]).velocity, Vector_2());
+      }
+      EXPECT_EQ(test::difference_from_new(kinetic), "");
+    }
+  }
+  EXPECT_GT(all_events, 1000U);
+}
+
+TEST(Advance_through, a_refused_duration_or_position_changes_nothing) {
+  Random random(1);
+  const Places places = random_places(40, random);
+  Kinetic_delaunay kinetic(resting(places));
+  const std::vector<Edge_ids> edges = kinetic.finite_edge_ids();
+  for (const double duration : {0.0, -1.0, std::numeric_limits<double>::infinity(),
+                                std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(kinetic.advance_through(places, duration), Precondition_error);
+  }
+  Places wrong = places;
+  wrong[3].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_PRECONDITION_ERROR(kinetic.advance_through(wrong, 1),
+                            "the position of point 3 is not finite; expected two finite numbers");
+  // A velocity that overflows.
+  wrong[3].y = 1e308;
+  EXPECT_THROW(kinetic.advance_through(wrong, 1e-9), Precondition_error);
+  EXPECT_EQ(kinetic.current_time(), Algebraic_number(0));
+  EXPECT_EQ(kinetic.finite_edge_ids(), edges);
 }
 
 TEST(Set_positions, that_are_refused_change_nothing) {

@@ -272,15 +272,17 @@ class Kinetic_triangulation_2 {
   /// Moves all points: positions are in the order of the ids, without gaps for erased points.
   /// Precondition: as many positions as points, which are finite.
   void set_positions(std::span<const Vector_2> positions) requires
-      MotionWithPosition_2<typename Traits::Motion>;
+      MotionWithPosition_2<typename Traits::Motion> {
+    set_positions(ids_of(positions), positions);
+  }
 
   /// Moves the points `ids` on straight lines to these positions, which they reach in the time
-  /// `duration`, and executes the events on the way; the other points go on. The velocities are
-  /// rounded, so at the end the positions are set (set_positions), to which a point jumps from its
-  /// rounded position. The end is the binary64 number nearest to current_time() plus `duration`.
-  /// Returns the number of events on the way. Throws what set_motions throws. Precondition: as
-  /// for set_positions; `duration` is finite, and the end is after current_time(); the velocities
-  /// are finite.
+  /// `duration`, and executes the events on the way; the other points go on. Returns the number of
+  /// these events. The line begins at the position at the binary64 number nearest to
+  /// current_time(), rounded, and ends at that nearest to the sum with `duration`. Since velocities
+  /// are rounded, the positions are set in the end (set_positions): a point jumps to its position,
+  /// as far as rounding has missed it. Throws what set_motions throws: of the end, when the points
+  /// have moved. Precondition: as for set_positions; the end is finite, and after current_time().
   std::size_t advance_through(std::span<const Point_id> ids, std::span<const Vector_2> positions,
                               double duration) requires
       MotionWithVelocity_2<typename Traits::Motion> &&
@@ -349,6 +351,8 @@ class Kinetic_triangulation_2 {
   struct Restoration {};
   Kinetic_triangulation_2(Restoration, const Snapshot& snapshot, const Traits& traits,
                           Coincident_points coincident);
+
+  std::vector<Point_id> ids_of(std::span<const Vector_2> positions) const;
 
   detail::Kinetic_core<Traits> core_;
 };

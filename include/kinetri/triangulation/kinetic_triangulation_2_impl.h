@@ -279,8 +279,8 @@ void Kinetic_triangulation_2<Traits>::set_positions(std::span<const Point_id> id
 }
 
 template <KineticTraits_2 Traits>
-void Kinetic_triangulation_2<Traits>::set_positions(std::span<const Vector_2> positions) requires
-    MotionWithPosition_2<typename Traits::Motion> {
+std::vector<Point_id> Kinetic_triangulation_2<Traits>::ids_of(
+    std::span<const Vector_2> positions) const {
   KINETRI_PRECONDITION(positions.size() == number_of_points(),
                        std::to_string(number_of_points()) + " points and " +
                            std::to_string(positions.size()) +
@@ -290,7 +290,7 @@ void Kinetic_triangulation_2<Traits>::set_positions(std::span<const Vector_2> po
   for (Point_id id = 0; id < next_id(); ++id) {
     if (contains(id)) ids.push_back(id);
   }
-  set_positions(ids, positions);
+  return ids;
 }
 
 template <KineticTraits_2 Traits>
@@ -305,15 +305,16 @@ std::size_t Kinetic_triangulation_2<Traits>::advance_through(std::span<const Poi
                        "a duration of " + std::to_string(duration) + " from time " +
                            std::to_string(now) +
                            "; expected one that ends later, at a finite time");
-  std::vector<Vector_2> velocities;
-  velocities.reserve(ids.size());
+  std::vector<Motion> motions;
+  motions.reserve(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
     KINETRI_PRECONDITION(contains(ids[i]), detail::unknown_id_problem(ids[i]));
-    const Vector_2 place = rounded_place(motion(ids[i]), now);
-    velocities.push_back(
-        {(positions[i].x - place.x) / (end - now), (positions[i].y - place.y) / (end - now)});
+    const Vector_2 here = rounded_place(motion(ids[i]), now);
+    const Vector_2 velocity = {(positions[i].x - here.x) / (end - now),
+                               (positions[i].y - here.y) / (end - now)};
+    motions.push_back(with_velocity_at(at_rest_in(motion(ids[i]), here), velocity, now));
   }
-  set_velocities(ids, velocities);
+  set_motions(ids, motions);
   const std::size_t events = advance_to(Time(end));
   set_positions(ids, positions);
   return events;
