@@ -107,7 +107,12 @@ auto Kinetic_types<Traits>::Topology::points() const -> std::vector<Point_2> {
 template <class Traits>
 std::vector<Edge_ids> Kinetic_types<Traits>::Topology::finite_edge_ids() const {
   std::vector<Edge_ids> edges;
-  for (const Edge& edge : triangulation_.finite_edges()) edges.push_back(ids_of(edge));
+  edges.reserve(3 * number_of_vertices_);
+  for (const Face_handle face : faces()) {
+    for_each_own_edge(face, [&](const Edge& edge) {
+      if (!triangulation_.is_infinite(edge)) edges.push_back(ids_of(edge));
+    });
+  }
   sort_by_edge(edges, std::identity());
   return edges;
 }
