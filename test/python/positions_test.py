@@ -126,3 +126,43 @@ def test_takes_one_or_two_arguments():
     kd = kinetri.KineticDelaunay([[0, 0], [9, 0], [0, 9]], 3 * [[0, 0]])
     with pytest.raises(TypeError, match=r"set_positions\(\) takes positions, or ids and positions"):
         kd.set_positions([0], [1, 1], [2])
+
+
+def test_advance_through_ends_at_the_positions_with_the_events_on_the_way():
+    random = np.random.default_rng(3)
+    kd = kinetri.KineticDelaunay(random.uniform(0, 10, (50, 2)), np.zeros((50, 2)))
+    for step in range(6):
+        here, now = kd.positions(), float(kd.time)
+        there = random.uniform(0, 10, (50, 2))
+        alone = kinetri.KineticDelaunay(here, (there - here) / 0.5)
+        events = alone.advance_to(0.5)
+        assert kd.advance_through(there, 0.5) == events > 0
+        assert float(kd.time) == now + 0.5
+        assert (kd.positions() == there).all() and (kd.velocities() == 0).all()
+        assert kd.audit()
+
+
+def test_advance_through_moves_some_points_and_the_others_go_on():
+    kd = kinetri.KineticDelaunay([[0, 0], [9, 0], [0, 9], [5, 5]], [[0, 0], [1, 0], [0, 0], [0, 0]])
+    assert kd.advance_through([[3, 3]], 0.5, ids=[3]) == 1
+    assert kd.positions().tolist() == [[0, 0], [9.5, 0], [0, 9], [3, 3]]
+    assert kd.velocities().tolist() == [[0, 0], [1, 0], [0, 0], [0, 0]]
+
+
+def test_advance_through_goes_straight_though_points_accelerated():
+    kd = kinetri.KineticDelaunay([[0, 0], [9, 0], [0, 9], [5, 5]], np.zeros((4, 2)), acceleration=np.ones((4, 2)))
+    kd.advance_through([[0, 0], [9, 0], [0, 9], [3, 3]], 1)
+    assert kd.positions().tolist() == [[0, 0], [9, 0], [0, 9], [3, 3]]
+    kd.advance_to(2)
+    assert kd.positions().tolist() == [[0, 0], [9, 0], [0, 9], [3, 3]]
+
+
+@pytest.mark.parametrize("positions, duration", [
+    ([[1, 1]] * 4, 0), ([[1, 1]] * 4, -1), ([[1, 1]] * 4, np.nan), ([[1, 1]] * 4, np.inf),
+    ([[1, 1]] * 3, 1), ([[1, np.nan]] * 4, 1), ([[1, 1], [2, 2], [3, 3], [1e308, 4]], 1e-9)])
+def test_advance_through_refuses_what_is_wrong_and_changes_nothing(positions, duration):
+    kd = kinetri.KineticDelaunay([[0, 0], [9, 0], [0, 9], [5, 5]], 4 * [[0, 0]])
+    with pytest.raises(kinetri.PreconditionError):
+        kd.advance_through(positions, duration)
+    assert float(kd.time) == 0 and (kd.velocities() == 0).all()
+    assert kd.positions().tolist() == [[0, 0], [9, 0], [0, 9], [5, 5]]

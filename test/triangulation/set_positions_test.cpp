@@ -289,6 +289,9 @@ TEST(Advance_through, a_refused_duration_or_position_changes_nothing) {
                                 std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(kinetic.advance_through(places, duration), Precondition_error);
   }
+  EXPECT_PRECONDITION_ERROR(kinetic.advance_through(places, -1),
+                            "a duration of -1.000000 from time 0.000000; expected one that ends "
+                            "later, at a finite time");
   Places wrong = places;
   wrong[3].y = std::numeric_limits<double>::quiet_NaN();
   EXPECT_PRECONDITION_ERROR(kinetic.advance_through(wrong, 1),

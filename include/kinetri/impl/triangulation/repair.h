@@ -210,7 +210,7 @@ bool Kinetic_types<Traits>::Repair::find_turned() {
       const Face_handle neighbor = face->neighbor(i);
       prefetch(neighbor);
       edges[count] = Edge(face, i);
-      count += face < neighbor ? 1 : 0;  // without a branch, which would be mispredicted
+      count += face < neighbor ? 1U : 0U;  // without a branch, which would be mispredicted
     }
     if (count + 3 > edges.size()) find_violated();
   }
