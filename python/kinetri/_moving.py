@@ -547,9 +547,9 @@ class MovingPoints(RunAnswers):
         """Moves points to positions at which they stay at rest, now and all at once.
 
         The arguments are ``(positions)`` for all points, or ``(ids, positions)`` for some; they may be named.
-        Radii, their growth, and weights stay. If all points of a triangulation without weights move, and few
-        triangles turn over, that costs less than a new triangulation; what time brings is computed only when it
-        is to go on, or is asked for (`next_event_time`).
+        Radii, their growth, and weights stay. If all points move less than about a third of the distance of
+        neighbors, that costs less than a new triangulation; what time brings is computed only when it is to go
+        on, or is asked for (`next_event_time`).
 
         Parameters
         ----------

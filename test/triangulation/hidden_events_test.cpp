@@ -115,7 +115,7 @@ TEST_F(Hidden_events, find_a_disc_with_the_trajectory_and_the_weight_of_another)
   const auto found = [&](const Disc_motion_2& motion, std::vector<Point_id> changed) {
     const Part::Point_2 point(motion, 9);
     Pairs result;
-    hidden->find_coincident(point, part->topology.locate(point, {}), changed, result);
+    part->topology.find_coincident(point, part->topology.locate(point, {}), changed, result);
     return result;
   };
   EXPECT_EQ(found(disc(5, 4, 0, 0.5), {}), (Pairs{{4, 9}})) << "a hidden one";

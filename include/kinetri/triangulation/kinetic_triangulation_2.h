@@ -246,9 +246,9 @@ class Kinetic_triangulation_2 {
   //
   // If more than a quarter of the points change, and these are more than 16, certificates are
   // computed only when time is to go on: by next_event_time, step, advance_to, or another change.
-  // If none of these is inserted or erased, and there are no weights, the triangulation is repaired
-  // as long as that costs less than a construction: if points move less than about half the
-  // distance of neighbors (detail::Repair).
+  // If none of these is inserted or erased, the triangulation is repaired as long as that costs
+  // less than a construction: if points move less than about half the distance of neighbors
+  // (detail::Repair).
 
   /// Gives the points `ids` these motions from now on, as set_motion does: an event `trajectory`
   /// for each point. Throws Coincident_trajectories_error if two points have the same trajectory
@@ -287,6 +287,13 @@ class Kinetic_triangulation_2 {
                               double duration) requires
       MotionWithVelocity_2<typename Traits::Motion> &&
       MotionWithPosition_2<typename Traits::Motion>;
+
+  /// The same of all points, as set_positions(positions).
+  std::size_t advance_through(std::span<const Vector_2> positions, double duration) requires
+      MotionWithVelocity_2<typename Traits::Motion> &&
+      MotionWithPosition_2<typename Traits::Motion> {
+    return advance_through(ids_of(positions), positions, duration);
+  }
 
   /// Inserts points, which get consecutive ids, and returns the first id: an event `insert` for
   /// each point. Throws what set_motions throws. Precondition: the motions are finite, and there

@@ -11,9 +11,7 @@
 #ifndef KINETRI_IMPL_TRIANGULATION_HIDDEN_EVENTS_H
 #define KINETRI_IMPL_TRIANGULATION_HIDDEN_EVENTS_H
 
-#include <algorithm>
 #include <cstdint>
-#include <span>
 
 #include "kinetri/base/error.h"
 #include "kinetri/impl/triangulation/updates.h"
@@ -76,9 +74,9 @@ class Kinetic_types<Traits>::Hidden_events {
       hide_now(face);
       if (is_heavier) return false;
       schedule_.schedule_hidden(v, schedule_.current_time());
-    } else if (is_above(v->point(), location)) {
-      hide_now(locus == Triangulation::EDGE && triangulation_.is_infinite(face) ? face->neighbor(i)
-                                                                                : face);
+    } else if (const Face_handle above = topology_.hiding_face(v->point(), location);
+               above != Face_handle()) {
+      hide_now(above);
       schedule_.schedule_hidden(v, schedule_.current_time());
     } else if (v->is_hidden()) {
       updates_.reveal(v, location);
@@ -88,43 +86,7 @@ class Kinetic_types<Traits>::Hidden_events {
     return true;
   }
 
-  /// Appends the pair of the point and another one with its trajectory and weight, if there is one
-  /// that is not among `changed`, which is sorted.
-  void find_coincident(const Point_2& point, const Location& location,
-                       std::span<const Point_id> changed, std::vector<Edge_ids>& coincident) const {
-    const auto check = [&](Vertex_handle v) {
-      if (triangulation_.is_infinite(v)) return;
-      const Point_id other = v->point().id();
-      if (other == point.id() || std::ranges::binary_search(changed, other) ||
-          !same_trajectory(v->point().motion(), point.motion())) {
-        return;
-      }
-      coincident.push_back(edge_ids(other, point.id()));
-    };
-    const auto check_in = [&](Face_handle face) {
-      for (const Vertex_handle v : face->vertex_list()) check(v);
-    };
-    const auto& [face, locus, i] = location;
-    check_in(face);
-    if (locus == Triangulation::EDGE) check_in(face->neighbor(i));
-    if (locus != Triangulation::VERTEX) return;
-    check(face->vertex(i));
-    for_each_face_at(triangulation_, face->vertex(i), check_in);
-  }
-
  private:
-  // Whether the point is not below its lifted triangle. False outside the hull.
-  bool is_above(const Point_2& point, const Location& location) const {
-    auto [face, locus, i] = location;
-    if (triangulation_.is_infinite(face)) {
-      if (locus != Triangulation::EDGE) return false;
-      face = face->neighbor(i);
-    }
-    const auto side = triangulation_.geom_traits().power_side_of_oriented_power_circle_2_object();
-    return side(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
-                point) != CGAL::ON_POSITIVE_SIDE;
-  }
-
   Topology& topology_;
   Triangulation& triangulation_;
   Schedule& schedule_;

@@ -163,11 +163,10 @@ void Kinetic_types<Traits>::Point_changes::find_coincident_in_place(
     std::vector<Point_id> changed;
     for (const Change& change : changes) changed.push_back(change.point);
     std::ranges::sort(changed);
-    const Hidden_events hidden(topology_, schedule_, reporter_, updates_);
     for (const Change& change : in_place) {
       const Point_2 point(*change.motion, change.point);
       const Location location = topology_.locate(point, topology_.vertex(change.point)->face());
-      hidden.find_coincident(point, location, changed, coincident);
+      topology_.find_coincident(point, location, changed, coincident);
     }
     std::vector<Jump> none;
     sort_jumps(changes, none, coincident);
@@ -185,7 +184,7 @@ bool Kinetic_types<Traits>::Point_changes::should_schedule_all(std::size_t point
 // coincident points are refused, that would find them too late.
 template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::move_at_once(std::span<const Change> changes) const {
-  if constexpr (is_weighted || !HasRoundedPlace<Motion>) return false;
+  if constexpr (!HasRoundedPlace<Motion>) return false;
   const auto stays = [&](const Change& change) {
     return change.motion && topology_.has_vertex(change.point);
   };
@@ -317,8 +316,7 @@ void Kinetic_types<Traits>::Point_changes::locate_jumps(std::span<const Change> 
     near = jump.location.face;
     const auto& [face, locus, i] = jump.location;
     if constexpr (is_weighted) {
-      Hidden_events(topology_, schedule_, reporter_, updates_)
-          .find_coincident(point, jump.location, changed, coincident);
+      topology_.find_coincident(point, jump.location, changed, coincident);
     } else if (locus == Triangulation::VERTEX && !changes_itself(face->vertex(i))) {
       coincident.push_back(edge_ids(id, face->vertex(i)->point().id()));
     }
@@ -444,7 +442,7 @@ void Kinetic_types<Traits>::Point_changes::make(Vertex_changes& planned) {
 // with others.
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::move(Vertex_changes& planned) {
-  if constexpr (!is_weighted && HasRoundedPlace<Motion>) {
+  if constexpr (HasRoundedPlace<Motion>) {
     updates_.show_current_time();
     Repair repair(topology_, reporter_, schedule_.current_time());
     if (repair.move(planned.changes)) return schedule_.defer();
@@ -466,9 +464,7 @@ void Kinetic_types<Traits>::Point_changes::move(Vertex_changes& planned) {
       rebuilt = updates_.build_now(points, coincident);
     }
     const auto remove_joined = [&] {
-      for (const Joined& joined : planned.joined) {
-        topology_.set_point({joined.point.id(), std::nullopt});
-      }
+      for (const Joined& joined : planned.joined) set_point({joined.point.id(), std::nullopt});
     };
     updates_.rebuild(remove_joined, std::move(rebuilt));
   }

@@ -29,8 +29,8 @@
 
 namespace kinetri::detail {
 
-/// Moves points of a triangulation without weights. Precondition: dimension 2; the triangulation is
-/// Delaunay at the instant of its predicates.
+/// Moves points. Precondition: dimension 2; the triangulation is Delaunay (regular) at the instant
+/// of its predicates.
 ///
 /// Cost: O(n), O(log n) expected for each flip that is noted, and for each point that is taken out
 /// what its removal and insertion cost.
@@ -64,6 +64,7 @@ class Kinetic_types<Traits>::Repair {
   // ---- positions ----
   void set_points(std::span<const Change> changes);
   Vector_2 place(Vertex_handle v) const { return rounded_place(v->point().motion(), time_); }
+  double weight(Vertex_handle v) const { return rounded_weight(v->point().motion(), time_); }
   Sign certain_turn(Vertex_handle a, Vertex_handle b, Vertex_handle c) const {
     return certain_orientation(place(a), place(b), place(c), error_);
   }
@@ -80,8 +81,16 @@ class Kinetic_types<Traits>::Repair {
     return is_left_turn(face->vertex(0), face->vertex(1), face->vertex(2));
   }
   Sign certain_side(Face_handle face, Vertex_handle v) const {
-    return certain_side_of_oriented_circle(place(face->vertex(0)), place(face->vertex(1)),
-                                           place(face->vertex(2)), place(v), error_);
+    const std::array corners = {face->vertex(0), face->vertex(1), face->vertex(2)};
+    const auto& [a, b, c] = corners;
+    if constexpr (is_weighted) {
+      if (!topology_.are_weights_equal()) {
+        return certain_side_of_oriented_circle(
+            place(a), place(b), place(c), place(v), error_,
+            {{weight(a), weight(b), weight(c), weight(v)}, weight_error_});
+      }
+    }
+    return certain_side_of_oriented_circle(place(a), place(b), place(c), place(v), error_);
   }
   Vertex_handle opposite(Face_handle face, int i) const {
     const Face_handle beyond = face->neighbor(i);
@@ -98,13 +107,16 @@ class Kinetic_types<Traits>::Repair {
   Vertex_handle corner_to_take_out(Face_handle face) const;
   bool take_out(Vertex_handle v);
   std::optional<Edge> best_ear(std::span<const Edge> spokes) const;
+  void take_out_hidden(Face_handle face);
 
   // ---- the rest ----
   bool put_back();
+  bool hide_or_show(Vertex_handle v, Face_handle face);
   bool flip_hull(std::vector<Vertex_handle> suspects);
   std::vector<Vertex_handle> hull() const;
   std::vector<Vertex_handle> hull_loops() const;
   bool flip_suspects();
+  Vertex_handle reflex_end(Face_handle face, int i) const;
   void flip(const Edge& edge);
   void suspect(Face_handle face) {
     for (int i = 0; i < 3; ++i) suspects_.emplace_back(face, i);
@@ -116,6 +128,13 @@ class Kinetic_types<Traits>::Repair {
   }
 
   bool is_infinite(Vertex_handle v) const { return triangulation_.is_infinite(v); }
+  Vertex_handle finite_corner(Face_handle face) const {
+    return face->vertex(is_infinite(face->vertex(0)) ? 1 : 0);
+  }
+  void delete_unlinked() {
+    for (const Face_handle face : unlinked_) triangulation_.tds().delete_face(face);
+    unlinked_.clear();
+  }
   // Whether the face was left over when a point was taken out.
   static bool is_unlinked(Face_handle face) { return face->vertex(0) == Vertex_handle(); }
   bool are_adjacent(Vertex_handle v, Vertex_handle w) const;
@@ -129,6 +148,7 @@ class Kinetic_types<Traits>::Repair {
   const double time_;
   const Double_interval times_;
   double error_ = 0;                   // of each coordinate
+  double weight_error_ = 0;            // of each weight
   std::vector<Face_handle> turned_;    // finite triangles that have turned over, or may have
   std::vector<Edge> suspects_;         // edges that may be violated
   std::vector<Face_handle> unlinked_;  // to be deleted
@@ -140,31 +160,41 @@ template <class Traits>
 bool Kinetic_types<Traits>::Repair::move(std::span<const Change> changes) {
   set_points(changes);
   flips_left_ = 4 * triangulation_.tds().number_of_faces();
-  if (!std::isfinite(error_) || !find_turned()) return false;
-  const bool is_delaunay = embed() && flip_suspects();
-  for (const Face_handle face : unlinked_) triangulation_.tds().delete_face(face);
-  return is_delaunay && put_back();
+  if (!std::isfinite(error_) || !std::isfinite(weight_error_) || !find_turned()) return false;
+  for (const Face_handle face : triangulation_.finite_face_handles()) take_out_hidden(face);
+  bool is_done = embed() && flip_suspects();
+  delete_unlinked();
+  is_done = is_done && put_back();
+  delete_unlinked();
+  return is_done;
 }
 
 // ---- positions ----
 
 template <class Traits>
 void Kinetic_types<Traits>::Repair::set_points(std::span<const Change> changes) {
-  const auto add_error = [&](const Motion& motion) {
+  // The bound is infinite if the number is not finite.
+  const auto add = [](double& bound, double number, double error) {
+    const bool is_finite = std::isfinite(number) && std::isfinite(error);
+    bound = is_finite ? std::max(bound, error) : std::numeric_limits<double>::infinity();
+  };
+  const auto add_errors = [&](const Motion& motion) {
     const auto [x, y] = rounded_place(motion, time_);
-    const double error = place_error(motion, time_, times_);
-    const bool is_finite = std::isfinite(x) && std::isfinite(y) && std::isfinite(error);
-    error_ = std::max(error_, is_finite ? error : std::numeric_limits<double>::infinity());
+    add(error_, x + y, place_error(motion, time_, times_));
+    if constexpr (is_weighted) {
+      add(weight_error_, rounded_weight(motion, time_), weight_error(motion, time_, times_));
+    }
   };
   constexpr std::size_t ahead = 8;
   for (std::size_t k = 0; k < changes.size(); ++k) {
     if (k + ahead < changes.size()) prefetch(topology_.vertex(changes[k + ahead].point));
     topology_.set_point(changes[k]);
-    add_error(*changes[k].motion);
+    add_errors(*changes[k].motion);
   }
   if (changes.size() == topology_.number_of_vertices()) return;
-  for (const Vertex_handle v : triangulation_.finite_vertex_handles())
-    add_error(v->point().motion());
+  for (const Vertex_handle v : topology_.vertices()) {
+    if (v != Vertex_handle()) add_errors(v->point().motion());
+  }
 }
 
 template <class Traits>
@@ -174,9 +204,15 @@ bool Kinetic_types<Traits>::Repair::is_violated(Face_handle face, int i) const {
   if (is_infinite(v)) return false;
   const Sign known = certain_side(face, v);
   if (known != CGAL::ZERO) return known == CGAL::POSITIVE;
-  return triangulation_.geom_traits().side_of_oriented_circle_2_object()(
-             face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
-             v->point()) == CGAL::ON_POSITIVE_SIDE;
+  const auto side = [&] {
+    if constexpr (is_weighted) {
+      return triangulation_.geom_traits().power_side_of_oriented_power_circle_2_object();
+    } else {
+      return triangulation_.geom_traits().side_of_oriented_circle_2_object();
+    }
+  }();
+  return side(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
+              v->point()) == CGAL::ON_POSITIVE_SIDE;
 }
 
 // ---- triangles that turn over ----
@@ -340,14 +376,29 @@ bool Kinetic_types<Traits>::Repair::take_out(Vertex_handle v) {
     flip(*ear);
     add_new(face->has_vertex(v) ? beyond : face);
   }
-  for (const Edge& edge : spokes) note(edge, -1);
+  for (const Edge& edge : spokes) {
+    note(edge, -1);
+    take_out_hidden(edge.first);
+  }
   const auto [face, second, third] = topology_.remove_degree_3(v);
   add_new(face);
   unlinked_.push_back(second);
   unlinked_.push_back(third);
-  const Vertex_handle neighbor = face->vertex(is_infinite(face->vertex(0)) ? 1 : 0);
-  removed_.push_back({v, neighbor});
+  removed_.push_back({v, finite_corner(face)});
   return true;
+}
+
+// Takes out the points that the face hides. They remain marked as hidden.
+template <class Traits>
+void Kinetic_types<Traits>::Repair::take_out_hidden(Face_handle face) {
+  if constexpr (is_weighted) {
+    if (face->vertex_list().empty()) return;
+    for (const Vertex_handle v : Topology::take_hidden({&face, 1})) {
+      v->set_event(no_event);
+      reporter_.note_moved_hidden(v->point().id());
+      removed_.push_back({v, finite_corner(face)});
+    }
+  }
 }
 
 // The edge to the tip of the ear that is cut first, of the edges from a vertex: `spokes`,
@@ -396,15 +447,26 @@ auto Kinetic_types<Traits>::Repair::best_ear(std::span<const Edge> spokes) const
   return best;
 }
 
-// Inserts the points again. Returns false if one of them coincides with another.
+// Inserts the points again, or hides them. Returns false if one of them coincides with another.
 template <class Traits>
 bool Kinetic_types<Traits>::Repair::put_back() {
-  for (auto removed = removed_.rbegin(); removed != removed_.rend(); ++removed) {
-    const auto [v, neighbor] = *removed;
+  while (!removed_.empty()) {
+    const auto [v, neighbor] = removed_.back();
+    removed_.pop_back();
     const Location location = topology_.locate(v->point(), neighbor->face());
     const auto& [face, locus, i] = location;
     if (locus == Triangulation::VERTEX) return false;
-    if (locus == Triangulation::EDGE) note(Edge(face, i), -1);
+    if constexpr (is_weighted) {
+      std::vector<Edge_ids> coincident;
+      topology_.find_coincident(v->point(), location, {}, coincident);
+      if (!coincident.empty()) return false;
+      if (hide_or_show(v, topology_.hiding_face(v->point(), location))) continue;
+    }
+    take_out_hidden(face);
+    if (locus == Triangulation::EDGE) {
+      take_out_hidden(face->neighbor(i));
+      note(Edge(face, i), -1);
+    }
     const bool is_outside = triangulation_.is_infinite(face) && locus != Triangulation::EDGE;
     topology_.insert_in_faces(v, location);
     topology_.note_edges_at(
@@ -418,6 +480,26 @@ bool Kinetic_types<Traits>::Repair::put_back() {
     if (!flip_suspects()) return false;
   }
   return true;
+}
+
+// Hides a point in the face that hides it. If there is none, the point is not hidden; returns
+// false.
+template <class Traits>
+bool Kinetic_types<Traits>::Repair::hide_or_show(Vertex_handle v, Face_handle face) {
+  if constexpr (is_weighted) {
+    const bool is_hidden = face != Face_handle();
+    if (v->is_hidden() != is_hidden) {
+      reporter_.note_hidden(v->point().id(), is_hidden);
+      reporter_.note_moved_hidden(v->point().id());
+    }
+    if (is_hidden) {
+      topology_.hide_in(v, face);
+    } else if (v->is_hidden()) {
+      triangulation_.show(v);
+    }
+    return is_hidden;
+  }
+  return false;
 }
 
 // ---- the hull ----
@@ -451,6 +533,7 @@ bool Kinetic_types<Traits>::Repair::flip_hull(std::vector<Vertex_handle> suspect
     const Sign orientation = turn(previous, here, next);
     if (orientation == CGAL::LEFT_TURN) continue;
     if (orientation == CGAL::COLLINEAR) {
+      if (!topology_.are_weights_equal()) return false;  // it might be hidden
       if (compare(previous->point(), here->point()) != compare(here->point(), next->point())) {
         return false;
       }
@@ -501,12 +584,31 @@ bool Kinetic_types<Traits>::Repair::are_adjacent(Vertex_handle v, Vertex_handle 
 template <class Traits>
 void Kinetic_types<Traits>::Repair::flip(const Edge& edge) {
   const auto& [face, i] = edge;
+  take_out_hidden(face);
+  take_out_hidden(face->neighbor(i));
   note(edge, -1);
   triangulation_.tds().flip(face, i);
   note(Edge(face, Triangulation::ccw(i)), 1);
 }
 
-// Flips the edges that are violated, and those around them, until all are Delaunay. [Lawson 1977]
+// The end of an edge at which its quadrilateral makes no left turn; none if it is convex, as it is
+// without weights if the edge is violated.
+template <class Traits>
+auto Kinetic_types<Traits>::Repair::reflex_end(Face_handle face, int i) const -> Vertex_handle {
+  if (topology_.are_weights_equal()) return Vertex_handle();
+  const Vertex_handle there = opposite(face, i);
+  for (const int k : {Triangulation::ccw(i), Triangulation::cw(i)}) {
+    const Vertex_handle end = face->vertex(k);
+    if (k == Triangulation::ccw(i) ? !is_left_turn(face->vertex(i), end, there)
+                                   : !is_left_turn(face->vertex(i), there, end)) {
+      return end;
+    }
+  }
+  return Vertex_handle();
+}
+
+// Flips the edges that are violated, and those around them, until all are Delaunay [Lawson 1977].
+// With weights, takes out points that this finds hidden.
 template <class Traits>
 bool Kinetic_types<Traits>::Repair::flip_suspects() {
   constexpr std::size_t ahead = 8;
@@ -519,6 +621,11 @@ bool Kinetic_types<Traits>::Repair::flip_suspects() {
     }
     if (is_unlinked(face) || !is_violated(face, i)) continue;
     if (flips_left_-- == 0) return false;
+    if (const Vertex_handle v = reflex_end(face, i); v != Vertex_handle()) {
+      // It is above the triangle of the three other points, and so is hidden.
+      if (!take_out(v) || !embed()) return false;
+      continue;
+    }
     const auto [beyond, j] = topology_.with_mirror(Edge(face, i)).there;
     flip(Edge(face, i));
     // The outer edges of the quadrilateral (Topology::flip).

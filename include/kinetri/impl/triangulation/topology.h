@@ -171,6 +171,13 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
     result.face = triangulation_.locate(point, result.locus, result.index, start);
     return result;
   }
+  /// The triangle at the location that hides a point with a weight, which may be on the border of
+  /// that; none if the point is below it, outside the hull, or at the position of a vertex.
+  Face_handle hiding_face(const Point_2& point, const Location& location) const;
+  /// Appends pairs of the point and others at its location with its trajectory and weight, if they
+  /// are not among `changed`, which is sorted.
+  void find_coincident(const Point_2& point, const Location& location,
+                       std::span<const Point_id> changed, std::vector<Edge_ids>& coincident) const;
   /// A vertex that is probably near a point at about this time. Precondition: there is a point.
   Vertex_handle vertex_near(const Point_2& point, double time) const;
 

@@ -167,6 +167,52 @@ auto Kinetic_types<Traits>::Topology::hull_turn(const Edge_with_mirror& infinite
 
 // ---- positions ----
 
+template <class Traits>
+auto Kinetic_types<Traits>::Topology::hiding_face(const Point_2& point,
+                                                  const Location& location) const -> Face_handle {
+  if constexpr (is_weighted) {
+    auto [face, locus, i] = location;
+    if (locus == Triangulation::VERTEX) return Face_handle();
+    if (triangulation_.is_infinite(face)) {
+      if (locus != Triangulation::EDGE) return Face_handle();
+      face = face->neighbor(i);
+    }
+    const auto side = triangulation_.geom_traits().power_side_of_oriented_power_circle_2_object();
+    if (side(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(), point) !=
+        CGAL::ON_POSITIVE_SIDE) {
+      return face;
+    }
+  }
+  return Face_handle();
+}
+
+template <class Traits>
+void Kinetic_types<Traits>::Topology::find_coincident(const Point_2& point,
+                                                      const Location& location,
+                                                      std::span<const Point_id> changed,
+                                                      std::vector<Edge_ids>& coincident) const {
+  const auto check = [&](Vertex_handle v) {
+    if (triangulation_.is_infinite(v)) return;
+    const Point_id other = v->point().id();
+    if (other == point.id() || std::ranges::binary_search(changed, other) ||
+        !same_trajectory(v->point().motion(), point.motion())) {
+      return;
+    }
+    coincident.push_back(edge_ids(other, point.id()));
+  };
+  const auto check_in = [&](Face_handle face) {
+    if constexpr (is_weighted) {
+      for (const Vertex_handle v : face->vertex_list()) check(v);
+    }
+  };
+  const auto& [face, locus, i] = location;
+  check_in(face);
+  if (locus == Triangulation::EDGE) check_in(face->neighbor(i));
+  if (locus != Triangulation::VERTEX) return;
+  check(face->vertex(i));
+  for_each_face_at(triangulation_, face->vertex(i), check_in);
+}
+
 // The nearest of about 2 n^(1/3) points, in doubles, if motions can be rounded; a walk from there
 // passes about as many triangles. [Muecke, Saias and Zhu 1996]
 template <class Traits>
