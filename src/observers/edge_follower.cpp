@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/impl/observers/edge_follower.h"
+#include "observers/edge_follower.h"
 
 #include <utility>
 

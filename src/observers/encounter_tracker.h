@@ -6,14 +6,18 @@
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
+#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "kinetri/impl/base/check.h"
 #include "kinetri/observers/encounters.h"
 #include "observers/departures.h"
+#include "observers/edge_follower.h"
 #include "observers/encounter_records.h"
 #include "observers/enlarged_discs.h"
 #include "observers/failure_queue.h"
@@ -24,25 +28,27 @@ namespace kinetri::detail {
 /// Invariant, at the last reported time: each pair in range has a record, and an entry in the queue
 /// if that ends; each other candidate has an entry if it will come in range.
 template <ContactKineticTraits_2 Traits>
-class Encounter_tracker {
+class Encounter_tracker final : private Edge_follower<Traits> {
  public:
-  using Motion = typename Traits::Motion;
-  using Point_2 = typename Traits::Point_2;
-  using Time = Algebraic_number;
-  using Graph = Neighbor_graph<Traits>;
+  using typename Edge_follower<Traits>::Motion;
+  using typename Edge_follower<Traits>::Point_2;
+  using typename Edge_follower<Traits>::Time;
   using Records = Encounter_records<Motion>;
   using Record = typename Records::Record;
 
-  /// The graph and the traits must outlive this object. `radius` is that of points without radii of
-  /// their own.
-  Encounter_tracker(const Graph& graph, const Traits& traits, double range, double radius,
-                    const Time& now)
-      : graph_(graph),
-        traits_(traits),
+  /// Observes a triangulation or a simulation. `radius` is that of points without radii of their
+  /// own.
+  template <class Observed>
+  Encounter_tracker(Observed& observed, double range, double radius)
+      : Edge_follower<Traits>(observed),
         range_(range),
         radius_(radius),
-        partners_(graph.next_id()),
+        partners_(this->graph().next_id()),
         records_(radius) {
+    KINETRI_PRECONDITION(range >= 0 && std::isfinite(range),
+                         "the range must be a number of at least 0");
+    const auto& graph = this->graph();
+    const Time& now = this->triangulation().current_time();
     if constexpr (has_radii) {
       enlarged_discs_ = std::make_unique<Enlarged_discs<Traits>>(graph, range, now);
       for (Point_id id = 0; id < partners_.size(); ++id) {
@@ -58,12 +64,23 @@ class Encounter_tracker {
     }
     execute(now);
   }
-  Encounter_tracker(const Encounter_tracker&) = delete;
-  Encounter_tracker& operator=(const Encounter_tracker&) = delete;
 
-  // ---- called by Edge_follower ----
+  double range() const { return range_; }
+  std::vector<Encounter> encounters() {
+    this->update();
+    return records_.encounters(this->graph(), this->triangulation().current_time());
+  }
+  const Certificate_counters& certificate_counters() const { return certificate_counters_; }
+  const Queue_counters& queue_counters() const { return queue_.counters(); }
 
-  void advance(const Time& time) {
+ private:
+  using typename Edge_follower<Traits>::Changed_point;
+  static constexpr bool has_radii = HasWeight<Motion>;
+  using Disc_traits = Basic_kinetic_traits_2<typename Records::Disc>;
+
+  // ---- called by the base ----
+
+  void advance(const Time& time) override {
     if constexpr (has_radii) {
       // Pairs that come in range by `time` have overlapped as enlarged discs before.
       for (const auto& [points, since] : enlarged_discs_->advance_to(time)) {
@@ -73,37 +90,29 @@ class Encounter_tracker {
     execute(time);
   }
 
-  void before_change(const auto& points) {
+  void before_change(std::span<const Edge_ids> /*removed*/,
+                     std::span<const Changed_point> points) override {
     for (const auto& point : points) {
       if (point.before) discard_entries(point.id);
     }
   }
 
-  void change(const Time& time, std::span<const Edge_ids> added, const auto& points) {
-    if (partners_.size() < graph_.next_id()) partners_.resize(graph_.next_id());
+  void change(const Time& time, std::span<const Edge_ids> /*removed*/,
+              std::span<const Edge_ids> added, std::span<const Changed_point> points) override {
+    if (partners_.size() < this->graph().next_id()) partners_.resize(this->graph().next_id());
     for (const auto& point : points) change_motion(point.id, time, points);
-    departures_.change(time, points, graph_, range_, radius_,
+    departures_.change(time, points, this->graph(), range_, radius_,
                        [&](const auto& p, const auto& q) { meet_for_a_moment(p, q, time); });
     if constexpr (has_radii) {
-      if (!points.empty()) enlarged_discs_->change(points, graph_);
+      if (!points.empty()) enlarged_discs_->change(points, this->graph());
     } else {
       for (const Edge_ids& edge : added) examine_new_edge(edge, time);
     }
     for (const auto& point : points) {
-      if (graph_.contains(point.id)) examine_new_motion(point.id, time);
+      if (this->graph().contains(point.id)) examine_new_motion(point.id, time);
     }
     execute(time);
   }
-
-  // ---- answers ----
-
-  std::vector<Encounter> encounters(const Time& now) { return records_.encounters(graph_, now); }
-  const Certificate_counters& certificate_counters() const { return certificate_counters_; }
-  const Queue_counters& queue_counters() const { return queue_.counters(); }
-
- private:
-  static constexpr bool has_radii = HasWeight<Motion>;
-  using Disc_traits = Basic_kinetic_traits_2<typename Records::Disc>;
 
   // The begin or end of an encounter.
   struct Entry : Failure {
@@ -153,11 +162,11 @@ class Encounter_tracker {
                         Moving_disc(disc_about(q.motion(), radius_), q.id()));
       }
     }
-    return function(traits_, p, q);
+    return function(this->traits(), p, q);
   }
   template <class Function>
   auto with_discs(const Edge_ids& pair, Function function) const {
-    return with_discs(graph_.point(pair[0]), graph_.point(pair[1]), function);
+    return with_discs(this->graph().point(pair[0]), this->graph().point(pair[1]), function);
   }
 
   // ---- candidates ----
@@ -180,7 +189,7 @@ class Encounter_tracker {
   // Candidates (p, q), p < q, for which a point w is in range of both and wq is an edge. Here w is
   // in range of p, and q any neighbor of w.
   void examine_from(Point_id p, Point_id w, const Time& after) {
-    for (const Point_id q : graph_.neighbors(w)) {
+    for (const Point_id q : this->graph().neighbors(w)) {
       if (p < q && is_near(w, q)) examine(p, q, after);
     }
   }
@@ -204,7 +213,7 @@ class Encounter_tracker {
     const auto [a, b] = pair;
     examine_from(a, b, after);
     examine_from(b, a, after);
-    if (!graph_.is_edge(pair)) return;
+    if (!this->graph().is_edge(pair)) return;
     examine_to(a, b, after);
     examine_to(b, a, after);
   }
@@ -213,7 +222,7 @@ class Encounter_tracker {
     if constexpr (has_radii) {
       for (const Point_id other : enlarged_discs_->overlapping(id)) examine(id, other, after);
     } else {
-      for (const Point_id other : graph_.neighbors(id)) {
+      for (const Point_id other : this->graph().neighbors(id)) {
         examine(id, other, after);
         if (is_near(id, other)) examine_to(other, id, after);
       }
@@ -235,7 +244,7 @@ class Encounter_tracker {
   }
   KINETRI_ALWAYS_INLINE void prefetch(const Entry& entry) const {
     for (const Point_id id : entry.points) {
-      graph_.prefetch(id);
+      this->graph().prefetch(id);
       prefetch_object(partners_[id]);
     }
   }
@@ -296,8 +305,8 @@ class Encounter_tracker {
           continue;
         }
         records_[record].end_event = no_event;
-        const Point_2& p = graph_.point(a);
-        const Point_2& q = graph_.point(b);
+        const Point_2& p = this->graph().point(a);
+        const Point_2& q = this->graph().point(b);
         end(record, entry_time, p.motion(), q.motion());
         Certificate next = with_discs(
             p, q, [this, &at = entry_time](const auto& traits, const auto& of_p, const auto& of_q) {
@@ -328,7 +337,7 @@ class Encounter_tracker {
     if constexpr (!has_radii) {
       for (const auto* const near_one : {&near_a, &near_b}) {
         for (const Near& near : *near_one) {
-          graph_.prefetch(near.id);
+          this->graph().prefetch(near.id);
           prefetch_address(&partners_[near.id].waiting);
         }
       }
@@ -369,12 +378,12 @@ class Encounter_tracker {
       Record& record = records_[index];
       const auto motion_before = [&](Point_id point) -> const Motion& {
         const Point_2* const changed_point = point == id ? before(id) : other_before;
-        return (changed_point == nullptr ? graph_.point(point) : *changed_point).motion();
+        return (changed_point == nullptr ? this->graph().point(point) : *changed_point).motion();
       };
       const Motion& p = motion_before(record.points[0]);
       const Motion& q = motion_before(record.points[1]);
       const bool goes_on =
-          graph_.contains(id) && graph_.contains(other) &&
+          this->graph().contains(id) && this->graph().contains(other) &&
           with_discs(record.points, [&](const auto& traits, const auto& of_p, const auto& of_q) {
             return traits.do_touch(of_p, of_q, range_, time);
           });
@@ -399,8 +408,6 @@ class Encounter_tracker {
     records_.end(record, time, p.motion(), q.motion());
   }
 
-  const Graph& graph_;
-  const Traits& traits_;
   double range_;
   double radius_;
   Disc_traits disc_traits_;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/observers/edge_follower.h"
+#include "observers/edge_follower.h"
 
 namespace kinetri::detail {
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kinetri/impl/base/check.h"
+#include "observers/edge_follower.h"
 #include "observers/limited_cell.h"
 #include "observers/sides_of_cell.h"
 

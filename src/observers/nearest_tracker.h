@@ -9,10 +9,13 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "kinetri/impl/base/check.h"
 #include "kinetri/observers/nearest_neighbors.h"
+#include "observers/edge_follower.h"
 #include "observers/failure_queue.h"
 
 namespace kinetri::detail {
@@ -20,88 +23,44 @@ namespace kinetri::detail {
 /// Invariant, at the last reported time: each point has its nearest neighbor, and an entry in the
 /// queue with the first time at which another neighbor becomes nearer, if one does.
 template <ContactKineticTraits_2 Traits>
-class Nearest_tracker {
+class Nearest_tracker final : private Edge_follower<Traits> {
  public:
-  using Time = Algebraic_number;
-  using Graph = Neighbor_graph<Traits>;
+  using typename Edge_follower<Traits>::Time;
   using Change = Nearest_neighbor_change;
   using On_change = std::function<void(const Change&)>;
 
-  /// The neighbors just after `now`. The graph and the traits must outlive this object. Changes are
-  /// stored if `on_change` is empty.
-  Nearest_tracker(const Graph& graph, const Traits& traits, On_change on_change, const Time& now)
-      : graph_(graph),
-        traits_(traits),
+  /// Observes a triangulation or a simulation. Changes are stored if `on_change` is empty.
+  template <class Observed>
+  Nearest_tracker(Observed& observed, On_change on_change)
+      : Edge_follower<Traits>(observed),
         on_change_(std::move(on_change)),
-        nearest_(graph.next_id(), no_point),
+        nearest_(this->graph().next_id(), no_point),
         handles_(nearest_.size(), no_event) {
-    for (Point_id id = 0; id < graph.next_id(); ++id) {
-      if (graph.contains(id)) look_again(id, now);
+    for (Point_id id = 0; id < this->graph().next_id(); ++id) {
+      if (this->graph().contains(id)) look_again(id, this->triangulation().current_time());
     }
   }
-  Nearest_tracker(const Nearest_tracker&) = delete;
-  Nearest_tracker& operator=(const Nearest_tracker&) = delete;
 
-  // ---- answers ----
-
-  Point_id nearest(Point_id id) const { return nearest_[id]; }
-  const std::vector<Point_id>& all_nearest(Point_id next_id) {
-    nearest_.resize(next_id, no_point);
+  Point_id nearest(Point_id id) {
+    this->update();
+    KINETRI_PRECONDITION(this->graph().contains(id),
+                         "there is no point with the id " + std::to_string(id));
+    return nearest_[id];
+  }
+  const std::vector<Point_id>& all_nearest() {
+    this->update();
+    nearest_.resize(this->triangulation().next_id(), no_point);
     return nearest_;
   }
   const std::vector<Change>& changes() {
+    this->update();
     report();
     return changes_;
   }
 
-  // ---- called by Edge_follower ----
-
-  void advance(const Time& time) {
-    while (const auto due = queue_.take_due(time)) {
-      handles_[due->entry.id] = no_event;
-      look_again(due->entry.id, due->time);
-    }
-  }
-
-  // To be updated: changed points and their neighbors, and points that lose the neighbor of their
-  // entry or their nearest one.
-  void before_change(std::span<const Edge_ids> removed, const auto& points) {
-    again_.clear();
-    for (const auto& changed : points) {
-      again_.push_back(changed.id);
-      if (!changed.before) continue;
-      const auto neighbors = graph_.neighbors(changed.id);
-      again_.insert(again_.end(), neighbors.begin(), neighbors.end());
-    }
-    for (const Edge_ids& edge : removed) {
-      for (const auto& [id, other] : {std::pair(edge[0], edge[1]), std::pair(edge[1], edge[0])}) {
-        const bool is_rival = handles_[id] != no_event && queue_[handles_[id]].rival == other;
-        if (is_rival || nearest_[id] == other) again_.push_back(id);
-      }
-    }
-    std::ranges::sort(again_);
-    again_.erase(std::unique(again_.begin(), again_.end()), again_.end());
-    for (const Point_id id : again_) unschedule(id);
-  }
-
-  void change(const Time& time, Point_id next_id, std::span<const Edge_ids> added) {
-    nearest_.resize(next_id, no_point);
-    handles_.resize(nearest_.size(), no_event);
-    for (const Point_id id : again_) {
-      if (graph_.contains(id)) {
-        look_again(id, time);
-      } else {
-        set_nearest(id, no_point, time);
-      }
-    }
-    for (const Edge_ids& edge : added) {
-      for (const auto& [id, other] : {std::pair(edge[0], edge[1]), std::pair(edge[1], edge[0])}) {
-        if (!std::ranges::binary_search(again_, id)) look_at(id, other, time);
-      }
-    }
-  }
-
  private:
+  using typename Edge_follower<Traits>::Changed_point;
+
   // The first failure of the nearest neighbor of a point.
   struct Entry : Failure {
     Point_id id = no_point;
@@ -117,20 +76,69 @@ class Nearest_tracker {
     Certificate certificate;
   };
 
+  // ---- called by the base ----
+
+  void advance(const Time& time) override {
+    while (const auto due = queue_.take_due(time)) {
+      handles_[due->entry.id] = no_event;
+      look_again(due->entry.id, due->time);
+    }
+  }
+
+  // To be updated: changed points and their neighbors, and points that lose the neighbor of their
+  // entry or their nearest one.
+  void before_change(std::span<const Edge_ids> removed,
+                     std::span<const Changed_point> points) override {
+    again_.clear();
+    for (const auto& changed : points) {
+      again_.push_back(changed.id);
+      if (!changed.before) continue;
+      const auto neighbors = this->graph().neighbors(changed.id);
+      again_.insert(again_.end(), neighbors.begin(), neighbors.end());
+    }
+    for (const Edge_ids& edge : removed) {
+      for (const auto& [id, other] : {std::pair(edge[0], edge[1]), std::pair(edge[1], edge[0])}) {
+        const bool is_rival = handles_[id] != no_event && queue_[handles_[id]].rival == other;
+        if (is_rival || nearest_[id] == other) again_.push_back(id);
+      }
+    }
+    std::ranges::sort(again_);
+    again_.erase(std::unique(again_.begin(), again_.end()), again_.end());
+    for (const Point_id id : again_) unschedule(id);
+  }
+
+  void change(const Time& time, std::span<const Edge_ids> /*removed*/,
+              std::span<const Edge_ids> added, std::span<const Changed_point> /*points*/) override {
+    nearest_.resize(this->triangulation().next_id(), no_point);
+    handles_.resize(nearest_.size(), no_event);
+    for (const Point_id id : again_) {
+      if (this->graph().contains(id)) {
+        look_again(id, time);
+      } else {
+        set_nearest(id, no_point, time);
+      }
+    }
+    for (const Edge_ids& edge : added) {
+      for (const auto& [id, other] : {std::pair(edge[0], edge[1]), std::pair(edge[1], edge[0])}) {
+        if (!std::ranges::binary_search(again_, id)) look_at(id, other, time);
+      }
+    }
+  }
+
   // ---- the nearest one ----
 
   // Whether a is nearer than b, or equally near with the smaller id.
   bool is_nearer(Point_id id, Point_id a, Point_id b, const Instant& after) const {
-    const auto instantaneous = traits_.instantaneous_traits(after);
-    const auto order = instantaneous.compare_distance_2_object()(graph_.point(id), graph_.point(a),
-                                                                 graph_.point(b));
+    const auto instantaneous = this->traits().instantaneous_traits(after);
+    const auto order = instantaneous.compare_distance_2_object()(
+        this->graph().point(id), this->graph().point(a), this->graph().point(b));
     return order == CGAL::EQUAL ? a < b : order == CGAL::SMALLER;
   }
 
   // Finds the nearest neighbor of a point, and its first failure. Precondition: the point has no
   // entry.
   void look_again(Point_id id, const Time& time) {
-    const auto neighbors = graph_.neighbors(id);
+    const auto neighbors = this->graph().neighbors(id);
     const Instant after = {time, Time_side::after};
     Point_id nearest = no_point;
     for (const Point_id other : neighbors) {
@@ -192,13 +200,13 @@ class Nearest_tracker {
 
   std::optional<Next_failure> failure(Point_id id, Point_id nearest, Point_id rival,
                                       const Time& time) const {
-    const auto& p = graph_.point(id);
+    const auto& p = this->graph().point(id);
     Next_failure result;
     result.entry.id = id;
     result.entry.nearest = nearest;
     result.entry.rival = rival;
-    result.certificate =
-        traits_.closer_certificate(p, graph_.point(nearest), p, graph_.point(rival), time);
+    result.certificate = this->traits().closer_certificate(p, this->graph().point(nearest), p,
+                                                           this->graph().point(rival), time);
     if (result.certificate.kind == Certificate::Kind::never_fails) return std::nullopt;
     return result;
   }
@@ -228,14 +236,12 @@ class Nearest_tracker {
   }
 
   Time failure_time(const Entry& entry) const {
-    const auto& p = graph_.point(entry.id);
-    return traits_.closer_failure(p, graph_.point(entry.nearest), p, graph_.point(entry.rival),
-                                  entry.bounds);
+    const auto& p = this->graph().point(entry.id);
+    return this->traits().closer_failure(p, this->graph().point(entry.nearest), p,
+                                         this->graph().point(entry.rival), entry.bounds);
   }
   bool precedes(const Entry& a, const Entry& b) const { return a.id < b.id; }
 
-  const Graph& graph_;
-  const Traits& traits_;
   On_change on_change_;
   std::vector<Point_id> nearest_;
   std::vector<Queue_handle> handles_;  // by id; no_event of none

@@ -20,6 +20,7 @@
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/impl/base/check.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
+#include "observers/edge_follower.h"
 
 namespace kinetri {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "kinetri/observers/kinetic_spanning_tree_2.h"
+#include "observers/edge_follower.h"
 #include "observers/failure_queue.h"
 #include "observers/rooted_forest.h"
 #include "observers/spanning_tree_history.h"
@@ -25,20 +26,19 @@ namespace kinetri::detail {
 /// than its edge; the queue has the first such failure of each edge that is not in the tree, and
 /// for each edge of the tree except the longest one the time at which it becomes longer than that.
 template <ContactKineticTraits_2 Traits>
-class Spanning_tree {
+class Spanning_tree final : private Edge_follower<Traits> {
  public:
-  using Point_2 = typename Traits::Point_2;
-  using Time = Algebraic_number;
-  using Graph = Neighbor_graph<Traits>;
+  using typename Edge_follower<Traits>::Point_2;
+  using typename Edge_follower<Traits>::Time;
   using History = Spanning_tree_history<Point_2>;
 
-  /// The tree at the time `now`. The graph and the traits must outlive this object.
-  Spanning_tree(const Graph& graph, const Traits& traits, const Time& now,
-                const std::vector<Edge_ids>& edges)
-      : graph_(graph), traits_(traits), now_(now) {
+  /// Observes a triangulation or a simulation.
+  template <class Observed>
+  explicit Spanning_tree(Observed& observed)
+      : Edge_follower<Traits>(observed), now_(present_time()) {
     resize();
     std::vector<std::pair<double, Index>> by_length;
-    for (const Edge_ids& ids : edges) {
+    for (const Edge_ids& ids : this->graph().edges()) {
       const Index edge = insert(ids);
       by_length.emplace_back(rounded_square_length(edge), edge);
     }
@@ -49,60 +49,14 @@ class Spanning_tree {
     history_.forget_counts();
     record();
   }
-  Spanning_tree(const Spanning_tree&) = delete;
-  Spanning_tree& operator=(const Spanning_tree&) = delete;
 
-  // ---- called by Edge_follower ----
+  /// The time of the answers.
+  const Time& present_time() const { return this->triangulation().current_time(); }
 
-  void advance(const Time& time) {
-    execute_until(time);
-    begin(time);
-  }
-
-  void before_change(std::span<const Edge_ids> removed, const auto& points) {
-    std::vector<Edge_ids> affected(removed.begin(), removed.end());
-    for (const auto& point : points) {
-      if (!graph_.contains(point.id)) continue;
-      for (const Point_id other : graph_.neighbors(point.id)) {
-        affected.push_back(edge_ids(point.id, other));
-      }
-    }
-    std::ranges::sort(affected);
-    affected.erase(std::unique(affected.begin(), affected.end()), affected.end());
-    // First remove all entries that depend on one of them.
-    for (const Edge_ids& ids : affected) {
-      const Index edge = find(ids);
-      const std::vector<Index> certified = edges_[edge].certified;
-      for (const Index other : certified) withdraw(other);
-      if (edge != longest_) continue;
-      for (Index other = 0; other < edges_.size(); ++other) {
-        if (edges_[other].is_in_tree) unschedule(other);
-      }
-      longest_ = no_edge;
-    }
-    for (const Edge_ids& ids : affected) {
-      const Index edge = find(ids);
-      if (edges_[edge].is_in_tree) remove_from_tree(edge);
-      withdraw(edge);
-      if (std::ranges::binary_search(removed, ids)) erase(edge);
-    }
-  }
-
-  void change(std::span<const Edge_ids> added) {
-    resize();
-    for (const Edge_ids& ids : added) withdraw(insert(ids));
-    certify_all();
-    find_longest();
-  }
-
-  // ---- answers ----
-
-  /// Advances the tree and its history to the present time of the graph.
-  void look(const Time& time) {
-    execute_until(time);
-    record();
-  }
-  std::vector<Edge_ids> edges() const {
+  /// @{
+  /// Just after that time.
+  std::vector<Edge_ids> edges() {
+    look();
     std::vector<Edge_ids> result;
     for (const Edge& edge : edges_) {
       if (edge.is_in_tree) result.push_back(edge.ids);
@@ -110,13 +64,19 @@ class Spanning_tree {
     std::ranges::sort(result);
     return result;
   }
-  bool is_edge(const Edge_ids& ids) const {
+  bool is_edge(const Edge_ids& ids) {
+    look();
     const Index edge = find(ids);
     return edge != no_edge && edges_[edge].is_in_tree;
   }
-  const History& history() const { return history_; }
+  const History& history() {
+    look();
+    return history_;
+  }
+  /// @}
 
  private:
+  using typename Edge_follower<Traits>::Changed_point;
   using Index = Rooted_forest::Index;
   static constexpr Index no_edge = Rooted_forest::no_edge;
 
@@ -150,7 +110,59 @@ class Spanning_tree {
     Certificate certificate = {};
   };
 
+  // ---- called by the base ----
+
+  void advance(const Time& time) override {
+    execute_until(time);
+    begin(time);
+  }
+
+  void before_change(std::span<const Edge_ids> removed,
+                     std::span<const Changed_point> points) override {
+    std::vector<Edge_ids> affected(removed.begin(), removed.end());
+    for (const auto& point : points) {
+      if (!this->graph().contains(point.id)) continue;
+      for (const Point_id other : this->graph().neighbors(point.id)) {
+        affected.push_back(edge_ids(point.id, other));
+      }
+    }
+    std::ranges::sort(affected);
+    affected.erase(std::unique(affected.begin(), affected.end()), affected.end());
+    // First remove all entries that depend on one of them.
+    for (const Edge_ids& ids : affected) {
+      const Index edge = find(ids);
+      const std::vector<Index> certified = edges_[edge].certified;
+      for (const Index other : certified) withdraw(other);
+      if (edge != longest_) continue;
+      for (Index other = 0; other < edges_.size(); ++other) {
+        if (edges_[other].is_in_tree) unschedule(other);
+      }
+      longest_ = no_edge;
+    }
+    for (const Edge_ids& ids : affected) {
+      const Index edge = find(ids);
+      if (edges_[edge].is_in_tree) remove_from_tree(edge);
+      withdraw(edge);
+      if (std::ranges::binary_search(removed, ids)) erase(edge);
+    }
+  }
+
+  void change(const Time& /*time*/, std::span<const Edge_ids> /*removed*/,
+              std::span<const Edge_ids> added, std::span<const Changed_point> /*points*/) override {
+    resize();
+    for (const Edge_ids& ids : added) withdraw(insert(ids));
+    certify_all();
+    find_longest();
+  }
+
   // ---- time ----
+
+  // Advances the tree and its history to the current time.
+  void look() {
+    this->update();
+    execute_until(present_time());
+    record();
+  }
 
   void begin(const Time& time) {
     if (time == now_) return;
@@ -187,8 +199,8 @@ class Spanning_tree {
   // ---- edges ----
 
   void resize() {
-    forest_.resize(graph_.next_id());
-    ends_.resize(graph_.next_id());
+    forest_.resize(this->graph().next_id());
+    ends_.resize(this->graph().next_id());
   }
 
   Index find(const Edge_ids& ids) const {
@@ -219,7 +231,9 @@ class Spanning_tree {
     free_edges_.push_back(edge);
   }
 
-  const Point_2& end(Index edge, std::size_t i) const { return graph_.point(edges_[edge].ids[i]); }
+  const Point_2& end(Index edge, std::size_t i) const {
+    return this->graph().point(edges_[edge].ids[i]);
+  }
 
   // For initial orders, which need not be right.
   double rounded_square_length(Index edge) const {
@@ -232,8 +246,8 @@ class Spanning_tree {
   // ---- comparisons just after now, and the queue ----
 
   Closer closer(Index near, Index far) const {
-    Certificate certificate =
-        traits_.closer_certificate(end(near, 0), end(near, 1), end(far, 0), end(far, 1), now_);
+    Certificate certificate = this->traits().closer_certificate(end(near, 0), end(near, 1),
+                                                                end(far, 0), end(far, 1), now_);
     if (certificate.kind == Certificate::Kind::fails) {
       const bool fails_now = certificate.bounds.lower <= now_.interval().upper &&
                              time_of(certificate, near, far) == now_;
@@ -249,13 +263,13 @@ class Spanning_tree {
   Time time_of(const Certificate& certificate, Index near, Index far) const {
     if (certificate.kind == Certificate::Kind::holds) return Time(certificate.bounds.lower);
     if (certificate.failure) return *certificate.failure;
-    return traits_.closer_failure(end(near, 0), end(near, 1), end(far, 0), end(far, 1),
-                                  certificate.bounds);
+    return this->traits().closer_failure(end(near, 0), end(near, 1), end(far, 0), end(far, 1),
+                                         certificate.bounds);
   }
 
   Time failure_time(const Entry& entry) const {
-    return traits_.closer_failure(end(entry.near, 0), end(entry.near, 1), end(entry.far, 0),
-                                  end(entry.far, 1), entry.bounds);
+    return this->traits().closer_failure(end(entry.near, 0), end(entry.near, 1), end(entry.far, 0),
+                                         end(entry.far, 1), entry.bounds);
   }
   bool precedes(const Entry& a, const Entry& b) const {
     return edges_[a.owner].ids < edges_[b.owner].ids;
@@ -299,7 +313,7 @@ class Spanning_tree {
   // Looks for a triangle of edges of which the edge is the longest one. It need not be a face.
   bool find_triangle(Index edge) {
     const auto [a, b] = edges_[edge].ids;
-    for (const Point_id corner : graph_.neighbors(a)) {
+    for (const Point_id corner : this->graph().neighbors(a)) {
       const Index to_b = find(edge_ids(corner, b));
       if (to_b == no_edge) continue;
       const Index to_a = find(edge_ids(corner, a));
@@ -421,8 +435,6 @@ class Spanning_tree {
     }
   }
 
-  const Graph& graph_;
-  const Traits& traits_;
   Time now_;
   std::vector<Edge> edges_;
   std::vector<Index> free_edges_;

@@ -8,11 +8,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string_view>
 #include <vector>
 
-#include "kinetri/impl/observers/edge_follower.h"
+#include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
 
@@ -77,12 +76,11 @@ class Component_tracker;
 /// Answers are for just after the current time; changes made afterwards at the same time come later
 /// in the order.
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
-class Connected_components : public Edge_follower<Traits> {
+class Connected_components {
   static_assert(!HasWeight<typename Traits::Motion>, "of points, or discs of one radius");
 
  public:
-  using typename Edge_follower<Traits>::Triangulation;
-  using typename Edge_follower<Traits>::Time;
+  using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what is observed
   using Component = std::uint32_t;  ///< names a component until the next event
 
   /// @{
@@ -91,9 +89,10 @@ class Connected_components : public Edge_follower<Traits> {
   Connected_components(Simulation_2<Traits>& simulation, double range);
   Connected_components(Triangulation& triangulation, double range);
   /// @}
+  ~Connected_components();
 
   /// The range.
-  double range() const { return range_; }
+  double range() const;
 
   /// All events up to the current time, in their order. The reference is valid until this object is
   /// used again after the triangulation has advanced.
@@ -120,21 +119,9 @@ class Connected_components : public Edge_follower<Traits> {
   std::vector<Time_interval> connected_intervals(const Edge_ids& points);
 
  private:
-  using typename Edge_follower<Traits>::Changed_point;
   using Tracker = detail::Component_tracker<Traits>;
 
-  void start();
-  const Time& now() const;
-  const Tracker& present();
-  void advance(const Time& time) override;
-  void before_change(std::span<const Edge_ids> removed,
-                     std::span<const Changed_point> points) override;
-  void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
-              std::span<const Changed_point> points) override;
-
-  double range_;
-  // Not shared, but of a type that is incomplete here.
-  std::shared_ptr<Tracker> tracker_;
+  std::unique_ptr<Tracker> tracker_;
 };
 
 extern template class Connected_components<Linear_kinetic_traits_2>;

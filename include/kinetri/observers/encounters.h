@@ -10,10 +10,9 @@
 #define KINETRI_OBSERVERS_ENCOUNTERS_H
 
 #include <memory>
-#include <span>
 #include <vector>
 
-#include "kinetri/impl/observers/edge_follower.h"
+#include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
 
@@ -51,26 +50,21 @@ class Encounter_tracker;
 /// enlarged discs, runs beside the observed one; its cost is that of the observed one with a
 /// response, and a certificate for each pair that overlaps there.
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
-class Encounters final : public Edge_follower<Traits> {
+class Encounters {
  public:
-  using typename Edge_follower<Traits>::Triangulation;
-  using typename Edge_follower<Traits>::Motion;
-  using typename Edge_follower<Traits>::Point_2;
-  using typename Edge_follower<Traits>::Time;
+  using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what is observed
 
   /// Observes from the current time on. The simulation must outlive this object. Throws
   /// Precondition_error if `range` is negative or not finite, or if a radius enlarged by half of it
   /// is not finite.
   Encounters(Simulation_2<Traits>& simulation, double range);
   /// The same of a triangulation of points.
-  Encounters(Triangulation& triangulation, double range) requires(!HasWeight<Motion>)
-      : Edge_follower<Traits>(triangulation), range_(range) {
-    start(0);
-  }
-  ~Encounters() override;
+  Encounters(Triangulation& triangulation,
+             double range) requires(!HasWeight<typename Traits::Motion>);
+  ~Encounters();
 
   /// As given to the constructor.
-  double range() const { return range_; }
+  double range() const;
 
   /// All encounters up to the current time, also those that have not ended, in the order of
   /// `begin`, then of ids. Cost: O(m log m) comparisons of times for m encounters, and the rounding
@@ -84,18 +78,7 @@ class Encounters final : public Edge_follower<Traits> {
   const Queue_counters& queue_counters() const;
 
  private:
-  using typename Edge_follower<Traits>::Changed_point;
-
-  void start(double radius);
-  void advance(const Time& time) override;
-  void before_change(std::span<const Edge_ids> removed,
-                     std::span<const Changed_point> points) override;
-  void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
-              std::span<const Changed_point> points) override;
-
-  double range_;
-  // Not shared, but of a type that is incomplete here.
-  std::shared_ptr<detail::Encounter_tracker<Traits>> tracker_;
+  std::unique_ptr<detail::Encounter_tracker<Traits>> tracker_;
 };
 
 extern template class Encounters<Linear_kinetic_traits_2>;

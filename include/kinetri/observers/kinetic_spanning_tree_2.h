@@ -6,10 +6,9 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "kinetri/impl/observers/edge_follower.h"
+#include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
 
@@ -59,19 +58,18 @@ class Spanning_tree;
 /// Computer Science, 1998; Z. Rahmati, A. Zarei, Kinetic Euclidean minimum spanning tree in the
 /// plane, Journal of Discrete Algorithms 16, 2012.
 template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
-class Kinetic_spanning_tree_2 : public Edge_follower<Traits> {
+class Kinetic_spanning_tree_2 {
   static_assert(!HasWeight<typename Traits::Motion>, "of points, or discs of one radius");
 
  public:
-  using typename Edge_follower<Traits>::Triangulation;
-  using typename Edge_follower<Traits>::Time;
-  using typename Edge_follower<Traits>::Point_2;
+  using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what is observed
 
   /// @{
   /// Observes from the current time on. What is observed must outlive this object.
   explicit Kinetic_spanning_tree_2(Simulation_2<Traits>& simulation);
   explicit Kinetic_spanning_tree_2(Triangulation& triangulation);
   /// @}
+  ~Kinetic_spanning_tree_2();
 
   /// The edges of the tree just after the current time, sorted.
   std::vector<Edge_ids> edges();
@@ -98,19 +96,7 @@ class Kinetic_spanning_tree_2 : public Edge_follower<Traits> {
   /// @}
 
  private:
-  using typename Edge_follower<Traits>::Changed_point;
-
-  void start();
-  const Time& now() const;
-  const detail::Spanning_tree<Traits>& present();
-  void advance(const Time& time) override;
-  void before_change(std::span<const Edge_ids> removed,
-                     std::span<const Changed_point> points) override;
-  void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
-              std::span<const Changed_point> points) override;
-
-  // Not shared, but of a type that is incomplete here.
-  std::shared_ptr<detail::Spanning_tree<Traits>> tree_;
+  std::unique_ptr<detail::Spanning_tree<Traits>> tree_;
 };
 
 extern template class Kinetic_spanning_tree_2<Linear_kinetic_traits_2>;

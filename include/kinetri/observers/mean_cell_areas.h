@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "kinetri/impl/observers/edge_follower.h"
 #include "kinetri/observers/cell_areas.h"
+#include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
 

@@ -11,10 +11,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "kinetri/impl/observers/edge_follower.h"
+#include "kinetri/simulation/simulation_2.h"
 #include "kinetri/triangulation/queries_2.h"
 
 namespace kinetri {
@@ -47,7 +46,7 @@ class Nearest_tracker;
 /// be a neighbor in the regular triangulation (docs/MATH.md, section 10).
 template <ContactKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits>
-class Nearest_neighbors final : private Edge_follower<Traits> {
+class Nearest_neighbors {
  public:
   using Time = Algebraic_number;                                          ///< of changes
   using Triangulation = Kinetic_triangulation_2<Traits>;                  ///< what is observed
@@ -61,6 +60,7 @@ class Nearest_neighbors final : private Edge_follower<Traits> {
   explicit Nearest_neighbors(Simulation_2<Traits>& simulation, On_change on_change = {});
   explicit Nearest_neighbors(Triangulation& triangulation, On_change on_change = {});
   /// @}
+  ~Nearest_neighbors();
 
   /// The nearest neighbor of the point just after the current time; none if there is no other
   /// point. Precondition: the triangulation contains the point.
@@ -75,18 +75,7 @@ class Nearest_neighbors final : private Edge_follower<Traits> {
   const std::vector<Nearest_neighbor_change>& changes();
 
  private:
-  using Base = Edge_follower<Traits>;
-  using typename Base::Changed_point;
-
-  void start(On_change on_change);
-  void advance(const Time& time) override;
-  void before_change(std::span<const Edge_ids> removed,
-                     std::span<const Changed_point> points) override;
-  void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
-              std::span<const Changed_point> points) override;
-
-  // Not shared, but of a type that is incomplete here.
-  std::shared_ptr<detail::Nearest_tracker<Traits>> tracker_;
+  std::unique_ptr<detail::Nearest_tracker<Traits>> tracker_;
 };
 
 extern template class Nearest_neighbors<Linear_kinetic_traits_2>;

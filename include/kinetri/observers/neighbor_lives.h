@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-#include "kinetri/impl/observers/edge_follower.h"
+#include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
 

@@ -10,8 +10,8 @@
 //   the observer's queue, which orders entries by these motions.
 //   3. `change(...)`: the graph is that just after t, after all events of that time. What was
 //   removed and added again at t is not a change.
-#ifndef KINETRI_IMPL_OBSERVERS_EDGE_FOLLOWER_H
-#define KINETRI_IMPL_OBSERVERS_EDGE_FOLLOWER_H
+#ifndef KINETRI_SRC_OBSERVERS_EDGE_FOLLOWER_H
+#define KINETRI_SRC_OBSERVERS_EDGE_FOLLOWER_H
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
@@ -187,4 +187,4 @@ extern template class Edge_follower<Polynomial_disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 
-#endif  // KINETRI_IMPL_OBSERVERS_EDGE_FOLLOWER_H
+#endif  // KINETRI_SRC_OBSERVERS_EDGE_FOLLOWER_H
