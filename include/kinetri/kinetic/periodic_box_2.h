@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A periodic box: the plane modulo a lattice, whose two vectors may be linear in time.
+#ifndef KINETRI_KINETIC_PERIODIC_BOX_2_H
+#define KINETRI_KINETIC_PERIODIC_BOX_2_H
+
+#include <cstdint>
+#include <optional>
+
+#include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/algebra/polynomial.h"
+#include "kinetri/base/error.h"
+#include "kinetri/kinetic/linear_motion_2.h"
+
+namespace kinetri {
+
+/// The lattice vectors of a periodic box cannot be used, or not at a time.
+class Periodic_box_error : public Error {
+ public:
+  using Error::Error;
+};
+
+/// How often each lattice vector is added to a position.
+struct Lattice_offset_2 {
+  std::int32_t x = 0;  ///< how often the first lattice vector
+  std::int32_t y = 0;  ///< how often the second
+
+  friend bool operator==(const Lattice_offset_2&, const Lattice_offset_2&) = default;
+};
+
+/// A parallelogram that is repeated all over the plane, spanned by two *lattice vectors*. Each is a
+/// Linear_motion_2: the vector `position` at the epoch, which changes at the rate `velocity`. With
+/// (L, 0) and (0, L) at rest it is a square box; with the rate (g L, 0) of the second one it is
+/// sheared; with rates in proportion to the vectors it grows. All numbers are exact.
+///
+/// A box can be used at the times at which its area, the determinant of the two vectors, is
+/// positive: then the second vector is to the left of the first. Immutable.
+class Periodic_box_2 {
+ public:
+  /// With these lattice vectors. Throws Periodic_box_error if a number is not finite, or if the
+  /// area never changes and is not positive.
+  Periodic_box_2(const Linear_motion_2& first, const Linear_motion_2& second);
+
+  /// @{
+  /// The lattice vectors, as given to the constructor.
+  const Linear_motion_2& first() const noexcept { return first_; }
+  const Linear_motion_2& second() const noexcept { return second_; }
+  /// @}
+
+  /// A positive multiple of the area, as a polynomial in time of degree 2 at most; negative while
+  /// the second vector is to the right of the first.
+  Polynomial area_polynomial() const;
+
+  /// The area at time `t`, exactly, with that sign.
+  Rational area(const Rational& t) const;
+
+  /// The first time after `t` at which the area is zero, exactly; none if there is none.
+  /// Precondition: the area is positive at `t`. Cost: the roots of a quadratic polynomial.
+  std::optional<Algebraic_number> collapse_after(const Algebraic_number& t) const;
+
+  /// Throws Periodic_box_error, with the time, unless the area is positive at all times from `from`
+  /// to `until`, both included. Precondition: from <= until.
+  void require_area(const Algebraic_number& from, const Algebraic_number& until) const;
+
+  /// Equality of the representations.
+  friend bool operator==(const Periodic_box_2&, const Periodic_box_2&) = default;
+
+ private:
+  Linear_motion_2 first_;
+  Linear_motion_2 second_;
+};
+
+/// The box at -t in place of t, exactly.
+inline Periodic_box_2 mirrored(const Periodic_box_2& box) {
+  return {mirrored(box.first()), mirrored(box.second())};
+}
+
+}  // namespace kinetri
+
+#endif  // KINETRI_KINETIC_PERIODIC_BOX_2_H
