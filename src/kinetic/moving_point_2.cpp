@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kinetri/impl/base/check.h"
+#include "kinetri/kinetic/image_motion_2.h"
 #include "scaled_coordinates.h"
 
 namespace kinetri {
@@ -29,6 +30,11 @@ void print(std::ostream& out, const Polynomial_motion_2& motion) {
       << ", acceleration " << motion.acceleration << ", jerk " << motion.jerk;
 }
 
+void print(std::ostream& out, const Image_motion_2& image) {
+  print(out, image.motion);
+  out << ", offset (" << image.offset.x << ", " << image.offset.y << ')';
+}
+
 template <class Center>
 void print(std::ostream& out, const Basic_disc_motion_2<Center>& disc) {
   print(out, center(disc));
@@ -42,6 +48,9 @@ Trajectory_2 trajectory(const Linear_motion_2& motion) {
 }
 Trajectory_2 trajectory(const Polynomial_motion_2& motion) {
   return on_heap(scaled_alone(motion));
+}
+Trajectory_2 trajectory(const Image_motion_2& image) {
+  return on_heap(scaled_alone(image));
 }
 Trajectory_2 trajectory(const Disc_motion_2& motion) {
   return on_heap(scaled_alone(motion));
@@ -119,6 +128,7 @@ std::array<Trajectory_2, N> common_trajectories(
   KINETRI_INSTANTIATE(3, Motion);                                                            \
   KINETRI_INSTANTIATE(4, Motion)
 KINETRI_INSTANTIATE_ALL(Linear_motion_2);
+KINETRI_INSTANTIATE_ALL(Image_motion_2);
 KINETRI_INSTANTIATE_ALL(Polynomial_motion_2);
 KINETRI_INSTANTIATE_ALL(Disc_motion_2);
 KINETRI_INSTANTIATE_ALL(Polynomial_disc_motion_2);

@@ -10,16 +10,18 @@
 
 #include "algebra/count_failure.h"
 #include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/kinetic/image_motion_2.h"
 #include "kinetri/kinetic/instant.h"
 #include "length.h"
 #include "scaled_coordinates.h"
 
 namespace kinetri {
 
-/// Whether `Given` is a linear motion, perhaps of a disc, or a length.
+/// Whether `Given` is a linear motion, perhaps of a disc or an image, or a length.
 template <class Given>
 constexpr bool is_linear =
-    std::same_as<Given, Length> || std::same_as<Center_motion_of<Given>, Linear_motion_2>;
+    std::same_as<Given, Length> || std::same_as<Center_motion_of<Given>, Linear_motion_2> ||
+    std::same_as<Given, Image_motion_2>;
 
 /// The polynomial of a formula, of degree at most 4 in the coordinates, of points and lengths; none
 /// if motions are not linear or the numbers have too many bits.

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "algebra/static_polynomial.h"
+#include "kinetri/kinetic/image_motion_2.h"
 #include "kinetri/kinetic/moving_point_2.h"
 #include "length.h"
 
@@ -86,9 +87,10 @@ Dyadic<Number> product(const Dyadic<Number>& a, const Dyadic<Number>& b) {
   return {a.mantissa * b.mantissa, a.exponent + b.exponent};
 }
 
-// The coordinate classes below have `denominator`; `add_to`, which adds the exponents of their
-// terms; and `scaled`, the coordinate times its denominator, divided by 2^exponent. Precondition of
-// `scaled`: no nonzero term has a smaller exponent.
+// The coordinate classes below have `denominator`; `bits_of_sums`, how many bits more than one of
+// its terms a coefficient may have; `add_to`, which adds the exponents of their terms; and
+// `scaled`, the coordinate times its denominator, divided by 2^exponent. Precondition of `scaled`:
+// no nonzero term has a smaller exponent.
 
 /// (position - velocity * epoch) + velocity * t.
 template <class Poly>
@@ -96,12 +98,22 @@ class Linear_coordinate {
  public:
   using Number = Coefficient_of<Poly>;
   static constexpr int denominator = 1;
+  static constexpr int bits_of_sums = 1;
 
   Linear_coordinate(const Linear_motion_2& motion, double Vector_2::*axis)
       : Linear_coordinate(motion.position.*axis, motion.velocity.*axis, motion.epoch) {}
   Linear_coordinate(double position, double velocity, double epoch)
       : position_(dyadic<Number>(position)), velocity_(dyadic<Number>(velocity)) {
     if (epoch != 0) drift_ = product(velocity_, dyadic<Number>(epoch));
+  }
+
+  /// The same times an integer.
+  Linear_coordinate times(std::int64_t factor) const {
+    Linear_coordinate result = *this;
+    for (Dyadic<Number>* term : {&result.position_, &result.velocity_, &result.drift_}) {
+      term->mantissa = term->mantissa * Number(factor);
+    }
+    return result;
   }
 
   void add_to(Exponents& exponents) const {
@@ -119,11 +131,44 @@ class Linear_coordinate {
   Dyadic<Number> drift_;  // velocity * epoch
 };
 
+/// The coordinate of a point, plus integers times those of two lattice vectors.
+template <class Poly>
+class Image_coordinate {
+ public:
+  static constexpr int denominator = 1;
+  static constexpr int bits_of_sums = 3;  // of six terms
+
+  Image_coordinate(const Image_motion_2& image, double Vector_2::*axis)
+      : point_(image.motion, axis) {
+    if (image.offset.x != 0) {
+      first_ = Linear_coordinate<Poly>(image.box->first(), axis).times(image.offset.x);
+    }
+    if (image.offset.y != 0) {
+      second_ = Linear_coordinate<Poly>(image.box->second(), axis).times(image.offset.y);
+    }
+  }
+
+  void add_to(Exponents& exponents) const {
+    point_.add_to(exponents);
+    first_.add_to(exponents);
+    second_.add_to(exponents);
+  }
+  Poly scaled(int exponent) const {
+    return point_.scaled(exponent) + first_.scaled(exponent) + second_.scaled(exponent);
+  }
+
+ private:
+  Linear_coordinate<Poly> point_;
+  Linear_coordinate<Poly> first_ = {0, 0, 0};
+  Linear_coordinate<Poly> second_ = {0, 0, 0};
+};
+
 /// The sum of the terms of a length.
 template <class Poly>
 class Length_coordinate {
  public:
   static constexpr int denominator = 1;
+  static constexpr int bits_of_sums = Linear_coordinate<Poly>::bits_of_sums;  // see scaled_together
 
   explicit Length_coordinate(const Length& length)
       : terms_{coordinate(length.terms[0]), coordinate(length.terms[1]),
@@ -149,6 +194,7 @@ class Length_coordinate {
 class Polynomial_coordinate {
  public:
   static constexpr int denominator = 6;
+  static constexpr int bits_of_sums = 1;
 
   Polynomial_coordinate(const Polynomial_motion_2& motion, double Vector_2::*axis) {
     const std::array<Dyadic<Integer>, 4> derivatives = {
@@ -188,6 +234,7 @@ class Polynomial_coordinate {
 template <class Poly, class Coordinate>
 struct Coordinates {
   static constexpr int denominator = Coordinate::denominator;
+  static constexpr int bits_of_sums = Coordinate::bits_of_sums;
   Coordinate x;
   Coordinate y;
 
@@ -209,6 +256,7 @@ template <class Poly, class Center>
 struct Weighted_coordinates {
   using Number = Coefficient_of<Poly>;
   static constexpr int denominator = Center::denominator;
+  static constexpr int bits_of_sums = Center::bits_of_sums;
   Center center;
   Linear_coordinate<Poly> radius;
   Dyadic<Number> weight;
@@ -244,6 +292,10 @@ struct Weighted_coordinates {
 template <class Poly>
 auto coordinates(const Linear_motion_2& motion) {
   return Coordinates<Poly, Linear_coordinate<Poly>>(motion);
+}
+template <class Poly>
+auto coordinates(const Image_motion_2& image) {
+  return Coordinates<Poly, Image_coordinate<Poly>>(image);
 }
 template <std::same_as<Polynomial> Poly>
 auto coordinates(const Polynomial_motion_2& motion) {
@@ -286,8 +338,12 @@ auto scaled_together(int most_bits, const Given&... given) {
         using One = Coefficient_of<Poly>;
         using Result =
             std::tuple<decltype(first.scaled(0, One(1))), decltype(others.scaled(0, One(1)))...>;
-        // The sum of two terms of a coordinate has one bit more.
-        if (exponents.above - exponents.least + 1 > most_bits) return std::optional<Result>();
+        constexpr int bits_of_sums =
+            std::max({std::remove_cvref_t<decltype(first)>::bits_of_sums,
+                      std::remove_cvref_t<decltype(others)>::bits_of_sums...});
+        if (exponents.above - exponents.least + bits_of_sums > most_bits) {
+          return std::optional<Result>();
+        }
         return std::optional<Result>(std::in_place, first.scaled(exponents.least, One(1)),
                                      others.scaled(exponents.least, One(1))...);
       },

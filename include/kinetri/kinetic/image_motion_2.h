@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The motion of an image of a point in a periodic box.
+#ifndef KINETRI_KINETIC_IMAGE_MOTION_2_H
+#define KINETRI_KINETIC_IMAGE_MOTION_2_H
+
+#include <cmath>
+#include <iosfwd>
+
+#include "kinetri/impl/base/double_interval.h"
+#include "kinetri/kinetic/linear_motion_2.h"
+#include "kinetri/kinetic/moving_point_2.h"
+#include "kinetri/kinetic/periodic_box_2.h"
+
+namespace kinetri {
+
+/// The trajectory of the point plus `offset.x` times the first and `offset.y` times the second
+/// lattice vector of the box, exactly. With a linear motion it is linear in time, but in general no
+/// Linear_motion_2, whose numbers would be rounded. With the offset zero it is the point itself,
+/// and results are those of the point.
+///
+/// The box must exist as long as the image is used; exact times, such as failure times, keep a
+/// copy of it. Precondition of all that takes several images: they have the same box.
+template <class PointMotion>
+struct Basic_image_motion_2 {
+  using Point_motion = PointMotion;  ///< of the point
+
+  PointMotion motion = {};              ///< of the point
+  Lattice_offset_2 offset = {};         ///< of the image against the point
+  const Periodic_box_2* box = nullptr;  ///< not null, unless the offset is zero
+};
+
+/// The motion of an image of a point in linear motion. Predicates and certificates of such images
+/// (Basic_instantaneous_traits_2, Basic_kinetic_traits_2) have the degrees of those of points.
+using Image_motion_2 = Basic_image_motion_2<Linear_motion_2>;
+/// An image of a point in linear motion.
+using Moving_image_2 = Basic_moving_point_2<Image_motion_2>;
+
+// As for Linear_motion_2:
+
+/// Whether all numbers are finite; those of a box always are.
+inline bool is_finite(const Image_motion_2& image) {
+  return is_finite(image.motion);
+}
+
+/// Whether the two are at the same position at every time, exactly.
+bool same_trajectory(const Image_motion_2& a, const Image_motion_2& b);
+
+/// The position at time t, rounded, for output, not for decisions. The error is a few units in the
+/// last place of the largest term of the formula.
+inline Vector_2 rounded_place(const Image_motion_2& image, double t) {
+  Vector_2 place = rounded_place(image.motion, t);
+  const auto add = [&](double times, const Linear_motion_2& vector) {
+    const Vector_2 there = rounded_place(vector, t);
+    place.x += times * there.x;
+    place.y += times * there.y;
+  };
+  if (image.offset.x != 0) add(image.offset.x, image.box->first());
+  if (image.offset.y != 0) add(image.offset.y, image.box->second());
+  return place;
+}
+
+/// Bounds how far, in either coordinate, rounded_place(image, t) is from the position at any of
+/// the times. Not finite if numbers overflow. Precondition: t is one of the times.
+inline double place_error(const Image_motion_2& image, double t, const Double_interval& times) {
+  // The errors of the three places have room for the product and the two sums: at most six
+  // roundings of a term, each of at most two unit roundoffs, and each place_error has sixteen.
+  double error = place_error(image.motion, t, times);
+  const auto add = [&](double number, const Linear_motion_2& vector) {
+    error += std::abs(number) * place_error(vector, t, times);
+  };
+  if (image.offset.x != 0) add(image.offset.x, image.box->first());
+  if (image.offset.y != 0) add(image.offset.y, image.box->second());
+  return error;
+}
+
+/// The trajectory of an image as polynomials in time, exactly; w is a positive constant.
+/// Precondition: the numbers of the motion are finite.
+Trajectory_2 trajectory(const Image_motion_2& image);
+
+extern template class Basic_moving_point_2<Image_motion_2>;
+extern template std::ostream& operator<<(std::ostream& out, const Moving_image_2& point);
+
+}  // namespace kinetri
+
+#endif  // KINETRI_KINETIC_IMAGE_MOTION_2_H
