@@ -15,6 +15,7 @@
 #include "filter/filter.h"
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
+#include "kinetri/kinetic/image_motion_2.h"
 #include "polynomial_on_stack.h"
 
 namespace kinetri {
@@ -255,10 +256,13 @@ bool Basic_kinetic_traits_2<Motion>::is_surrounded(const Point_2& p,
                                                    std::span<const Point_2* const> around,
                                                    const Double_interval& now) const {
   if constexpr (is_linear<Motion>) {
-    std::array<const Linear_motion_2*, most_around> others;
+    using Center = Center_motion_of<Motion>;
+    std::array<const Center*, most_around> others;
     if (arithmetic_ != Arithmetic::filtered || around.size() > others.size()) return false;
-    std::ranges::transform(around, others.begin(), [](const Point_2* q) { return &q->motion(); });
-    return certainly_surrounded(center(p.motion()), std::span(others).first(around.size()), now);
+    std::ranges::transform(around, others.begin(),
+                           [](const Point_2* q) { return &center(q->motion()); });
+    return certainly_surrounded<Center>(center(p.motion()), std::span(others).first(around.size()),
+                                        now);
   }
   return false;
 }
@@ -577,5 +581,30 @@ template class Basic_kinetic_traits_2<Linear_motion_2>;
 template class Basic_kinetic_traits_2<Polynomial_motion_2>;
 template class Basic_kinetic_traits_2<Disc_motion_2>;
 template class Basic_kinetic_traits_2<Polynomial_disc_motion_2>;
+
+// Of images, the certificates of triangulations.
+using Of_images = Basic_kinetic_traits_2<Image_motion_2>;
+template Certificate Of_images::in_circle_certificate(const Moving_image_2&, const Moving_image_2&,
+                                                      const Moving_image_2&, const Moving_image_2&,
+                                                      const Time&, Certificate_state) const;
+template Certificate Of_images::orientation_certificate(const Moving_image_2&,
+                                                        const Moving_image_2&,
+                                                        const Moving_image_2&, const Time&,
+                                                        Certificate_state) const;
+template Certificate Of_images::coincidence_certificate(const Moving_image_2&,
+                                                        const Moving_image_2&, const Time&,
+                                                        const Double_interval&) const;
+template Time Of_images::in_circle_failure(const Moving_image_2&, const Moving_image_2&,
+                                           const Moving_image_2&, const Moving_image_2&,
+                                           const Double_interval&) const;
+template Time Of_images::orientation_failure(const Moving_image_2&, const Moving_image_2&,
+                                             const Moving_image_2&, const Double_interval&) const;
+template std::array<Certificate, 2> Of_images::in_circle_certificates(
+    const std::array<Quadruple<Moving_image_2>, 2>&, const Time&) const;
+template std::array<Certificate, 5> Of_images::certificates_after_flip(
+    const Flip_neighborhood<Moving_image_2>&, const Double_interval&) const;
+template bool Of_images::is_surrounded(const Moving_image_2&,
+                                       std::span<const Moving_image_2* const>,
+                                       const Double_interval&) const;
 
 }  // namespace kinetri

@@ -12,16 +12,35 @@
 #include "filter/precise_filter.h"
 #include "filter/weighted_differences.h"
 #include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/impl/base/check.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
+#include "kinetri/kinetic/image_motion_2.h"
 #include "polynomial_on_stack.h"
 
 namespace kinetri {
+
+/// What the motions of a root refer to, which may exist for a shorter time than the root: for
+/// images a copy of their box.
+template <class Motion>
+struct Kept {
+  const Motion& operator()(const Motion& motion) const { return motion; }
+};
+template <>
+struct Kept<Image_motion_2> {
+  Image_motion_2 operator()(const Image_motion_2& image) {
+    if (image.box == nullptr) return image;
+    if (!box) box = *image.box;
+    KINETRI_PRECONDITION(*image.box == *box, "the images of a certificate have different boxes");
+    return {image.motion, image.offset, &*box};
+  }
+  std::optional<Periodic_box_2> box;
+};
 
 template <class Motion>
 struct In_circle_root : Root_source {
   using Point = Basic_moving_point_2<Motion>;
   In_circle_root(const Point& a, const Point& b, const Point& c, const Point& d)
-      : p(a.motion()), q(b.motion()), r(c.motion()), s(d.motion()) {}
+      : p(kept(a.motion())), q(kept(b.motion())), r(kept(c.motion())), s(kept(d.motion())) {}
   Polynomial polynomial() const override {
     return perturbed_in_circle_polynomial(Point(p), Point(q), Point(r), Point(s));
   }
@@ -33,11 +52,12 @@ struct In_circle_root : Root_source {
       if constexpr (HasWeight<Motion>) {
         if (!have_same_weight_numbers(std::array{&p, &q, &r, &s})) return std::nullopt;
       }
-      return rounded_in_circle(p, q, r, s, bracket);
+      return rounded_in_circle(center(p), center(q), center(r), center(s), bracket);
     } else {
       return std::nullopt;
     }
   }
+  [[no_unique_address]] Kept<Motion> kept = {};
   Motion p, q, r, s;
 };
 
@@ -45,13 +65,14 @@ template <class Motion>
 struct Orientation_root : Root_source {
   using Point = Basic_moving_point_2<Motion>;
   Orientation_root(const Point& a, const Point& b, const Point& c)
-      : p(a.motion()), q(b.motion()), r(c.motion()) {}
+      : p(kept(a.motion())), q(kept(b.motion())), r(kept(c.motion())) {}
   Polynomial polynomial() const override {
     return orientation_polynomial(Point(p), Point(q), Point(r));
   }
   double certain_value_at(double high, double low) const override {
     return precise_orientation(p, q, r, high, low);
   }
+  [[no_unique_address]] Kept<Motion> kept = {};
   Motion p, q, r;
 };
 

@@ -6,6 +6,7 @@
 #include "certificate_formulas.h"
 #include "filter/disc_filter.h"
 #include "filter/filter.h"
+#include "kinetri/kinetic/image_motion_2.h"
 #include "polynomial_on_stack.h"
 
 namespace kinetri {
@@ -122,6 +123,7 @@ Sign Basic_instantaneous_traits_2<Motion>::Predicate::below_segment(const Point_
 }
 
 template class Basic_instantaneous_traits_2<Linear_motion_2>;
+template class Basic_instantaneous_traits_2<Image_motion_2>;
 template class Basic_instantaneous_traits_2<Polynomial_motion_2>;
 template class Basic_instantaneous_traits_2<Disc_motion_2>;
 template class Basic_instantaneous_traits_2<Polynomial_disc_motion_2>;

@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 
+#include "image_differences.h"
+#include "kinetri/kinetic/image_motion_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 #include "linear_differences.h"
@@ -25,6 +28,11 @@ inline Linear_motion_2 linear(const Polynomial_motion_2& m) {
 inline const Linear_motion_2& linear(const Linear_motion_2& m) {
   return m;
 }
+
+// Motions of which all differences are linear.
+template <class Motion>
+concept LinearMotion =
+    std::same_as<Motion, Linear_motion_2> || std::same_as<Motion, Image_motion_2>;
 
 // The same motions as linear ones, stored in `lines`. Precondition: all are linear.
 template <std::size_t N>
@@ -57,11 +65,10 @@ struct Alone {
 
 // Calls `function` with the differences of the points `from` to `to`, of the given kind and of the
 // degree of the motions.
-template <std::size_t N, class Kind, class Function>
-inline auto with_differences(const std::array<const Linear_motion_2*, N>& from,
-                             const Linear_motion_2& to, double origin, const Kind& kind,
-                             const Function& function) {
-  auto d = kind.template make<Linear_differences<N>>(from, to, origin);
+template <std::size_t N, LinearMotion Motion, class Kind, class Function>
+inline auto with_differences(const std::array<const Motion*, N>& from, const Motion& to,
+                             double origin, const Kind& kind, const Function& function) {
+  auto d = kind.template make<Linear_differences<N, Motion>>(from, to, origin);
   return function(d);
 }
 template <std::size_t N, class Kind, class Function>

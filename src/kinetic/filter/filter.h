@@ -4,7 +4,8 @@
 // or "unknown". `Motion` is Linear_motion_2 (docs/MATH.md, sections 7 and 8) or Polynomial_motion_2
 // (section 9); if all polynomial motions are linear, the filter of linear motion decides. If
 // weights or radii matter, it may also be Disc_motion_2 or Polynomial_disc_motion_2; disc_filter.h
-// has the questions about centers alone.
+// has the questions about centers alone. It may be Image_motion_2 (section 18), but not in
+// contacts, walls and distances of two pairs.
 #ifndef KINETRI_SRC_KINETIC_FILTER_FILTER_H
 #define KINETRI_SRC_KINETIC_FILTER_FILTER_H
 
@@ -84,7 +85,9 @@ inline constexpr std::size_t most_around = 16;
 
 /// Whether p and each two cyclically successive points of `around` certainly make a left turn
 /// throughout `interval`. False proves nothing. Precondition: around.size() <= most_around.
-bool certainly_surrounded(const Linear_motion_2& p, std::span<const Linear_motion_2* const> around,
+/// `Motion` is Linear_motion_2 or Image_motion_2.
+template <class Motion>
+bool certainly_surrounded(const Motion& p, std::span<const Motion* const> around,
                           const Double_interval& interval);
 
 /// Whether p and q certainly coincide at no time in `interval`. False proves nothing.

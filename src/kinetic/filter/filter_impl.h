@@ -9,6 +9,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 #include "certificates.h"
 #include "classify.h"
@@ -19,10 +21,17 @@
 namespace kinetri {
 namespace {
 
+inline double epoch_of(const Linear_motion_2& p) {
+  return p.epoch;
+}
+inline double epoch_of(const Image_motion_2& p) {
+  return p.motion.epoch;
+}
+
 // Points in linear motion that coincide at some time move along the line that joins them.
-inline bool are_apart(const Linear_motion_2& p, const Linear_motion_2& q,
-                      const Double_interval& /*interval*/) {
-  const Linear_differences<1> d({&p}, q, p.epoch);
+template <LinearMotion Motion>
+inline bool are_apart(const Motion& p, const Motion& q, const Double_interval& /*interval*/) {
+  const Linear_differences<1, Motion> d({&p}, q, epoch_of(p));
   if (d.speed() == 0) return true;
   if (!is_unscaled_in_range(d)) return false;
   const auto& [place, slope] = d[0];
@@ -162,6 +171,27 @@ Sign certain_weight_order(const Disc& p, const Disc& q, const Double_interval& i
 template <class Motion>
 bool certainly_apart(const Motion& p, const Motion& q, const Double_interval& interval) {
   return are_apart(p, q, interval);
+}
+
+// One error bound for all triangles suffices, since most are far from flat.
+template <class Motion>
+bool certainly_surrounded(const Motion& p, std::span<const Motion* const> around,
+                          const Double_interval& interval) {
+  if (around.size() < 3) return false;
+  std::array<Pair, most_around> places;
+  Linear_sizes<Motion> sizes;
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    places[i] = sizes.count(*around[i], p, interval.lower).place;
+  }
+  const double error = error_throughout(sizes.terms(), sizes.speed(), interval);
+  Pair previous = places[around.size() - 1];
+  bool result = true;
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const Pair place = places[i];
+    result = result && previous[0] * place[1] - previous[1] * place[0] > error;
+    previous = place;
+  }
+  return result;
 }
 
 }  // namespace kinetri

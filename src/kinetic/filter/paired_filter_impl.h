@@ -116,11 +116,10 @@ std::array<Filter_result, 2> in_circles_of(const std::array<Quadruple<Motion>, 2
   return in_circles(std::array{differences(0), differences(1)}, after);
 }
 
-template <class Kind>
-std::array<Filter_result, 2> in_circles(
-    const std::array<Quadruple<Linear_motion_2>, 2>& certificates, const Double_interval& after,
-    const Kind& kind) {
-  return in_circles_of<Linear_differences<3>>(certificates, after, kind);
+template <LinearMotion Motion, class Kind>
+std::array<Filter_result, 2> in_circles(const std::array<Quadruple<Motion>, 2>& certificates,
+                                        const Double_interval& after, const Kind& kind) {
+  return in_circles_of<Linear_differences<3, Motion>>(certificates, after, kind);
 }
 
 template <class Kind>
@@ -149,10 +148,10 @@ std::array<Filter_result, 5> after_flip_of(const Flip_neighborhood<Motion>& arou
       after);
 }
 
-template <class Kind>
-std::array<Filter_result, 5> after_flip(const Flip_neighborhood<Linear_motion_2>& around,
+template <LinearMotion Motion, class Kind>
+std::array<Filter_result, 5> after_flip(const Flip_neighborhood<Motion>& around,
                                         const Double_interval& after, const Kind& kind) {
-  return after_flip_of<Linear_differences<7>>(around, after, kind);
+  return after_flip_of<Linear_differences<7, Motion>>(around, after, kind);
 }
 
 template <class Kind>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 
 #include "precise_places.h"
@@ -189,26 +190,54 @@ std::optional<Rounding> rounded_distance_comparison(const Linear_motion_2& p,
                          first.slope_error + second.slope_error);
 }
 
-std::optional<Rounding> rounded_in_circle(const Linear_motion_2& p, const Linear_motion_2& q,
-                                          const Linear_motion_2& r, const Linear_motion_2& s,
-                                          const Double_interval& bracket) {
+namespace {
+
+// The velocity of p relative to q, rounded. Of images, adds the magnitudes of all numbers that it
+// is computed from to `terms`; its error is at most one unit roundoff of itself and 2^-100 of
+// these.
+Vector_2 relative_velocity(const Linear_motion_2& p, const Linear_motion_2& q, double& /*terms*/) {
+  return {p.velocity.x - q.velocity.x, p.velocity.y - q.velocity.y};
+}
+Vector_2 relative_velocity(const Image_motion_2& p, const Image_motion_2& q, double& terms) {
+  const Offset_difference offset(p, q);
+  if (offset.is_zero()) return relative_velocity(p.motion, q.motion, terms);
+  const Periodic_box_2& box = p.box != nullptr ? *p.box : *q.box;
+  const auto coordinate = [&](double Vector_2::*axis) {
+    const Double_double of_points = exact_sum(p.motion.velocity.*axis, -(q.motion.velocity.*axis));
+    const Double_double a = exact_product(offset.first, box.first().velocity.*axis);
+    const Double_double b = exact_product(offset.second, box.second().velocity.*axis);
+    terms += std::abs(of_points.high) + std::abs(a.high) + std::abs(b.high);
+    return (of_points + (a + b)).high;
+  };
+  return {coordinate(&Vector_2::x), coordinate(&Vector_2::y)};
+}
+
+}  // namespace
+
+template <class Motion>
+std::optional<Rounding> rounded_in_circle(const Motion& p, const Motion& q, const Motion& r,
+                                          const Motion& s, const Double_interval& bracket) {
   const double width = bracket.upper - bracket.lower;
   const double origin = bracket.lower + 0.5 * width;
-  const Places<4, Linear_motion_2> places({&p, &q, &r, &s}, {origin});
+  const Places<4, Motion> places({&p, &q, &r, &s}, {origin});
   // The differences to s and their derivatives, in binary64.
   std::array<double, 3> x;
   std::array<double, 3> y;
   std::array<double, 3> vx;
   std::array<double, 3> vy;
   double speed = 0;
-  const std::array<const Linear_motion_2*, 3> others = {&p, &q, &r};
+  double velocity_terms = 0;
+  const std::array<const Motion*, 3> others = {&p, &q, &r};
   for (std::size_t i = 0; i < 3; ++i) {
     x[i] = places.relative(i).x.high;
     y[i] = places.relative(i).y.high;
-    vx[i] = others[i]->velocity.x - s.velocity.x;
-    vy[i] = others[i]->velocity.y - s.velocity.y;
+    const Vector_2 velocity = relative_velocity(*others[i], s, velocity_terms);
+    vx[i] = velocity.x;
+    vy[i] = velocity.y;
     speed = std::max({speed, std::abs(vx[i]), std::abs(vy[i])});
   }
+  // So that one unit roundoff of it is more than the error of a velocity; of points it has none.
+  if constexpr (!std::same_as<Motion, Linear_motion_2>) speed += 0x1p-45 * velocity_terms;
   if (!places.is_in_range() || !is_precise() || !is_in_range(speed)) return std::nullopt;
   const Double_double value = places.squared_length(0) * places.cross(1, 2) +
                               places.squared_length(1) * places.cross(2, 0) +
@@ -233,6 +262,16 @@ std::optional<Rounding> rounded_in_circle(const Linear_motion_2& p, const Linear
 
 template double precise_orientation(const Linear_motion_2&, const Linear_motion_2&,
                                     const Linear_motion_2&, double, double);
+template double precise_orientation(const Image_motion_2&, const Image_motion_2&,
+                                    const Image_motion_2&, double, double);
+template double precise_in_circle(const Image_motion_2&, const Image_motion_2&,
+                                  const Image_motion_2&, const Image_motion_2&, double, double);
+template std::optional<Rounding> rounded_in_circle(const Linear_motion_2&, const Linear_motion_2&,
+                                                   const Linear_motion_2&, const Linear_motion_2&,
+                                                   const Double_interval&);
+template std::optional<Rounding> rounded_in_circle(const Image_motion_2&, const Image_motion_2&,
+                                                   const Image_motion_2&, const Image_motion_2&,
+                                                   const Double_interval&);
 template double precise_orientation(const Polynomial_motion_2&, const Polynomial_motion_2&,
                                     const Polynomial_motion_2&, double, double);
 template double precise_distance_comparison(const Linear_motion_2&, const Linear_motion_2&,

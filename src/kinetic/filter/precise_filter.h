@@ -11,6 +11,7 @@
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/impl/base/double_interval.h"
+#include "kinetri/kinetic/image_motion_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 
@@ -33,13 +34,14 @@ double precise_distance_comparison(const Motion& p, const Motion& q, const Motio
 
 /// @{ The only root of contact_polynomial, in_circle_polynomial or distance_comparison_polynomial
 /// in `bracket`, rounded; none if the rounding is not certain. Cost: about that of one value.
-/// `Motion` is Linear_motion_2 or Disc_motion_2.
+/// For contacts `Motion` is Linear_motion_2 or Disc_motion_2, for in-circle Linear_motion_2 or
+/// Image_motion_2.
 template <class Motion>
 std::optional<Rounding> rounded_contact(const Motion& p, const Motion& q, double diameter,
                                         const Double_interval& bracket);
-std::optional<Rounding> rounded_in_circle(const Linear_motion_2& p, const Linear_motion_2& q,
-                                          const Linear_motion_2& r, const Linear_motion_2& s,
-                                          const Double_interval& bracket);
+template <class Motion>
+std::optional<Rounding> rounded_in_circle(const Motion& p, const Motion& q, const Motion& r,
+                                          const Motion& s, const Double_interval& bracket);
 std::optional<Rounding> rounded_distance_comparison(const Linear_motion_2& p,
                                                     const Linear_motion_2& q,
                                                     const Linear_motion_2& r,

@@ -15,7 +15,9 @@
 
 #include "double_double.h"
 #include "error_bounds.h"
+#include "image_differences.h"
 #include "kinetri/algebra/algebraic_number.h"
+#include "kinetri/kinetic/image_motion_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 
@@ -75,6 +77,36 @@ struct Scaled<Polynomial_motion_2> {
   }
 };
 
+// That of the point.
+template <>
+struct Scaled<Image_motion_2> : Scaled<Linear_motion_2> {
+  static Place place(const Image_motion_2& image, const Double_double& time, double& terms) {
+    return Scaled<Linear_motion_2>::place(image.motion, time, terms);
+  }
+};
+
+// What p has more than q in addition to the difference of the points: for images the difference of
+// the offsets times the lattice vectors.
+template <class Motion>
+Place shifted(const Place& of_points, const Motion& /*p*/, const Motion& /*q*/,
+              const Double_double& /*time*/, double& /*terms*/) {
+  return of_points;
+}
+inline Place shifted(const Place& of_points, const Image_motion_2& p, const Image_motion_2& q,
+                     const Double_double& time, double& terms) {
+  const Offset_difference offset(p, q);
+  if (offset.is_zero()) return of_points;
+  const Periodic_box_2& box = p.box != nullptr ? *p.box : *q.box;
+  double terms_a = 0;
+  double terms_b = 0;
+  const Place a = Scaled<Linear_motion_2>::place(box.first(), time, terms_a);
+  const Place b = Scaled<Linear_motion_2>::place(box.second(), time, terms_b);
+  const Double_double k = {offset.first};
+  const Double_double l = {offset.second};
+  terms += std::abs(offset.first) * terms_a + std::abs(offset.second) * terms_b;
+  return {of_points.x + (k * a.x + l * b.x), of_points.y + (k * a.y + l * b.y)};
+}
+
 // Positions at one time, relative to the last point.
 template <std::size_t N, class Motion>
 class Places {
@@ -85,7 +117,8 @@ class Places {
       places[i] = Scaled<Motion>::place(*motions[i], time, terms_);
     }
     for (std::size_t i = 0; i + 1 < N; ++i) {
-      relative_[i] = {places[i].x - places[N - 1].x, places[i].y - places[N - 1].y};
+      relative_[i] = shifted({places[i].x - places[N - 1].x, places[i].y - places[N - 1].y},
+                             *motions[i], *motions[N - 1], time, terms_);
       size_ = std::max({size_, std::abs(relative_[i].x.high), std::abs(relative_[i].y.high)});
     }
     size_ += 0x1p-90 * terms_;

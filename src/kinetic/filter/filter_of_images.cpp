@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// For images of points in a periodic box.
+#include "filter.h"
+#include "filter_impl.h"
+#include "paired_filter_impl.h"
+
+namespace kinetri {
+
+using M = Image_motion_2;
+template Filter_result filter_in_circle(const M&, const M&, const M&, const M&,
+                                        const Double_interval&, bool);
+template Filter_result filter_orientation(const M&, const M&, const M&, const Double_interval&,
+                                          bool);
+template std::array<Filter_result, 2> filter_in_circles(const std::array<Quadruple<M>, 2>&,
+                                                        const Double_interval&);
+template std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<M>&,
+                                                        const Double_interval&);
+template Sign certain_x_order(const M&, const M&, const Double_interval&);
+template Sign certain_y_order(const M&, const M&, const Double_interval&);
+template Sign certain_orientation(const M&, const M&, const M&, const Double_interval&);
+template Sign certain_in_circle(const M&, const M&, const M&, const M&, const Double_interval&);
+template Sign certain_scalar_product(const M&, const M&, const M&, const Double_interval&);
+template Sign certain_distance_order(const M&, const M&, const M&, const Double_interval&);
+template bool certainly_apart(const M&, const M&, const Double_interval&);
+template bool certainly_surrounded(const M&, std::span<const M* const>, const Double_interval&);
+
+}  // namespace kinetri

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The filter of images of points in a periodic box never contradicts exact arithmetic. The
+// polynomials are those of support/images.h, which shares no code with the library's.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "kinetic/filter/filter.h"
+#include "kinetic/filter/precise_filter.h"
+#include "kinetri/algebra/real_roots.h"
+#include "support/filter_results.h"
+#include "support/images.h"
+
+namespace kinetri::image_filter_test {
+namespace {
+
+class Image_filter : public testing::TestWithParam<int> {};
+
+TEST_P(Image_filter, never_contradicts_exact_arithmetic) {
+  test::Images source(51);
+  test::Decided decided;
+  int undecided = 0;
+  const int cases = 1200 * test::multiplier();
+  for (int i = 0; i < cases; ++i) {
+    const auto m = source.next(GetParam());
+    SCOPED_TRACE(test::describe(m));
+    const double t = source.time();
+    const int mode = test::rounding_mode(i);
+    test::expect_true_certificates(m, t, mode, decided);
+    if (HasFatalFailure()) return;
+    // Once more, against polynomials of another source.
+    const Polynomial in_circle = test::lifted_determinant(0, m);
+    const auto paths = test::paths_of(m);
+    const Polynomial turn = test::turn_of(paths[0], paths[1], paths[2]);
+    const auto circle = test::in_mode(mode, [&] {
+      return filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false);
+    });
+    test::expect_true(circle, -in_circle, t);
+    if (circle.kind == Filter_result::Kind::unknown &&
+        sign_just_after(in_circle, t) == CGAL::NEGATIVE) {
+      ++undecided;
+    }
+    test::expect_true(test::in_mode(mode,
+                                    [&] {
+                                      return filter_orientation(m[0], m[1], m[2], {t, t}, false);
+                                    }),
+                      turn, t);
+    if (HasFatalFailure()) return;
+    // Signs throughout an interval.
+    const Double_interval interval = {t, t + std::ldexp(1, -10 - source.integer(50))};
+    const auto expect_sign = [&](const auto& certain, const Polynomial& p) {
+      const Sign sign = test::in_mode(mode, certain);
+      if (sign == CGAL::ZERO) return;
+      ASSERT_EQ(sign_at(p, Algebraic_number(t)), sign);
+      const auto root = first_root_after(p, t);
+      ASSERT_TRUE(!root || root->value > Algebraic_number(interval.upper));
+    };
+    expect_sign([&] { return certain_x_order(m[0], m[1], interval); }, paths[0][0] - paths[1][0]);
+    expect_sign([&] { return certain_y_order(m[0], m[1], interval); }, paths[0][1] - paths[1][1]);
+    expect_sign([&] { return certain_orientation(m[0], m[1], m[2], interval); }, turn);
+    expect_sign([&] { return certain_in_circle(m[0], m[1], m[2], m[3], interval); }, in_circle);
+    if (HasFatalFailure()) return;
+    if (test::in_mode(mode, [&] { return certainly_apart(m[0], m[1], interval); })) {
+      // A common root would be one of the gcd.
+      ASSERT_LE(gcd(paths[0][0] - paths[1][0], paths[0][1] - paths[1][1]).degree(), 0)
+          << "they meet, but were said not to";
+    }
+    const std::array<const Image_motion_2*, 3> around = {&m[0], &m[1], &m[2]};
+    if (test::in_mode(
+            mode, [&] { return certainly_surrounded<Image_motion_2>(m[3], around, interval); })) {
+      for (const std::size_t k : {0U, 1U, 2U}) {
+        const Polynomial left = test::turn_of(paths[3], paths[k], paths[(k + 1) % 3]);
+        ASSERT_EQ(sign_at(left, Algebraic_number(interval.lower)), CGAL::POSITIVE);
+        ASSERT_EQ(sign_at(left, Algebraic_number(interval.upper)), CGAL::POSITIVE);
+      }
+    }
+  }
+  if (GetParam() < 3) {
+    EXPECT_GT(decided.all, cases * 98 / 100) << "of the certificates, half hold at the start";
+    EXPECT_GT(decided.failures, cases / 30);
+    EXPECT_LT(undecided, cases / 50);
+  }
+}
+
+TEST_P(Image_filter, of_several_certificates_never_contradicts_exact_arithmetic) {
+  test::Images source(52);
+  test::Decided_after_flips counts;
+  int decided = 0;
+  const int cases = 700 * test::multiplier();
+  for (int i = 0; i < cases; ++i) {
+    const auto m = source.next(GetParam());
+    SCOPED_TRACE(test::describe(m));
+    // Others of the same box, near by.
+    std::array<Image_motion_2, 4> beyond = m;
+    for (std::size_t k = 0; k < 4; ++k) {
+      beyond[k].offset = m[(k + 1) % 4].offset;
+      beyond[k].motion.velocity = m[(k + 2) % 4].motion.velocity;
+    }
+    test::expect_true_pair(m, beyond, source.time(), test::rounding_mode(i), decided);
+    if (HasFatalFailure()) return;
+    test::expect_true_after_flip(m, beyond, source.time(), test::rounding_mode(i), counts);
+    if (HasFatalFailure()) return;
+  }
+  if (GetParam() < 3) {
+    EXPECT_GT(counts.flips, cases / 30);
+    EXPECT_GT(counts.decided, counts.positive * 9 / 10);
+    EXPECT_GT(decided, cases / 2);
+  }
+}
+
+// The two numbers whose sum is about as near to the root as is possible.
+std::array<double, 2> nearest_sum(const Algebraic_number& root) {
+  const double high = root.to_double();
+  if (!std::isfinite(high)) return {high, 0};
+  Rational low = -to_rational(std::abs(high)) / (Integer(1) << 52);
+  Rational step = -2 * low;
+  for (int i = 0; i < 54; ++i) {
+    step = step / 2;
+    if (root > Algebraic_number(Rational(to_rational(high) + low + step))) low += step;
+  }
+  return {high, to_double(low)};
+}
+
+TEST_P(Image_filter, of_twice_the_precision_has_the_signs_of_exact_arithmetic_or_none) {
+  test::Images source(53);
+  int asked = 0;
+  int known = 0;
+  int rounded = 0;
+  int failures = 0;
+  const int cases = 600 * test::multiplier();
+  for (int i = 0; i < cases; ++i) {
+    const auto m = source.next(GetParam());
+    SCOPED_TRACE(test::describe(m));
+    const double t = source.time();
+    const Polynomial in_circle = test::lifted_determinant(0, m);
+    const auto paths = test::paths_of(m);
+    const Polynomial turn = test::turn_of(paths[0], paths[1], paths[2]);
+    const auto expect_sign = [&](double value, const Polynomial& p, double high, double low) {
+      ++asked;
+      if (value == 0) return;
+      ++known;
+      EXPECT_EQ(value > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE,
+                p.sign_at(to_rational(high) + to_rational(low)));
+    };
+    const auto expect_signs = [&](double high, double low) {
+      expect_sign(precise_in_circle(m[0], m[1], m[2], m[3], high, low), in_circle, high, low);
+      expect_sign(precise_orientation(m[0], m[1], m[2], high, low), turn, high, low);
+    };
+    expect_signs(t, 0);
+    expect_signs(t, t * 0x1p-60);
+    // At a root of either and as near to it as two numbers can be, where signs are difficult.
+    for (const Polynomial& p : {in_circle, turn}) {
+      if (p.is_zero()) continue;
+      const auto root = first_root_after(p, t);
+      if (!root) continue;
+      const auto [high, low] = nearest_sum(root->value);
+      if (std::isfinite(high)) expect_signs(high, low);
+    }
+    if (HasFailure()) return;
+    const Filter_result result = filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false);
+    if (result.kind != Filter_result::Kind::fails) continue;
+    ++failures;
+    const auto rounding = rounded_in_circle(m[0], m[1], m[2], m[3], result.bounds);
+    if (!rounding) continue;
+    ++rounded;
+    const Algebraic_number time = first_root_after(in_circle, t).value().value;
+    EXPECT_EQ(rounding->nearest, time.to_double());
+    EXPECT_LT(rounding->bounds.lower, time);
+    EXPECT_GT(rounding->bounds.upper, time);
+    if (HasFailure()) return;
+  }
+  if (GetParam() < 3) {
+    EXPECT_GT(known, asked / 2);
+    EXPECT_GT(failures, cases / 100);
+    EXPECT_GT(rounded, failures / 2);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Image_filter, testing::Range(0, test::Images::kinds),
+                         test::kind_name);
+
+void expect_equal(const Filter_result& a, const Filter_result& b) {
+  EXPECT_EQ(a.kind, b.kind);
+  EXPECT_EQ(a.bounds.lower, b.bounds.lower);
+  EXPECT_EQ(a.bounds.upper, b.bounds.upper);
+  EXPECT_EQ(a.is_refined, b.is_refined);
+  EXPECT_EQ(a.may_be_zero, b.may_be_zero);
+}
+
+// Bit for bit, with any equal offsets.
+TEST(Image_filter, of_equal_offsets_has_the_results_of_points) {
+  const Periodic_box_2 box({{3, 1}, {0.1, 1e10}, 5}, {{-1, 3}, {0.3, 0.7}, -2});
+  std::mt19937_64 random(54);
+  std::uniform_real_distribution<double> real(-10, 10);
+  constexpr std::array<Lattice_offset_2, 3> offsets = {
+      {{0, 0}, {-5, 3}, {2147483647, -2147483648}}};
+  for (int i = 0; i < 3000 * test::multiplier(); ++i) {
+    std::array<Linear_motion_2, 8> m;
+    const bool is_coarse = i % 4 == 0;
+    const auto number = [&] { return is_coarse ? std::round(real(random) / 3) : real(random); };
+    for (Linear_motion_2& a : m) {
+      a = {{number(), number()}, {number(), number()}, i % 3 == 0 ? number() : 0};
+    }
+    const double t = number();
+    std::array<Image_motion_2, 8> n;
+    const Lattice_offset_2 offset = offsets[static_cast<std::size_t>(i) % offsets.size()];
+    for (std::size_t k = 0; k < m.size(); ++k) n[k] = {m[k], offset, &box};
+    const Double_interval after = {t, i % 2 == 0 ? t : t + 1e-12};
+    const auto circle = filter_in_circle(m[0], m[1], m[2], m[3], after, i % 5 == 0);
+    expect_equal(filter_in_circle(n[0], n[1], n[2], n[3], after, i % 5 == 0), circle);
+    expect_equal(filter_orientation(n[0], n[1], n[2], after, false),
+                 filter_orientation(m[0], m[1], m[2], after, false));
+    const Flip_neighborhood<Linear_motion_2> around = {{&m[0], &m[1], &m[2], &m[3]},
+                                                       {&m[4], &m[5], &m[6], &m[7]}};
+    const Flip_neighborhood<Image_motion_2> around_images = {{&n[0], &n[1], &n[2], &n[3]},
+                                                             {&n[4], &n[5], &n[6], &n[7]}};
+    const auto five = filter_after_flip(around, after);
+    const auto five_of_images = filter_after_flip(around_images, after);
+    for (std::size_t k = 0; k < five.size(); ++k) expect_equal(five_of_images[k], five[k]);
+    // Positions of images are rounded one by one.
+    if (offset == Lattice_offset_2()) {
+      EXPECT_EQ(certain_in_circle(n[0], n[1], n[2], n[3], after),
+                certain_in_circle(m[0], m[1], m[2], m[3], after));
+      EXPECT_EQ(certain_orientation(n[0], n[1], n[2], after),
+                certain_orientation(m[0], m[1], m[2], after));
+    }
+    EXPECT_EQ(certainly_apart(n[0], n[1], after), certainly_apart(m[0], m[1], after));
+    EXPECT_EQ(precise_in_circle(n[0], n[1], n[2], n[3], t, 0),
+              precise_in_circle(m[0], m[1], m[2], m[3], t, 0));
+    EXPECT_EQ(precise_orientation(n[0], n[1], n[2], t, 0),
+              precise_orientation(m[0], m[1], m[2], t, 0));
+    if (circle.kind == Filter_result::Kind::fails) {
+      const auto rounding = rounded_in_circle(m[0], m[1], m[2], m[3], circle.bounds);
+      const auto of_images = rounded_in_circle(n[0], n[1], n[2], n[3], circle.bounds);
+      ASSERT_EQ(of_images.has_value(), rounding.has_value());
+      if (rounding) {
+        EXPECT_EQ(of_images->nearest, rounding->nearest);
+      }
+    }
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+// Velocities that cancel those of the lattice vectors up to rounding: slopes computed as zero, or
+// as small as their errors, are not zero.
+TEST(Image_filter, takes_no_small_slope_for_what_it_is) {
+  const double rate = 1e12;
+  const Periodic_box_2 box({{10, 0}, {rate / 3, 0}, 0}, {{0, 10}, {0, rate / 7}, 0});
+  std::mt19937_64 random(55);
+  std::uniform_real_distribution<double> real(0, 10);
+  int rounded_to_zero = 0;
+  for (int i = 0; i < 2000 * test::multiplier(); ++i) {
+    std::array<Image_motion_2, 4> m;
+    for (Image_motion_2& image : m) {
+      image = {{}, {static_cast<int>(random() % 7) - 3, static_cast<int>(random() % 7) - 3}, &box};
+      const auto [k, l] = image.offset;
+      image.motion = {{real(random) - 10 * k, real(random) - 10 * l},
+                      {-k * box.first().velocity.x, -l * box.second().velocity.y},
+                      0};
+    }
+    const Polynomial in_circle = test::lifted_determinant(0, m);
+    const auto paths = test::paths_of(m);
+    const Filter_result result = filter_in_circle(m[0], m[1], m[2], m[3], {0, 0}, false);
+    test::expect_true(result, -in_circle, 0.0);
+    test::expect_true(filter_orientation(m[0], m[1], m[2], {0, 0}, false),
+                      test::turn_of(paths[0], paths[1], paths[2]), 0.0);
+    if (certainly_apart(m[0], m[1], {0, 0})) {
+      ASSERT_LE(gcd(paths[0][0] - paths[1][0], paths[0][1] - paths[1][1]).degree(), 0);
+    }
+    rounded_to_zero += in_circle.degree() > 0;
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(rounded_to_zero, 1000) << "the images move, by what has been rounded";
+}
+
+// The rounded slope has another direction than the exact one, along which they meet.
+TEST(Image_filter, does_not_say_that_images_are_apart_whose_slopes_cancel) {
+  std::mt19937_64 random(56);
+  std::uniform_real_distribution<double> real(1e12, 2e12);
+  for (int i = 0; i < 500; ++i) {
+    const Vector_2 rate = {real(random), real(random)};
+    const Periodic_box_2 box({{1, 0}, rate, 0}, {{0, 1}, {0, 0}, 0});
+    // A velocity that cancels that of the image up to some units in the last place, and what is
+    // left, exactly.
+    const auto velocity = [&](double x) {
+      return -3 * x + static_cast<double>(i % 7 + 1) * 0x1p-11;
+    };
+    const Vector_2 v = {velocity(rate.x), -3 * rate.y + 0x1p-11};
+    const Vector_2 slope = {std::fma(3, rate.x, v.x), std::fma(3, rate.y, v.y)};
+    const double time = i % 5 + 1;
+    const Image_motion_2 p = {{{-time * slope.x - 3, -time * slope.y}, v, 0}, {3, 0}, &box};
+    const Image_motion_2 q = {{}, {0, 0}, &box};
+    ASSERT_EQ(test::place_at(p, to_rational(time)), test::Static_point(0, 0));
+    EXPECT_FALSE(certainly_apart(p, q, {0, 0}));
+  }
+}
+
+}  // namespace
+}  // namespace kinetri::image_filter_test
