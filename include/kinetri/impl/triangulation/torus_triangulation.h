@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A triangulation of the flat torus, the plane modulo a lattice, from one vertex on. CGAL's data
+// structure stores it but does not change or search it, since CGAL finds edges by their vertices:
+// here an edge may be a loop, and two faces may share several edges.
+#ifndef KINETRI_IMPL_TRIANGULATION_TORUS_TRIANGULATION_H
+#define KINETRI_IMPL_TRIANGULATION_TORUS_TRIANGULATION_H
+
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/enum.h>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kinetri/base/ids.h"
+#include "kinetri/impl/triangulation/kinetic_triangulation_data_structure_2.h"
+
+namespace kinetri::detail {
+
+/// How many times an image of a point is moved along the two vectors of the lattice.
+struct Lattice_offset_2 {
+  std::int32_t x = 0;  ///< along the first vector
+  std::int32_t y = 0;  ///< along the second one
+  friend auto operator<=>(const Lattice_offset_2&, const Lattice_offset_2&) = default;
+};
+
+/// A face whose corners are images of points. It stores their offsets against corner 0, so that
+/// they are those of edges, and the index that each edge has in the neighbor.
+template <class InstantaneousTraits, class FaceBase = Kinetic_face_base_2<InstantaneousTraits>>
+class Periodic_face_base_2 : public FaceBase {
+ public:
+  /// As CGAL requires.
+  template <class Tds2>
+  struct Rebind_TDS {
+    /// The face of the data structure Tds2.
+    using Other = Periodic_face_base_2<InstantaneousTraits,
+                                       typename FaceBase::template Rebind_TDS<Tds2>::Other>;
+  };
+
+  using FaceBase::FaceBase;
+
+  /// The offset of corner i against corner 0. Precondition: 0 <= i < 3.
+  Lattice_offset_2 offset(int i) const {
+    return i == 0 ? Lattice_offset_2{} : offsets_[static_cast<std::size_t>(i - 1)];
+  }
+  /// Sets the offsets of corners 1 and 2 against corner 0.
+  void set_offsets(Lattice_offset_2 first, Lattice_offset_2 second) { offsets_ = {first, second}; }
+
+  /// The index of edge i in neighbor i. Precondition: 0 <= i < 3.
+  int mirror(int i) const { return mirrors_[static_cast<std::size_t>(i)]; }
+  /// Stores that index.
+  void set_mirror(int i, int mirror) {
+    mirrors_[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(mirror);
+  }
+
+ private:
+  std::array<Lattice_offset_2, 2> offsets_;
+  std::array<std::uint8_t, 3> mirrors_ = {0, 0, 0};
+};
+
+/// CGAL's data structure with such faces.
+template <class InstantaneousTraits>
+using Torus_data_structure_2 =
+    CGAL::Triangulation_data_structure_2<Kinetic_vertex_base_2<InstantaneousTraits>,
+                                         Periodic_face_base_2<InstantaneousTraits>>;
+
+/// Predicates of images of points, at one instant. The lattice turns left there: the second vector
+/// is to the left of the first one. Of four images, some of one point too, one is always inside or
+/// outside of the circle of the others, by a perturbation if necessary (docs/MATH.md, section 4).
+template <class T>
+concept TorusTraits_2 = requires(const T& traits, const typename T::Point_2& point,
+                                 const Lattice_offset_2& offset, const typename T::Image_2& p) {
+  { point.id() } -> std::convertible_to<Point_id>;
+  { traits.image(point, offset) } -> std::same_as<typename T::Image_2>;
+  { traits.orientation_2_object()(p, p, p) } -> std::same_as<CGAL::Orientation>;
+  { traits.side_of_oriented_circle_2_object()(p, p, p, p) } -> std::same_as<CGAL::Oriented_side>;
+};
+
+/// Vertices, faces, and the links between them.
+///
+/// Invariants: the corners of each face are images that turn left, and the faces cover the torus
+/// once (problem() checks these). So n vertices have 2n faces and 3n edges, and no face is its own
+/// neighbor. The offset of one end of an edge against the other is less than 2^31 in each
+/// direction. Only differences of offsets have a meaning: each face sees the lattice from its
+/// corner 0.
+///
+/// An Error says that an edge would get a greater offset; the triangulation then keeps its
+/// invariants, but may not be Delaunay (see also remove_from_faces). If memory is missing, it can
+/// only be destroyed.
+template <TorusTraits_2 Traits>
+class Torus_triangulation {
+ public:
+  /// @{
+  /// As in CGAL's triangulations.
+  using Geom_traits = Traits;
+  using Point_2 = typename Traits::Point_2;
+  using Triangulation_data_structure = Torus_data_structure_2<Traits>;
+  using Vertex_handle = typename Triangulation_data_structure::Vertex_handle;
+  using Face_handle = typename Triangulation_data_structure::Face_handle;
+  using Edge = typename Triangulation_data_structure::Edge;
+  enum Locate_type { VERTEX, EDGE, FACE };
+  /// @}
+  using Image_2 = typename Traits::Image_2;  ///< a point with an offset
+  /// Two vectors of the lattice, by their offsets.
+  using Basis = std::array<Lattice_offset_2, 2>;
+
+  /// The face, edge or vertex at a position.
+  struct Location {
+    Face_handle face;
+    Lattice_offset_2 offset;  ///< of the image that is there, against corner 0 of the face
+    Locate_type locus = FACE;
+    int index = 0;  ///< of the edge or vertex, if the position is on one
+  };
+
+  /// Without vertices.
+  explicit Torus_triangulation(const Traits& traits = Traits()) : traits_(traits) {
+    tds_.set_dimension(2);
+  }
+  ~Torus_triangulation() = default;
+  Torus_triangulation(const Torus_triangulation&) = delete;
+  Torus_triangulation& operator=(const Torus_triangulation&) = delete;
+  /// @{
+  /// Moves the other triangulation, which must not be used any more. Handles stay valid.
+  Torus_triangulation(Torus_triangulation&&) = default;
+  Torus_triangulation& operator=(Torus_triangulation&&) = default;
+  /// @}
+
+  // ---- structure ----
+
+  const Traits& geom_traits() const { return traits_; }
+  const Triangulation_data_structure& tds() const { return tds_; }
+  /// To create and delete vertices that are in no face, and to store data in faces.
+  Triangulation_data_structure& tds() { return tds_; }
+
+  /// 2, or -1 without vertices.
+  int dimension() const { return tds_.faces().empty() ? -1 : 2; }
+  /// Of those in faces.
+  std::size_t number_of_vertices() const { return tds_.faces().size() / 2; }
+
+  static int ccw(int i) { return Triangulation_data_structure::ccw(i); }
+  static int cw(int i) { return Triangulation_data_structure::cw(i); }
+
+  /// The same edge in its other face.
+  static Edge mirror(const Edge& edge) {
+    const auto& [face, i] = edge;
+    return Edge(face->neighbor(i), face->mirror(i));
+  }
+  /// The offset of corner i against corner 0 of the face.
+  static Lattice_offset_2 offset(Face_handle face, int i) { return face->offset(i); }
+  /// The offset of corner `to` against corner `from` of the face.
+  static Lattice_offset_2 offset(Face_handle face, int from, int to) {
+    return difference(face->offset(to), face->offset(from));
+  }
+
+  /// Calls `function` with the handle of each face at `v` and the index of `v` in it,
+  /// counterclockwise. A face with several corners at `v` comes as often. The function must not
+  /// change the faces at `v`, which is in faces.
+  template <class Function>
+  void for_each_face_at(Vertex_handle v, Function function) const;
+  /// The edges opposite `v` in the faces at it. `v` is in faces.
+  std::vector<Edge> edges_opposite(Vertex_handle v) const;
+
+  // ---- predicates ----
+
+  /// Whether the opposite corner beyond the edge is in the circle of the face.
+  bool is_violated(const Edge& edge) const;
+
+  /// The location of an image of a point, which is given by its offset against corner 0 of `start`;
+  /// of the point itself against corner 0 of some face if `start` is null. The walk passes the
+  /// triangles between, whose number grows with the distance. Precondition: there are vertices, and
+  /// the triangulation is Delaunay, since the walk may not end else. [Devillers, Pion and Teillaud
+  /// 2002]
+  Location locate(const Point_2& point, Face_handle start = {}, Lattice_offset_2 offset = {}) const;
+
+  // ---- changes ----
+
+  /// Makes the triangulation with one vertex, which is Delaunay. It begins with the diagonals of
+  /// the parallelogram of two vectors that span the lattice. The number of flips is that of the
+  /// subtractions by which these become shortest vectors. Precondition: the triangulation is empty,
+  /// and the determinant of the vectors is 1.
+  void insert_first(Vertex_handle v, const Basis& basis = {{{1, 0}, {0, 1}}});
+  /// Inserts a vertex without faces into the face or edge of the location. Flips no edge, except
+  /// that at the location. Only the edges opposite the vertex may then be violated, if none was.
+  void insert_in_faces(Vertex_handle v, const Location& location);
+  /// Inserts a point, located as by locate(), and makes the triangulation Delaunay. Returns its
+  /// vertex, or that of the point with an image in the same place, whose id is another.
+  Vertex_handle insert(const Point_2& point, Face_handle start = {}, Lattice_offset_2 offset = {});
+
+  /// Replaces an edge, (face, i) with the mirror edge (neighbor, j), by the other diagonal of its
+  /// quadrilateral, (face, ccw(i)) with the mirror edge (neighbor, ccw(j)). Returns that. Of the
+  /// outer edges, (face, ccw(i)) becomes (neighbor, j), and (neighbor, ccw(j)) becomes (face, i).
+  /// Does not examine how the faces turn.
+  Edge flip(const Edge& edge);
+  /// Flips edges until the triangulation is Delaunay. Precondition: all violated edges are among
+  /// the given ones. [Lawson 1977]
+  void restore_delaunay(std::vector<Edge> edges);
+
+  /// Removes a vertex from its faces by flips, and makes the triangulation Delaunay. The vertex
+  /// stays, in no face. If no flip leads on, the result is false: then, as after an Error, `v` may
+  /// still be in faces, some of which may be flat, and the triangulation must be constructed anew.
+  bool remove_from_faces(Vertex_handle v);
+
+  // ---- checks ----
+
+  /// The first invariant that does not hold, in words; empty if all hold. O(n).
+  std::string problem() const;
+  /// Whether no edge is violated. O(n).
+  bool is_delaunay() const;
+
+ private:
+  // Exact where both are offsets of edges with a common end whose other ends have an edge.
+  static Lattice_offset_2 difference(Lattice_offset_2 a, Lattice_offset_2 b) {
+    return {a.x - b.x, a.y - b.y};
+  }
+  static Lattice_offset_2 checked_difference(Lattice_offset_2 a, Lattice_offset_2 b,
+                                             const Point_2& of, const Point_2& against);
+  static void set_offsets(Face_handle face, int i, const std::array<Lattice_offset_2, 3>& offsets);
+  static void link(const Edge& here, const Edge& there);
+  // Corners are stored as edges: a face, and the index of the corner in it.
+  static Edge corner_at(Vertex_handle v) { return Edge(v->face(), v->face()->index(v)); }
+  static Edge next_corner(const Edge& corner) {
+    const Edge there = mirror(Edge(corner.first, ccw(corner.second)));
+    return Edge(there.first, ccw(there.second));
+  }
+  Image_2 image(Face_handle face, int i, Lattice_offset_2 offset) const {
+    return traits_.image(face->vertex(i)->point(), offset);
+  }
+  CGAL::Orientation orientation(const Image_2& p, const Image_2& q, const Image_2& r) const {
+    return traits_.orientation_2_object()(p, q, r);
+  }
+  std::array<Image_2, 4> quadrilateral(const Edge& edge) const;
+  void check_new_edges(const Point_2& point, const Location& location) const;
+  bool is_flip_away_possible(const Edge& edge, Vertex_handle v, bool may_be_flat) const;
+  static int ends_lost_by_flip(const Edge& edge, Vertex_handle v);
+  std::string problem_of_face(Face_handle face) const;
+  std::string problem_of_vertices() const;
+
+  Traits traits_;
+  Triangulation_data_structure tds_;
+};
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_TORUS_TRIANGULATION_H

@@ -1,0 +1,458 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef KINETRI_IMPL_TRIANGULATION_TORUS_TRIANGULATION_IMPL_H
+#define KINETRI_IMPL_TRIANGULATION_TORUS_TRIANGULATION_IMPL_H
+
+#include <limits>
+
+#include "kinetri/algebra/number_types.h"
+#include "kinetri/base/error.h"
+#include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/torus_triangulation.h"
+
+namespace kinetri::detail {
+
+// ---- offsets and links ----
+
+// The smallest integer is refused too, so that the reverse edge has an offset.
+template <TorusTraits_2 Traits>
+Lattice_offset_2 Torus_triangulation<Traits>::checked_difference(Lattice_offset_2 a,
+                                                                 Lattice_offset_2 b,
+                                                                 const Point_2& of,
+                                                                 const Point_2& against) {
+  const std::int64_t x = std::int64_t{a.x} - b.x;
+  const std::int64_t y = std::int64_t{a.y} - b.y;
+  constexpr std::int64_t greatest = std::numeric_limits<std::int32_t>::max();
+  if (-greatest <= x && x <= greatest && -greatest <= y && y <= greatest) {
+    return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+  }
+  throw Error("the image of point " + std::to_string(of.id()) + " next to point " +
+              std::to_string(against.id()) + " is moved by (" + std::to_string(x) + ", " +
+              std::to_string(y) +
+              ") vectors of the box; expected less than 2^31 of each: give positions that are "
+              "closer together, or stop before the points or the box have moved so far");
+}
+
+// Sets the offsets of the corners i, ccw(i), cw(i), which are all against the same image.
+template <TorusTraits_2 Traits>
+void Torus_triangulation<Traits>::set_offsets(Face_handle face, int i,
+                                              const std::array<Lattice_offset_2, 3>& offsets) {
+  std::array<Lattice_offset_2, 3> of_corner;
+  for (const Lattice_offset_2& o : offsets) {
+    of_corner[static_cast<std::size_t>(i)] = o;
+    i = ccw(i);
+  }
+  face->set_offsets(difference(of_corner[1], of_corner[0]), difference(of_corner[2], of_corner[0]));
+}
+
+template <TorusTraits_2 Traits>
+inline void Torus_triangulation<Traits>::link(const Edge& here, const Edge& there) {
+  here.first->set_neighbor(here.second, there.first);
+  here.first->set_mirror(here.second, there.second);
+  there.first->set_neighbor(there.second, here.first);
+  there.first->set_mirror(there.second, here.second);
+}
+
+template <TorusTraits_2 Traits>
+template <class Function>
+void Torus_triangulation<Traits>::for_each_face_at(Vertex_handle v, Function function) const {
+  const Edge first = corner_at(v);
+  Edge corner = first;
+  do {
+    function(corner.first, corner.second);
+    corner = next_corner(corner);
+  } while (corner != first);
+}
+
+template <TorusTraits_2 Traits>
+auto Torus_triangulation<Traits>::edges_opposite(Vertex_handle v) const -> std::vector<Edge> {
+  std::vector<Edge> result;
+  for_each_face_at(v, [&](Face_handle face, int i) { result.emplace_back(face, i); });
+  return result;
+}
+
+// ---- predicates ----
+
+// The corners of an edge's quadrilateral, counterclockwise from corner i of the face on. Their
+// offsets are against cw(i), which has an edge to all others.
+template <TorusTraits_2 Traits>
+inline auto Torus_triangulation<Traits>::quadrilateral(const Edge& edge) const
+    -> std::array<Image_2, 4> {
+  const auto& [face, i] = edge;
+  const auto [neighbor, j] = mirror(edge);
+  return {image(face, i, offset(face, cw(i), i)), image(face, ccw(i), offset(face, cw(i), ccw(i))),
+          image(neighbor, j, offset(neighbor, ccw(j), j)), image(face, cw(i), {})};
+}
+
+template <TorusTraits_2 Traits>
+inline bool Torus_triangulation<Traits>::is_violated(const Edge& edge) const {
+  const auto corners = quadrilateral(edge);
+  return traits_.side_of_oriented_circle_2_object()(corners[0], corners[1], corners[3],
+                                                    corners[2]) == CGAL::ON_POSITIVE_SIDE;
+}
+
+template <TorusTraits_2 Traits>
+auto Torus_triangulation<Traits>::locate(const Point_2& point, Face_handle start,
+                                         Lattice_offset_2 offset_at_start) const -> Location {
+  KINETRI_PRECONDITION(dimension() == 2, "there are no points; expected at least one");
+  Location at;
+  at.face = start != Face_handle() ? start : tds_.faces().begin();
+  at.offset = offset_at_start;
+  for (int entered = -1;;) {  // the edge that the walk has crossed; it is on its left
+    const Face_handle face = at.face;
+    const Image_2 place = traits_.image(point, at.offset);
+    const std::array<Image_2, 3> corners = {image(face, 0, offset(face, 0)),
+                                            image(face, 1, offset(face, 1)),
+                                            image(face, 2, offset(face, 2))};
+    const auto corner = [&](int i) { return corners[static_cast<std::size_t>(i)]; };
+    int zeros = 0;
+    int sum_of_zeros = 0;
+    int crossed = -1;
+    for (int k = 1; k <= 3 && crossed < 0; ++k) {
+      const int i = (entered + k) % 3;
+      if (i == entered) continue;
+      const CGAL::Orientation side = orientation(corner(ccw(i)), corner(cw(i)), place);
+      if (side == CGAL::RIGHT_TURN) crossed = i;
+      if (side != CGAL::COLLINEAR) continue;
+      ++zeros;
+      sum_of_zeros += i;
+    }
+    if (crossed < 0) {
+      at.locus = zeros == 0 ? FACE : zeros == 1 ? EDGE : VERTEX;
+      at.index = zeros == 2 ? 3 - sum_of_zeros : sum_of_zeros;
+      return at;
+    }
+    const auto [neighbor, j] = mirror(Edge(face, crossed));
+    const Vertex_handle shared = face->vertex(ccw(crossed));
+    const Lattice_offset_2 against_shared =
+        checked_difference(at.offset, offset(face, ccw(crossed)), point, shared->point());
+    at.offset = checked_difference(against_shared, offset(neighbor, cw(j), 0), point,
+                                   neighbor->vertex(0)->point());
+    at.face = neighbor;
+    entered = j;
+  }
+}
+
+// ---- insertion ----
+
+template <TorusTraits_2 Traits>
+void Torus_triangulation<Traits>::insert_first(Vertex_handle v, const Basis& basis) {
+  KINETRI_PRECONDITION(dimension() < 2, "the triangulation is not empty; expected no vertices");
+  const auto checked = [&](Lattice_offset_2 a, Lattice_offset_2 b) {
+    return checked_difference(a, b, v->point(), v->point());
+  };
+  const Lattice_offset_2 first = checked(basis[0], {});
+  const Lattice_offset_2 second = checked(basis[1], {});
+  const Lattice_offset_2 diagonal = checked(first, {-second.x, -second.y});
+  KINETRI_PRECONDITION(
+      std::int64_t{first.x} * second.y - std::int64_t{first.y} * second.x == 1,
+      "the two vectors do not span the lattice; expected offsets whose determinant is 1");
+  const Face_handle right = tds_.create_face(v, v, v);
+  const Face_handle left = tds_.create_face(v, v, v);
+  right->set_offsets(first, diagonal);
+  left->set_offsets(diagonal, second);
+  link(Edge(right, 0), Edge(left, 1));
+  link(Edge(right, 1), Edge(left, 2));
+  link(Edge(right, 2), Edge(left, 0));
+  v->set_face(right);
+  restore_delaunay(edges_opposite(v));
+}
+
+// Throws an Error if one of the edges from the location to the corners around it is too long.
+template <TorusTraits_2 Traits>
+void Torus_triangulation<Traits>::check_new_edges(const Point_2& point,
+                                                  const Location& location) const {
+  const auto& [face, to_point, locus, index] = location;
+  for (int i = 0; i < 3; ++i) {
+    checked_difference(to_point, offset(face, i), point, face->vertex(i)->point());
+  }
+  if (locus != EDGE) return;
+  const auto [neighbor, j] = mirror(Edge(face, index));
+  checked_difference(difference(to_point, offset(face, ccw(index))), offset(neighbor, cw(j), j),
+                     point, neighbor->vertex(j)->point());
+}
+
+//            2
+//          / | \              The face keeps the corners 1 and 2, and the others get two new faces.
+//        /   v   \            No two sides of the face are one edge, so that each side moves alone.
+//      /  /     \  \          A vertex on an edge makes one of the three flat, until that edge is
+//     0 ----------- 1         flipped.
+template <TorusTraits_2 Traits>
+void Torus_triangulation<Traits>::insert_in_faces(Vertex_handle v, const Location& location) {
+  const Face_handle face = location.face;
+  KINETRI_PRECONDITION(location.locus != VERTEX,
+                       "there is a vertex at the location; expected a face or an edge");
+  const std::array<Vertex_handle, 3> corner = {face->vertex(0), face->vertex(1), face->vertex(2)};
+  const Lattice_offset_2 first = offset(face, 1);
+  const Lattice_offset_2 second = offset(face, 2);
+  check_new_edges(v->point(), location);
+  const std::array<Face_handle, 3> faces = {face, tds_.create_face(corner[0], v, corner[2]),
+                                            tds_.create_face(corner[0], corner[1], v)};
+  link(Edge(faces[1], 1), mirror(Edge(face, 1)));
+  link(Edge(faces[2], 2), mirror(Edge(face, 2)));
+  face->set_vertex(0, v);
+  set_offsets(face, 0, {location.offset, first, second});
+  faces[1]->set_offsets(location.offset, second);
+  faces[2]->set_offsets(first, location.offset);
+  link(Edge(face, 1), Edge(faces[1], 0));
+  link(Edge(face, 2), Edge(faces[2], 0));
+  link(Edge(faces[1], 2), Edge(faces[2], 1));
+  corner[0]->set_face(faces[1]);
+  corner[1]->set_face(face);
+  corner[2]->set_face(face);
+  v->set_face(face);
+  if (location.locus == EDGE) {
+    flip(Edge(faces[static_cast<std::size_t>(location.index)], location.index));
+  }
+}
+
+template <TorusTraits_2 Traits>
+auto Torus_triangulation<Traits>::insert(const Point_2& point, Face_handle start,
+                                         Lattice_offset_2 offset) -> Vertex_handle {
+  Location location;
+  if (dimension() == 2) {
+    location = locate(point, start, offset);
+    if (location.locus == VERTEX) return location.face->vertex(location.index);
+  }
+  const Vertex_handle v = tds_.create_vertex();
+  v->set_point(point);
+  if (dimension() < 2) {
+    insert_first(v);
+    return v;
+  }
+  try {
+    insert_in_faces(v, location);
+  } catch (...) {
+    tds_.delete_vertex(v);
+    throw;
+  }
+  restore_delaunay(edges_opposite(v));
+  return v;
+}
+
+// ---- flips ----
+
+//         c                  c
+//       / | \              /   \           The sides a c and b d go to the other face. These two,
+//       as
+//      a  |  b    ==>     a --- b          any opposite sides, may be one edge: of a parallelogram
+//       \ | /              \   /           that covers the torus, both pairs are.
+//         d                  d
+template <TorusTraits_2 Traits>
+auto Torus_triangulation<Traits>::flip(const Edge& edge) -> Edge {
+  const auto [face, i] = edge;
+  const auto [neighbor, j] = mirror(edge);
+  const Vertex_handle here = face->vertex(i);        // a
+  const Vertex_handle there = neighbor->vertex(j);   // b
+  const Vertex_handle right = face->vertex(ccw(i));  // d
+  const Vertex_handle left = face->vertex(cw(i));    // c
+  // All offsets against `left`.
+  const Lattice_offset_2 to_here = offset(face, cw(i), i);
+  const Lattice_offset_2 to_there = offset(neighbor, ccw(j), j);
+  const Lattice_offset_2 to_right = offset(face, cw(i), ccw(i));
+  checked_difference(to_there, to_here, there->point(), here->point());
+
+  // Two sides move from one face to the other. If they are one edge, the mirror edges move, too.
+  const Edge left_side(face, ccw(i));
+  const Edge right_side(neighbor, ccw(j));
+  const Edge left_side_after(neighbor, j);
+  const Edge right_side_after(face, i);
+  const auto moved = [&](const Edge& side) {
+    return side == left_side ? left_side_after : side == right_side ? right_side_after : side;
+  };
+  const Edge beyond_left = moved(mirror(left_side));
+  const Edge beyond_right = moved(mirror(right_side));
+
+  face->set_vertex(cw(i), there);
+  neighbor->set_vertex(cw(j), here);
+  set_offsets(face, i, {to_here, to_right, to_there});
+  set_offsets(neighbor, j, {to_there, {}, to_here});
+  link(left_side_after, beyond_left);
+  link(right_side_after, beyond_right);
+  link(left_side, right_side);
+  if (left->face() == face) left->set_face(neighbor);
+  if (right->face() == neighbor) right->set_face(face);
+  return left_side;
+}
+
+// A flip stores its four outer edges again, so that an edge on the stack that has moved since is
+// there a second time.
+template <TorusTraits_2 Traits>
+void Torus_triangulation<Traits>::restore_delaunay(std::vector<Edge> edges) {
+  while (!edges.empty()) {
+    const Edge edge = edges.back();
+    edges.pop_back();
+    if (!is_violated(edge)) continue;
+    const auto [face, i] = flip(edge);
+    const auto [neighbor, j] = mirror(Edge(face, i));
+    edges.insert(edges.end(), {Edge(face, cw(i)), Edge(face, ccw(i)), Edge(neighbor, cw(j)),
+                               Edge(neighbor, ccw(j))});
+  }
+}
+
+// ---- removal ----
+
+// By how much fewer edges a vertex has after a flip; a loop has two ends.
+template <TorusTraits_2 Traits>
+int Torus_triangulation<Traits>::ends_lost_by_flip(const Edge& edge, Vertex_handle v) {
+  const auto& [face, i] = edge;
+  const auto [neighbor, j] = mirror(edge);
+  const auto is_at = [v](Vertex_handle corner) { return corner == v ? 1 : 0; };
+  return is_at(face->vertex(cw(i))) + is_at(face->vertex(ccw(i))) - is_at(face->vertex(i)) -
+         is_at(neighbor->vertex(j));
+}
+
+// Whether the two faces after a flip turn left, or are flat at `v` if that is allowed.
+template <TorusTraits_2 Traits>
+bool Torus_triangulation<Traits>::is_flip_away_possible(const Edge& edge, Vertex_handle v,
+                                                        bool may_be_flat) const {
+  const auto& [face, i] = edge;
+  const auto corners = quadrilateral(edge);
+  const auto is_allowed = [&](CGAL::Orientation turn, Vertex_handle at) {
+    return turn == CGAL::LEFT_TURN || (turn == CGAL::COLLINEAR && may_be_flat && at == v);
+  };
+  return is_allowed(orientation(corners[0], corners[1], corners[2]), face->vertex(ccw(i))) &&
+         is_allowed(orientation(corners[2], corners[3], corners[0]), face->vertex(cw(i)));
+}
+
+// Flips edges away from the vertex until it has three. Faces that are flat at the vertex are needed
+// if it is on a diagonal of its neighbors, as in the middle of a square.
+template <TorusTraits_2 Traits>
+bool Torus_triangulation<Traits>::remove_from_faces(Vertex_handle v) {
+  if (number_of_vertices() == 1) {
+    tds_.faces().clear();
+    v->set_face(Face_handle());
+    return true;
+  }
+  std::vector<Face_handle> changed;  // Each flip is within the faces at the vertex.
+  int degree = 0;
+  for_each_face_at(v, [&](Face_handle face, int) {
+    changed.push_back(face);
+    ++degree;
+  });
+
+  Edge corner = corner_at(v);
+  bool may_be_flat = false;
+  for (int refused = 0; degree > 3;) {
+    const Edge edge(corner.first, cw(corner.second));
+    const int lost = ends_lost_by_flip(edge, v);
+    if (lost > 0 && degree - lost >= 3 && is_flip_away_possible(edge, v, may_be_flat)) {
+      flip(edge);
+      degree -= lost;
+      refused = 0;
+      may_be_flat = false;
+      continue;
+    }
+    corner = next_corner(corner);
+    if (++refused < degree) continue;
+    if (may_be_flat) return false;
+    may_be_flat = true;
+    refused = 0;
+  }
+
+  // Three faces: one with two corners at the vertex would have a loop, beyond which is another one.
+  const auto [face, i] = corner;
+  const auto [second, j] = next_corner(corner);
+  const auto [third, k] = next_corner(Edge(second, j));
+  // Against the corner that the first two faces share with v.
+  const Lattice_offset_2 to_apex = offset(second, ccw(j), cw(j));
+  const Lattice_offset_2 to_right = offset(face, cw(i), ccw(i));
+  const Edge beyond_second = mirror(Edge(second, j));
+  const Edge beyond_third = mirror(Edge(third, k));
+  face->set_vertex(i, second->vertex(cw(j)));
+  set_offsets(face, i, {to_apex, to_right, {}});
+  link(Edge(face, ccw(i)), beyond_second);
+  link(Edge(face, cw(i)), beyond_third);
+  for (int corner_left = 0; corner_left < 3; ++corner_left) {
+    face->vertex(corner_left)->set_face(face);
+  }
+  v->set_face(Face_handle());
+
+  std::vector<Edge> edges;
+  for (const Face_handle f : changed) {
+    if (f == second || f == third) continue;
+    for (int side = 0; side < 3; ++side) edges.emplace_back(f, side);
+  }
+  tds_.delete_face(second);
+  tds_.delete_face(third);
+  restore_delaunay(std::move(edges));
+  return true;
+}
+
+// ---- checks ----
+
+template <TorusTraits_2 Traits>
+bool Torus_triangulation<Traits>::is_delaunay() const {
+  for (const Face_handle face : tds_.face_handles()) {
+    for (int i = 0; i < 3; ++i) {
+      if (is_violated(Edge(face, i))) return false;
+    }
+  }
+  return true;
+}
+
+// Faces that turn left and fit together have angles of pi each. Each of n vertices has one or more
+// walks around it, with angles of a multiple of 2 pi, not zero. So if there are 2n faces, each has
+// one walk with 2 pi, and the faces cover the torus. How often, the sum of their areas says, which
+// stays the same while all points are moved to one: then it is an integer.
+template <TorusTraits_2 Traits>
+std::string Torus_triangulation<Traits>::problem() const {
+  Integer doubled_area = 0;
+  for (const Face_handle face : tds_.face_handles()) {
+    if (std::string problem = problem_of_face(face); !problem.empty()) return problem;
+    const Lattice_offset_2 a = offset(face, 1);
+    const Lattice_offset_2 b = offset(face, 2);
+    doubled_area += Integer(a.x) * b.y - Integer(a.y) * b.x;
+  }
+  if (std::string problem = problem_of_vertices(); !problem.empty()) return problem;
+  if (dimension() == 2 && doubled_area != 2) {
+    return "the faces have " + doubled_area.str() + " times half the area of the box; expected 2";
+  }
+  return "";
+}
+
+template <TorusTraits_2 Traits>
+std::string Torus_triangulation<Traits>::problem_of_face(Face_handle face) const {
+  const auto name = [&] {
+    std::string result = "the face";
+    for (int i = 0; i < 3; ++i) {
+      result += " " + std::to_string(face->vertex(i)->point().id()) + " (" +
+                std::to_string(offset(face, i).x) + ", " + std::to_string(offset(face, i).y) + ")";
+    }
+    return result;
+  };
+  for (int i = 0; i < 3; ++i) {
+    const Edge edge(face, i);
+    const auto [neighbor, j] = mirror(edge);
+    if (mirror(Edge(neighbor, j)) != edge || face->vertex(cw(i)) != neighbor->vertex(ccw(j)) ||
+        face->vertex(ccw(i)) != neighbor->vertex(cw(j)) ||
+        offset(face, cw(i), ccw(i)) != offset(neighbor, ccw(j), cw(j))) {
+      return name() + " does not fit its neighbor at edge " + std::to_string(i);
+    }
+  }
+  if (orientation(image(face, 0, offset(face, 0)), image(face, 1, offset(face, 1)),
+                  image(face, 2, offset(face, 2))) != CGAL::LEFT_TURN) {
+    return name() + " does not turn left";
+  }
+  return "";
+}
+
+template <TorusTraits_2 Traits>
+std::string Torus_triangulation<Traits>::problem_of_vertices() const {
+  std::size_t vertices = 0;
+  for (const Vertex_handle v : tds_.vertex_handles()) {
+    if (v->face() == Face_handle()) continue;
+    ++vertices;
+    if (!v->face()->has_vertex(v)) {
+      return "the face of point " + std::to_string(v->point().id()) + " has no such corner";
+    }
+  }
+  if (tds_.faces().size() != 2 * vertices) {
+    return std::to_string(vertices) + " vertices have " + std::to_string(tds_.faces().size()) +
+           " faces; expected twice as many as vertices";
+  }
+  return "";
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_TRIANGULATION_TORUS_TRIANGULATION_IMPL_H
