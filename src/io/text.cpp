@@ -59,6 +59,10 @@ char* write(char* begin, char* limit, double number) {
   return out;
 }
 
+std::string_view text_between(const char* begin, const char* end) {
+  return std::string_view(begin, static_cast<std::size_t>(end - begin));
+}
+
 }  // namespace
 
 Text_piece::Text_piece(char character) : text_(buffer_.data(), 1) {
@@ -67,17 +71,17 @@ Text_piece::Text_piece(char character) : text_(buffer_.data(), 1) {
 
 Text_piece::Text_piece(double number) {
   const char* const end = write(buffer_.data(), buffer_.data() + buffer_.size(), number);
-  text_ = std::string_view(buffer_.data(), end);
+  text_ = text_between(buffer_.data(), end);
 }
 
 void Text_piece::set(std::int64_t number) {
   const auto result = std::to_chars(buffer_.data(), buffer_.data() + buffer_.size(), number);
-  text_ = std::string_view(buffer_.data(), result.ptr);
+  text_ = text_between(buffer_.data(), result.ptr);
 }
 
 void Text_piece::set(std::uint64_t number) {
   const auto result = std::to_chars(buffer_.data(), buffer_.data() + buffer_.size(), number);
-  text_ = std::string_view(buffer_.data(), result.ptr);
+  text_ = text_between(buffer_.data(), result.ptr);
 }
 
 void append_pieces(std::string& text, std::initializer_list<Text_piece> pieces) {
@@ -87,7 +91,7 @@ void append_pieces(std::string& text, std::initializer_list<Text_piece> pieces) 
 std::string hexadecimal(std::uint64_t number, std::size_t digits) {
   std::array<char, 16> buffer;
   const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, 16);
-  const std::string_view text(buffer.data(), result.ptr);
+  const std::string_view text = text_between(buffer.data(), result.ptr);
   return std::string(digits - std::min(digits, text.size()), '0').append(text);
 }
 

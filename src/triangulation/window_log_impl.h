@@ -266,7 +266,8 @@ auto Window_log<Traits, has_contacts>::keys_in(const Node& node, const Slice& sl
     -> std::span<const Key> {
   const auto first = std::ranges::lower_bound(node.keys, slice.least, {}, &Key::reached);
   const auto last = std::ranges::lower_bound(first, node.keys.end(), slice.end, {}, &Key::reached);
-  return {first, last};
+  return std::span(node.keys).subspan(static_cast<std::size_t>(first - node.keys.begin()),
+                                      static_cast<std::size_t>(last - first));
 }
 
 template <class Traits, bool has_contacts>

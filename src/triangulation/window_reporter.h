@@ -51,7 +51,8 @@ class Window_reporter {
     try {
       while (is_watched && next != log_.order().cend()) {
         const auto end = next + std::min(events_at_once, log_.order().cend() - next);
-        auto blocks = blocks_of(std::span(next, end), events_of_thread);
+        auto blocks =
+            blocks_of(std::span(&*next, static_cast<std::size_t>(end - next)), events_of_thread);
         call_for_each(options_, blocks, [this](std::span<const Key> block) {
           for (const Key& key : block) log_.time(key);
         });

@@ -61,9 +61,11 @@ void for_each_field_between_blanks(std::string_view line, Function function) {
   for (;;) {
     const auto begin = std::find_if_not(line.begin(), line.end(), is_blank);
     if (begin == line.end()) return;
-    const auto end = std::find_if(begin, line.end(), is_blank);
-    function(std::string_view(begin, end));
-    line = std::string_view(end, line.end());
+    line.remove_prefix(static_cast<std::size_t>(begin - line.begin()));
+    const auto end = std::find_if(line.begin(), line.end(), is_blank);
+    const auto size = static_cast<std::size_t>(end - line.begin());
+    function(line.substr(0, size));
+    line.remove_prefix(size);
   }
 }
 
