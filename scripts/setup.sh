@@ -4,7 +4,7 @@
 # Functions of scripts/demo.sh, test.sh, coverage.sh, lint.sh, fuzz.sh, platform.sh and check_deb.sh: the packages
 # they need, and the calls of CMake. Source it, or run it to install missing packages:
 #
-#   scripts/setup.sh demo|test|browser|python|video|coverage|lint|fuzz|arm64|libcxx
+#   scripts/setup.sh demo|test|browser|python|video|coverage|lint|fuzz|arm64|libcxx|live
 
 kinetri_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
@@ -57,6 +57,10 @@ kinetri_packages() {
   # Other platforms (scripts/platform.sh).
   if [[ $1 == arm64 ]]; then printf '%s\n' g++-aarch64-linux-gnu qemu-user=qemu-aarch64; fi
   if [[ $1 == libcxx ]]; then printf '%s\n' clang-19 googletest libc++-19-dev libc++abi-19-dev; fi
+  # WebAssembly. Emscripten's linker needs acorn; the rest builds GMP and MPFR.
+  if [[ $1 == live ]]; then
+    printf '%s\n' emscripten m4=m4 make=make node-acorn nodejs=node xz-utils=xz
+  fi
   # Libraries of the sanitizers and libFuzzer.
   if [[ $1 == fuzz ]]; then printf '%s\n' clang=clang++ libclang-rt-dev; fi
 }
@@ -110,6 +114,55 @@ ${unknown:+Not in its package lists:$unknown
   apt-get install -y ${missing[*]}
 and run this again. Where they come from elsewhere than from packages, build without this script:
   cmake --preset $preset && cmake --build --preset $preset"
+}
+
+# kinetri_wasm_source PACKAGE FOLDER: unpacks the source of a Debian package. apt-get uses a separate state, in which the
+# sources of the system are those of source packages; those of the system stay as they are.
+kinetri_wasm_source() {
+  local package=$1 folder=$2 state=$2.apt file
+  rm -rf "$state" "$folder"
+  mkdir -p "$state/sources" "$state/lists/partial" "$state/archives/partial" "$folder"
+  for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources}; do
+    if [[ ! -f $file ]]; then continue; fi
+    sed -E 's/^(Types:).*/\1 deb-src/; s/^deb /deb-src /' "$file" >"$state/sources/${file##*/}"
+  done
+  local options=(-qq -o Dir::Etc::sourcelist=/dev/null -o "Dir::Etc::sourceparts=$state/sources"
+    -o "Dir::State=$state" -o "Dir::State::lists=$state/lists" -o "Dir::Cache=$state"
+    -o "APT::Sandbox::User=$(id -un)")
+  apt-get "${options[@]}" update </dev/null
+  (cd "$state" && apt-get "${options[@]}" source --download-only "$package" </dev/null)
+  tar -xf "$state"/*.orig.tar.* -C "$folder" --strip-components=1
+  rm -rf "$state"
+}
+
+# kinetri_wasm_libraries: fills build/wasm-libraries, unless that has been done: GMP and MPFR for WebAssembly, from the
+# sources of Debian's packages, and links to headers of this machine that fit every platform.
+kinetri_wasm_libraries() {
+  local folder=$kinetri_root/build/wasm-libraries sources name
+  if [[ -d $folder ]]; then return; fi
+  sources=$folder.sources
+  rm -rf "$folder.partly"
+  mkdir -p "$folder.partly/include" "$folder.partly/lib"
+  # Where Debian has acorn, which another node does not know.
+  export NODE_PATH=/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}
+  kinetri_say "Building GMP and MPFR for WebAssembly in $folder, for some minutes ..."
+  kinetri_wasm_source gmp "$sources/gmp"
+  mkdir -p "$sources/gmp/doc" "$sources/gmp/build" && : >"$sources/gmp/doc/Makefile.in"  # Debian leaves it out.
+  (cd "$sources/gmp/build" && kinetri_quietly "building GMP" "$sources/gmp.log" bash -ec '
+    emconfigure ../configure --host=none --disable-assembly --disable-shared CC_FOR_BUILD=cc HOST_CC=cc CFLAGS=-O3
+    emmake make -j "$0" libgmp.la "SUBDIRS=mpn mpz mpq mpf printf scanf rand"' "$(kinetri_jobs)")
+  cp "$sources/gmp/build/gmp.h" "$folder.partly/include"
+  cp "$sources/gmp/build/.libs/libgmp.a" "$folder.partly/lib"
+  kinetri_wasm_source mpfr4 "$sources/mpfr"
+  mkdir -p "$sources/mpfr/build"
+  (cd "$sources/mpfr/build" && kinetri_quietly "building MPFR" "$sources/mpfr.log" bash -ec '
+    emconfigure ../configure --host=none --disable-shared --disable-thread-safe "--with-gmp=$1" CFLAGS=-O3
+    emmake make -j "$0" -C src libmpfr.la' "$(kinetri_jobs)" "$folder.partly")
+  cp "$sources/mpfr/src/mpfr.h" "$folder.partly/include"
+  cp "$sources/mpfr/build/src/.libs/libmpfr.a" "$folder.partly/lib"
+  for name in boost CGAL CLI nlohmann; do ln -s "/usr/include/$name" "$folder.partly/include/$name"; done
+  rm -rf "$sources"
+  mv "$folder.partly" "$folder"
 }
 
 # kinetri_jobs: the number of compilers to run at once: at most one per processor, and one per 1.5 GB of available
@@ -200,10 +253,11 @@ kinetri_build() {
 
 if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
   set -euo pipefail
-  if [[ $# -ne 1 || ! $1 =~ ^(demo|test|browser|python|video|coverage|lint|fuzz|arm64|libcxx)$ ]]; then
-    printf 'usage: %s demo|test|browser|python|video|coverage|lint|fuzz|arm64|libcxx\n%s\n' "$0" \
-      'Installs the Debian packages that are missing.' >&2
+  if [[ $# -ne 1 || ! $1 =~ ^(demo|test|browser|python|video|coverage|lint|fuzz|arm64|libcxx|live)$ ]]; then
+    printf 'usage: %s demo|test|browser|python|video|coverage|lint|fuzz|arm64|libcxx|live\n%s\n' "$0" \
+      'Installs the Debian packages that are missing; live also builds GMP and MPFR for WebAssembly.' >&2
     exit 2
   fi
   kinetri_setup "$1"
+  if [[ $1 == live ]]; then kinetri_wasm_libraries; fi
 fi
