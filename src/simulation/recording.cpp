@@ -368,6 +368,16 @@ Recording Recorder<Traits>::recording() const {
   return result;
 }
 
+template <class Traits>
+Recording Recorder<Traits>::take() {
+  KINETRI_PRECONDITION(!recording_.is_thinned, "parts of a recording that is thinned");
+  Recording result;
+  std::swap(result, recording_);
+  recording_.until = result.until;
+  result.until = recording_.from = triangulation_.current_time().to_double();
+  return result;
+}
+
 template class Recorder<Linear_kinetic_traits_2>;
 template class Recorder<Polynomial_kinetic_traits_2>;
 template class Recorder<Disc_kinetic_traits_2>;

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -69,19 +70,71 @@ struct Watched_run {
   Recording recording;
 };
 
+// Appends a part of a recording (Recorder::take).
+void append(Recording& recording, const Recording& part) {
+  EXPECT_EQ(part.from, recording.until);
+  EXPECT_TRUE(part.initial_edges.empty());
+  EXPECT_TRUE(part.initial_triangles.empty());
+  const std::size_t rows = recording.events.size();
+  recording.until = part.until;
+  recording.events_in_all += part.events_in_all;
+  recording.events.insert(recording.events.end(), part.events.begin(), part.events.end());
+  for (Recorded_motion motion : part.motions) {
+    ASSERT_TRUE(motion.event);
+    *motion.event += rows;
+    recording.motions.push_back(motion);
+  }
+  for (Recorded_coincidence coincidence : part.coincidences) {
+    ASSERT_TRUE(coincidence.event);
+    *coincidence.event += rows;
+    recording.coincidences.push_back(coincidence);
+  }
+  for (Recorded_triangle triangle : part.triangles) {
+    triangle.event += rows;
+    recording.triangles.push_back(triangle);
+  }
+}
+
+void expect_equal(const Recording& a, const Recording& b) {
+  EXPECT_EQ(a.from, b.from);
+  EXPECT_EQ(a.until, b.until);
+  EXPECT_EQ(a.events_in_all, b.events_in_all);
+  EXPECT_EQ(a.initial_edges, b.initial_edges);
+  EXPECT_EQ(a.initial_triangles, b.initial_triangles);
+  EXPECT_EQ(a.coincidences, b.coincidences);
+  EXPECT_EQ(a.triangles, b.triangles);
+  const auto of_motion = [](const Recorded_motion& motion) {
+    return std::tuple(motion.event, motion.point, motion.motion);
+  };
+  EXPECT_TRUE(std::ranges::equal(a.motions, b.motions, {}, of_motion, of_motion));
+  const auto of_event = [](const Recorded_event& event) {
+    return std::tuple(event.number, event.kind, event.time, event.removed, event.added,
+                      event.point_a, event.point_b);
+  };
+  EXPECT_TRUE(std::ranges::equal(a.events, b.events, {}, of_event, of_event));
+}
+
+// Also records the run in parts, one for each step, which must make the same recording.
 template <class Traits>
 Watched_run watch(Simulation_2<Traits>& simulation, double until, std::size_t most_rows) {
   Watched_run result;
   result.start = state_of(simulation.triangulation());
   Recorder<Traits> recorder(simulation.triangulation(), until, most_rows);
+  Recorder<Traits> parts(simulation.triangulation(), until, 1'000'000'000);
   simulation.add_observer(recorder);
+  simulation.add_observer(parts);
+  Recording whole = parts.take();
   while (const std::size_t events = simulation.step(Algebraic_number(until))) {
     result.events += events;
+    append(whole, parts.take());
     result.instants.emplace_back(simulation.current_time(), state_of(simulation.triangulation()));
   }
   simulation.advance_to(Algebraic_number(until));
+  append(whole, parts.take());
   result.recording = recorder.recording();
+  if (!result.recording.is_thinned) expect_equal(whole, result.recording);
   simulation.remove_observer(recorder);
+  simulation.remove_observer(parts);
   return result;
 }
 
@@ -320,6 +373,14 @@ TEST(Recording, is_thinned_to_exact_instants) {
     EXPECT_GE(4 * run.recording.events.size(), most_rows) << most_rows;
     expect_plays(run);
   }
+}
+
+TEST(Recording, has_no_parts_once_it_is_thinned) {
+  Simulation_2<> simulation(test::random_motions(30, 30, 5, 9), {});
+  Recorder<> recorder(simulation.triangulation(), 10, 2);
+  simulation.add_observer(recorder);
+  simulation.advance_to(10);
+  EXPECT_PRECONDITION_ERROR(recorder.take(), "parts of a recording that is thinned");
 }
 
 TEST(Recording, of_many_changes_is_thinned_to_the_difference_of_start_and_end) {

@@ -120,6 +120,12 @@ class Recorder : public Event_observer {
   /// event.
   Recording recording() const;
 
+  /// What has been recorded since the start, or since the last call, up to the current time of the
+  /// triangulation. It is forgotten. A part that is not the first goes on where the one before
+  /// ends: it has no edges, triangles, motions and coincidences of the start. Preconditions: not
+  /// called during an event; the recording is not thinned (`most_rows`).
+  Recording take();
+
  private:
   void set_time(const Time& time);
   void expect_row(const Time& time);
