@@ -256,8 +256,60 @@ void write_thinned(Json_writer& json, const Recording& recording) {
   json.end_object();
 }
 
-std::string page_data(const Recording& recording, const Viewer_settings& settings) {
-  const std::size_t points = number_of_points(recording);
+// Escapes JSON text so that it cannot end the enclosing HTML element.
+std::string embedded(std::string_view json) {
+  std::string result;
+  for (const char c : json) {
+    c == '<' ? result += "\\u003c" : result += c;
+  }
+  return result;
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+// Writes the page of the viewer, and in it what `write_content` writes.
+template <class Function>
+void write_page(std::ostream& out, const std::string& title, const Function& write_content) {
+  std::string_view rest = detail::viewer_page;
+  const auto write_up_to = [&](std::string_view marker) {
+    const std::size_t position = rest.find(marker);
+    out << rest.substr(0, position);
+    rest.remove_prefix(position + marker.size());
+  };
+  write_up_to("<!-- title -->");
+  out << escaped(title);
+  write_up_to("<!-- style -->");
+  out << detail::viewer_style;
+  write_up_to("<!-- recording -->");
+  write_content();
+  write_up_to("<!-- scripts -->");
+  out << "<script>\n";
+  for (const std::string_view script : detail::viewer_scripts) out << script;
+  out << "</script>\n" << rest;
+}
+
+}  // namespace
+
+std::string viewer_recording(const Recording& recording, const Viewer_settings& settings) {
+  const std::size_t points = std::max(number_of_points(recording), settings.points);
   std::string text;
   Json_writer json(text);
   json.begin_object();
@@ -291,56 +343,12 @@ std::string page_data(const Recording& recording, const Viewer_settings& setting
   return text;
 }
 
-// Escapes JSON text so that it cannot end the enclosing HTML element.
-std::string embedded(std::string_view json) {
-  std::string result;
-  for (const char c : json) {
-    c == '<' ? result += "\\u003c" : result += c;
-  }
-  return result;
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
-}  // namespace
-
 void write_viewer_page(std::ostream& out, const Recording& recording,
                        const Viewer_settings& settings) {
-  std::string_view rest = detail::viewer_page;
-  const auto write_up_to = [&](std::string_view marker) {
-    const std::size_t position = rest.find(marker);
-    out << rest.substr(0, position);
-    rest.remove_prefix(position + marker.size());
-  };
-  write_up_to("<!-- title -->");
-  out << escaped(settings.title);
-  write_up_to("<!-- style -->");
-  out << detail::viewer_style;
-  write_up_to("<!-- recording -->");
-  out << "<script type=\"application/json\" id=\"recording\">"
-      << embedded(page_data(recording, settings)) << "</script>\n";
-  write_up_to("<!-- scripts -->");
-  out << "<script>\n";
-  for (const std::string_view script : detail::viewer_scripts) out << script;
-  out << "</script>\n" << rest;
+  write_page(out, settings.title, [&] {
+    out << "<script type=\"application/json\" id=\"recording\">"
+        << embedded(viewer_recording(recording, settings)) << "</script>\n";
+  });
 }
 
 }  // namespace kinetri

@@ -2,6 +2,7 @@
 #include "sources/points_source.h"
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,7 +48,12 @@ class Points_source final : public Run_source {
 };
 
 void Points_source::read() {
-  points_ = read_points_file(settings_.points);
+  if (!settings_.text) {
+    points_ = read_points_file(settings_.points);
+    return;
+  }
+  std::istringstream in(*settings_.text);
+  points_ = read_points(in, settings_.points);
 }
 
 std::vector<std::string> Points_source::remarks() const {

@@ -16,7 +16,8 @@
 namespace kinetri::app {
 
 struct Points_settings {
-  std::string points;  ///< a path, or "-"
+  std::string points;               ///< a path, or "-"
+  std::optional<std::string> text;  ///< the points themselves: then `points` is a name for messages
   double from = 0;
   std::optional<double> until;  ///< at least `from`; if none, see Run_source::until
   std::optional<Box_2> box;

@@ -107,7 +107,11 @@ struct Viewer_settings {
   double radius = 0;
   std::optional<Wave_shape> wave = std::nullopt;               ///< shown first if there is one
   std::optional<Viewer_encounters> encounters = std::nullopt;  ///< drawn as links if known
+  std::size_t points = 0;  ///< the least number of point ids, for points that are to come
 };
+
+/// The JSON object that write_viewer_page embeds.
+std::string viewer_recording(const Recording& recording, const Viewer_settings& settings);
 
 /// Writes the page. Errors are those of the stream. The same recording gives the same bytes.
 void write_viewer_page(std::ostream& out, const Recording& recording,
