@@ -104,7 +104,7 @@ class Output_file::Buffer : public std::streambuf {
         error_ = errno;
       }
     }
-    if (checksum_) checksum_->add({pbase(), pptr()});
+    if (checksum_) checksum_->add({pbase(), static_cast<std::size_t>(pptr() - pbase())});
     setp(memory_.data(), memory_.data() + memory_.size());
     return error_ == 0;
   }

@@ -183,7 +183,7 @@ class Raster {
       // The positions in the triangle are consecutive: even rounded, those of a row are on one line
       // in the order of the columns.
       auto [columns, certain] = columns_in(sides, grid_.place(0, row).y, e);
-      const auto is_in = [&](std::size_t column) {
+      const auto is_in = [&, certain = certain](std::size_t column) {
         return (column >= certain.first && column < certain.last) ||
                present_.contains(face, grid_.place(column, row));
       };
