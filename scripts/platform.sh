@@ -17,6 +17,8 @@ those of the one in build/test, which it builds as well; then runs the tests.
 
   arm64     64-bit ARM: Debian's cross compiler, and user-mode emulation
   libcxx    this machine: clang and libc++, the newest that Debian has
+  wasm      WebAssembly, with Emscripten: the library and the module for JavaScript (live/). Its logs, by
+            node, are compared with those of the program; of the tests only those of the module are run
 
 What is missing is installed with apt-get, as root. Packages of another architecture are unpacked
 in build/PLATFORM-libraries alone: those of this machine, and its list of architectures, stay as they are.
@@ -25,9 +27,9 @@ EOF
 
 case ${1:-} in
   --help | -h) usage && exit 0 ;;
-  arm64 | libcxx) platform=$1 ;;
+  arm64 | libcxx | wasm) platform=$1 ;;
   '') kinetri_misused "a platform is missing" ;;
-  *) kinetri_misused "'$1' is no platform; expected arm64 or libcxx" ;;
+  *) kinetri_misused "'$1' is no platform; expected arm64, libcxx or wasm" ;;
 esac
 shift
 
@@ -61,14 +63,21 @@ build_dir=$kinetri_root/build/$platform
 libraries=(libboost-dev libcgal-dev libcli11-dev libexpat1-dev libgmp-dev libmpfr-dev libsqlite3-dev
   libtbb-dev nlohmann-json3-dev libgtest-dev librapidcheck-dev)
 kinetri_setup test
-kinetri_setup "$platform"
-settings=()
+settings=() tests='^(algebra|kinetic|events|degenerate)\.'
+targets=(kinetri_program kinetri_algebra_test kinetri_kinetic_test kinetri_events_test
+  kinetri_degenerate_test)
+if [[ $platform == wasm ]]; then
+  kinetri_setup live
+  kinetri_wasm_libraries
+  export NODE_PATH=/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}
+  tests='^live\.' targets=(all)
+else
+  kinetri_setup "$platform"
+fi
 if [[ $platform == arm64 ]]; then
   unpack_packages arm64 "$build_dir-libraries" "${libraries[@]}"
   settings+=("-DKINETRI_SYSROOT=$build_dir-libraries")
 fi
-targets=(kinetri_program kinetri_algebra_test kinetri_kinetic_test kinetri_events_test
-  kinetri_degenerate_test)
 kinetri_build "$build_dir" "$platform" "${settings[@]}" -- "${targets[@]}"
 kinetri_build "$kinetri_root/build/test" test -- kinetri_program
 
@@ -77,9 +86,12 @@ program=$build_dir/bin/kinetri
 if [[ $platform == arm64 ]]; then
   program="qemu-aarch64 -L /usr/aarch64-linux-gnu -E LD_LIBRARY_PATH=$(printf %q "$build_dir-libraries")/usr/lib/aarch64-linux-gnu $(printf %q "$program")"
 fi
+if [[ $platform == wasm ]]; then
+  program="node $(printf '%q %q' "$kinetri_root/test/live/simulate.mjs" "$build_dir/live/kinetri.wasm")"
+fi
 python3 -B "$kinetri_root/test/determinism/event_logs_test.py" platforms \
   "$kinetri_root/build/test/bin/kinetri" "$program" "$build_dir/compared" | tee "$build_dir/compared.log" | tail -n 1
 
 kinetri_say "Testing ..."
 ctest --test-dir "$build_dir" --parallel "$(kinetri_jobs)" --timeout 3600 --no-tests=error \
-  --output-on-failure -R '^(algebra|kinetic|events|degenerate)\.' "$@" </dev/null
+  --output-on-failure -R "$tests" "$@" </dev/null
