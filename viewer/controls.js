@@ -217,7 +217,7 @@ class Controls {
     this.setIcon('back', direction === -1 ? 'pause' : 'back');
     const atStart = playback.event === 0 && playback.time === recording.from;
     element('button-previous').disabled = element('button-start').disabled = atStart;
-    element('button-next').disabled = playback.event === recording.rows;
+    element('button-next').disabled = !viewer.hasNext();
     element('button-end').disabled =
       playback.event === recording.rows && playback.time === recording.until;
     element('button-list').setAttribute('aria-pressed', String(!element('events').hidden));

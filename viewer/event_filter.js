@@ -10,8 +10,13 @@ class EventFilter {
     this.hiddenKinds = new Set();  // indices in `kinds`
     this.point = -1;               // -1: of all points
     this.count = new Uint32Array(recording.kinds.length);
-    for (let row = 0; row < recording.rows; ++row) ++this.count[recording.rowKind[row]];
+    this.counted = 0;  // rows
     this.update();
+  }
+
+  /** The rows that are shown. */
+  get rows() {
+    return this.shown.values.subarray(0, this.shown.length);
   }
 
   /** The kinds that the run has. */
@@ -30,9 +35,15 @@ class EventFilter {
 
   /** Makes `rows` the list of the rows that are shown, and `before(row)` their number before a row. */
   update() {
-    const rows = new Numbers(Uint32Array);
-    for (let row = 0; row < this.recording.rows; ++row) if (this.shows(row)) rows.push(row);
-    this.rows = rows.finish();
+    this.shown = new Numbers(Uint32Array);
+    this.add(0);
+  }
+
+  /** Adds the rows from the first one on, to which the recording may have grown. */
+  add(first) {
+    const {recording, shown} = this;
+    for (let row = first; row < recording.rows; ++row) if (this.shows(row)) shown.push(row);
+    for (; this.counted < recording.rows; ++this.counted) ++this.count[recording.rowKind[this.counted]];
   }
 
   before(row) {

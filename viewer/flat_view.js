@@ -71,6 +71,7 @@ class FlatView extends View {
     if (viewer.selected >= 0) drawSelection(painter, this);
     if (viewer.selectedPoint.id >= 0) drawSelectedPoint(painter, this);
     drawEventsAround(painter, this);
+    viewer.drawMore(painter, this);
     this.drawPoints(painter);
     if (viewer.selectedPoint.id >= 0) drawPointRings(painter, this);
     if (switches.ids) this.drawIds(painter);

@@ -154,18 +154,15 @@ function showMessage(error) {
   element('viewer').hidden = true;
 }
 
-try {
-  const source = element('recording');
-  demand(source !== null, 'there is no recording in the page');
-  const recording = readRecording(source.textContent);
-  source.remove();  // it takes memory
+/** Shows the page with the viewer that `make` makes, and follows its address. Returns the viewer. */
+function showViewer(make) {
   element('viewer').hidden = false;
   const isEmbedded = new URLSearchParams(window.location.search).has('embed');
   document.documentElement.classList.toggle('embedded', isEmbedded);
-  const viewer = new Viewer(recording);
+  const viewer = make();
   showWhatScrolls();
   const follow = () => {
-    const fragment = window.location.hash || `#${recording.view}`;
+    const fragment = window.location.hash || `#${viewer.recording.view}`;
     const problems = followAddress(viewer, fragment);
     element('address-note').hidden = problems.length === 0;
     element('address-note').textContent = 'The address of this page asks for something that is ' +
@@ -174,8 +171,20 @@ try {
   follow();
   window.addEventListener('hashchange', follow);
   window.kinetri = consoleObject(viewer);
-  beginSoftly(viewer, window.location.hash + recording.view);
-} catch (error) {
-  showMessage(error);
-  if (!(error instanceof RecordingError)) throw error;
+  return viewer;
+}
+
+// A page that is live (live/) has no recording, and starts by itself.
+if (element('module') === null) {
+  try {
+    const source = element('recording');
+    demand(source !== null, 'there is no recording in the page');
+    const recording = readRecording(source.textContent);
+    source.remove();  // it takes memory
+    const viewer = showViewer(() => new Viewer(recording));
+    beginSoftly(viewer, window.location.hash + recording.view);
+  } catch (error) {
+    showMessage(error);
+    if (!(error instanceof RecordingError)) throw error;
+  }
 }

@@ -34,6 +34,15 @@ class Playback {
     this.executeCoincidences(-1);
   }
 
+  /** Makes room after the recording has grown. */
+  grow() {
+    const {triangles, recording: {edgeA}} = this;
+    this.live = withRoom(this.live, edgeA.length);
+    this.where = withRoom(this.where, edgeA.length, -1);
+    triangles.left = withRoom(triangles.left, edgeA.length, -1);
+    triangles.right = withRoom(triangles.right, edgeA.length, -1);
+  }
+
   /** A copy that can be played independently. */
   clone() {
     const copy = Object.create(Playback.prototype);

@@ -9,7 +9,8 @@ const FIELD_REMOVED = 1, FIELD_ADDED = 2, FIELD_POINT_A = 4, FIELD_POINT_B = 8;
 const FIELD_ABOVE = 16, FIELD_BELOW = 32;
 
 /**
- * The recording of the JSON text. Throws RecordingError where it is damaged.
+ * The recording of the JSON text. Throws RecordingError where it is damaged. A recording that `grows` also has
+ * what growth.js needs; its arrays may be longer than it is.
  *
  * Arrays by row:
  *   rowKind                    index in `kinds` and `kindColors`
@@ -38,7 +39,7 @@ const FIELD_ABOVE = 16, FIELD_BELOW = 32;
  * three triangleCorners, counterclockwise; three triangleSides, the edges from each corner to the
  * next.
  */
-function readRecording(text) {
+function readRecording(text, grows = false) {
   let json;
   try {
     json = JSON.parse(text);
@@ -93,7 +94,8 @@ function readRecording(text) {
   recording.edgeB = edges.b.finish();
   findInstants(recording);
   checkEdges(recording);
-  findTriangles(recording, triangles, edges);
+  const state = findTriangles(recording, triangles, edges);
+  if (grows) recording.growth = new Growth(recording, edges, state);
   return recording;
 }
 
@@ -149,49 +151,55 @@ class TriangleChanges {
 
 /** All triangles that rows change: those of flips follow from the edges. Checks that each removed
  * triangle is there, and that no added one lies on the same side of an edge as another one. */
-function findTriangles(recording, {initial, count, row, removed, added, id}, edges) {
-  const {rows, rowKind, kinds} = recording;
-  const changes = new TriangleChanges(edges);
-  const edgeCount = edges.count;
-  recording.rowTriangle = new Uint32Array(rows + 1);
-  const triangles = new Triangles(edgeCount);
-  const follow = (first, what) => {
-    demand(edges.count === edgeCount, `${what} has a triangle with a side that is never an edge`);
-    const present = {edgeA: recording.edgeA, triangleCorners: changes.corners.values,
-                     triangleSides: changes.sides.values};
-    for (let i = first; i < changes.isAdded.length; ++i) {
-      const isAdded = changes.isAdded.values[i] === 1;
-      if (triangles.sidesInUse(present, i) !== (isAdded ? 0 : 3)) {
-        const name = present.triangleCorners.slice(3 * i, 3 * i + 3).join('\u2013');
-        demand(false, isAdded ? `${what} adds the triangle ${name}, which overlaps another one` :
-               `${what} removes the triangle ${name}, which is not there then`);
-      }
-      triangles.set(present, i, isAdded);
-    }
-  };
+function findTriangles(recording, {initial, ...groups}, edges) {
+  const state = {edges, triangles: new Triangles(edges.count), changes: new TriangleChanges(edges)};
   for (let i = 0; i < initial.length; i += 3) {
-    changes.add(initial[i], initial[i + 1], initial[i + 2], true, 'the start');
+    state.changes.add(initial[i], initial[i + 1], initial[i + 2], true, 'the start');
   }
-  follow(0, 'the start');
+  followTriangles(recording, state, 0, 'the start');
+  recording.rowTriangle = new Uint32Array(recording.rows + 1);
+  changeTriangles(recording, state, groups, 0);
+  recording.triangleCorners = state.changes.corners.finish();
+  recording.triangleSides = state.changes.sides.finish();
+  recording.triangleAdded = state.changes.isAdded.finish();
+  return state;
+}
+
+/** Executes the changes of triangles from the first one on. */
+function followTriangles({edgeA}, {edges, triangles, changes}, first, what) {
+  demand(edges.count <= edgeA.length, `${what} has a triangle with a side that is never an edge`);
+  const present = {edgeA, triangleCorners: changes.corners.values, triangleSides: changes.sides.values};
+  for (let i = first; i < changes.isAdded.length; ++i) {
+    const isAdded = changes.isAdded.values[i] === 1;
+    if (triangles.sidesInUse(present, i) !== (isAdded ? 0 : 3)) {
+      const name = present.triangleCorners.slice(3 * i, 3 * i + 3).join('\u2013');
+      demand(false, isAdded ? `${what} adds the triangle ${name}, which overlaps another one` :
+             `${what} removes the triangle ${name}, which is not there then`);
+    }
+    triangles.set(present, i, isAdded);
+  }
+}
+
+/** Makes and executes the changes of triangles of the rows from the first one on. */
+function changeTriangles(recording, state, {count, row, removed, added, id}, firstRow) {
+  const {rows, rowKind, kinds, rowTriangle} = recording;
+  const {triangles, changes} = state;
   let at = 0, group = 0;
-  for (let r = 0; r < rows; ++r) {
+  for (let r = firstRow; r < rows; ++r) {
     const first = changes.isAdded.length, what = `event ${r}`;
-    recording.rowTriangle[r] = first;
+    rowTriangle[r] = first;
     if (kinds[rowKind[r]] === 'flip') addFlip(recording, r, triangles, changes);
-    if (group < count && row[group] === r) {
+    if (group < count && firstRow + row[group] === r) {
       const last = removed[group] + added[group];
       for (let i = 0; i < last; ++i, at += 3) {
         changes.add(id[at], id[at + 1], id[at + 2], i >= removed[group], what);
       }
       ++group;
     }
-    follow(first, what);
+    followTriangles(recording, state, first, what);
   }
-  demand(group === count, `triangles change with event ${row[group]}, which is not there`);
-  recording.rowTriangle[rows] = changes.isAdded.length;
-  recording.triangleCorners = changes.corners.finish();
-  recording.triangleSides = changes.sides.finish();
-  recording.triangleAdded = changes.isAdded.finish();
+  demand(group === count, `triangles change with event ${firstRow + row[group]}, which is not there`);
+  rowTriangle[rows] = changes.isAdded.length;
 }
 
 /** The triangles of a flip: the two at the removed edge, which go, and the two at the added one. */
@@ -220,6 +228,17 @@ function readEvents(recording, json, ids, edges) {
   demand(Array.isArray(json.kinds), 'the names of the kinds of event are not there');
   demand(Array.isArray(json.colors) && json.colors.length === json.kinds.length &&
          json.colors.every((color) => /^#[0-9a-f]{6}$/.test(color)), 'the kinds of event have no colors');
+  Object.assign(recording, {
+    rows: count, kinds: json.kinds.map(String), kindColors: json.colors, rowKind: kind, rowTime: time,
+    rowNumber: new Float64Array(count), rowLow: new Float64Array(count), rowHigh: new Float64Array(count),
+    rowRemoved: new Int32Array(count), rowAdded: new Int32Array(count),
+    rowA: new Int32Array(count), rowB: new Int32Array(count),
+  });
+  readRows(recording, {kind, fields, time, id, number: json.first ?? 0}, edges, 0);
+}
+
+/** Reads the rows from the first one on. */
+function readRows(recording, {kind, fields, time, id, number}, edges, firstRow) {
   let at = 0;
   const take = (row) => {
     demand(at < id.length, `the ids of event ${row} are not there`);
@@ -232,26 +251,22 @@ function readEvents(recording, json, ids, edges) {
            `${recording.points - 1}`);
     return point;
   };
-  Object.assign(recording, {
-    rows: count, kinds: json.kinds.map(String), kindColors: json.colors, rowKind: kind, rowTime: time,
-    rowNumber: new Float64Array(count).fill(-1),
-    rowLow: new Float64Array(count), rowHigh: new Float64Array(count),
-    rowRemoved: new Int32Array(count).fill(-1), rowAdded: new Int32Array(count).fill(-1),
-    rowA: new Int32Array(count).fill(-1), rowB: new Int32Array(count).fill(-1),
-  });
-  let number = json.first ?? 0;
-  for (let row = 0; row < count; ++row) {
-    demand(kind[row] < json.kinds.length, `event ${row} is of a kind without a name`);
-    demand(Number.isFinite(time[row]), `the time of event ${row} is not a number`);
-    const field = fields[row];
+  for (let i = 0; i < kind.length; ++i) {
+    const row = firstRow + i, field = fields[i];
+    demand(kind[i] < recording.kinds.length, `event ${row} is of a kind without a name`);
+    demand(Number.isFinite(time[i]), `the time of event ${row} is not a number`);
+    recording.rowKind[row] = kind[i];
+    recording.rowTime[row] = time[i];
+    recording.rowNumber[row] = recording.rowRemoved[row] = recording.rowAdded[row] = -1;
+    recording.rowA[row] = recording.rowB[row] = -1;
     const isEvent = field & (FIELD_REMOVED | FIELD_ADDED | FIELD_POINT_A | FIELD_POINT_B);
     if (isEvent && recording.thinned === null) recording.rowNumber[row] = number++;
     if (field & FIELD_REMOVED) recording.rowRemoved[row] = takeEdge(row);
     if (field & FIELD_ADDED) recording.rowAdded[row] = takeEdge(row);
     if (field & FIELD_POINT_A) recording.rowA[row] = takePoint(row);
     if (field & FIELD_POINT_B) recording.rowB[row] = takePoint(row);
-    recording.rowLow[row] = field & FIELD_BELOW ? neighborDouble(time[row], -1) : time[row];
-    recording.rowHigh[row] = field & FIELD_ABOVE ? neighborDouble(time[row], 1) : time[row];
+    recording.rowLow[row] = field & FIELD_BELOW ? neighborDouble(time[i], -1) : time[i];
+    recording.rowHigh[row] = field & FIELD_ABOVE ? neighborDouble(time[i], 1) : time[i];
     demand(row === 0 || (recording.rowLow[row - 1] <= recording.rowLow[row] &&
                          recording.rowHigh[row - 1] <= recording.rowHigh[row]),
            `event ${row} is before event ${row - 1}`);
@@ -340,19 +355,22 @@ function turnsAreLeftOut(recording) {
 
 /** Finds the rows of the same time, which are one step. */
 function findInstants(recording) {
-  const {rows, rowLow, rowHigh} = recording;
-  const begin = new Uint32Array(rows), end = new Uint32Array(rows);
   recording.instants = 0;
-  for (let row = 0; row < rows; ++row) {
+  recording.instantBegin = new Uint32Array(recording.rows);
+  recording.instantEnd = new Uint32Array(recording.rows);
+  findInstantsFrom(recording, 0);
+}
+
+function findInstantsFrom(recording, firstRow) {
+  const {rows, rowLow, rowHigh, instantBegin: begin, instantEnd: end} = recording;
+  for (let row = firstRow; row < rows; ++row) {
     const goesOn = row > 0 && rowLow[row] === rowLow[row - 1] && rowHigh[row] === rowHigh[row - 1];
     begin[row] = goesOn ? begin[row - 1] : row;
     if (!goesOn) ++recording.instants;
   }
-  for (let row = rows - 1; row >= 0; --row) {
+  for (let row = rows - 1; row >= 0 && (row >= firstRow || begin[row] === begin[firstRow]); --row) {
     end[row] = row + 1 < rows && begin[row + 1] === begin[row] ? end[row + 1] : row + 1;
   }
-  recording.instantBegin = begin;
-  recording.instantEnd = end;
 }
 
 /** Checks that each event removes an edge that is there, and adds one that is not. */

@@ -94,14 +94,20 @@ function powerCenter(center, ax, ay, aw, bx, by, bw, cx, cy, cw) {
 class HullEdges {
   constructor(playback) {
     this.playback = playback;
-    const {rows, rowKind, kinds} = playback.recording;
     // Flips keep these edges: the number of other rows before each row tells whether they are the same.
-    this.changes = new Uint32Array(rows + 1);
-    for (let row = 0; row < rows; ++row) {
-      this.changes[row + 1] = this.changes[row] + (kinds[rowKind[row]] === 'flip' ? 0 : 1);
-    }
+    this.changes = new Uint32Array(playback.recording.rows + 1);
+    this.count(0);
     this.shown = -1;  // how many changes there were when the list was made
     this.edges = [];
+  }
+
+  /** Counts from the row on, to which the recording may have grown. */
+  count(first) {
+    const {rows, rowKind, kinds} = this.playback.recording;
+    const changes = this.changes = withRoom(this.changes, rows + 1);
+    for (let row = first; row < rows; ++row) {
+      changes[row + 1] = changes[row] + (kinds[rowKind[row]] === 'flip' ? 0 : 1);
+    }
   }
 
   update() {

@@ -257,6 +257,23 @@ class Viewer {
     else help.showModal();
   }
 
+  /** Appends a part to a recording that grows. */
+  grow(text) {
+    const {recording, playback, hullEdges, filter} = this, first = recording.rows;
+    recording.growth.append(text);
+    playback.grow();
+    hullEdges.count(first);
+    filter.add(first);
+  }
+
+  /** Whether there is a next event. */
+  hasNext() {
+    return this.playback.event < this.recording.rows;
+  }
+
+  /** What a viewer draws over the flat view besides. */
+  drawMore() {}
+
   // ---- durations, in the time of the run ----
 
   speed() {
