@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the C++ source with the files of the viewer page (viewer/). One literal for each file, since compilers
+# Makes the C++ source with the files of the viewer page (viewer/), and those of the live page (live/). One literal for each file, since compilers
 # need not accept literals longer than 65 536 bytes.
+set(KINETRI_LIVE_MODULE ${PROJECT_SOURCE_DIR}/build/wasm/live/kinetri.wasm.txt CACHE FILEPATH
+  "The module of live pages, as scripts/platform.sh wasm builds it; live pages need it")
+mark_as_advanced(KINETRI_LIVE_MODULE)
 function(kinetri_viewer_assets output)
   set(folder ${PROJECT_SOURCE_DIR}/viewer)
   file(STRINGS ${folder}/scripts.txt scripts)
@@ -16,5 +19,31 @@ function(kinetri_viewer_assets output)
     file(READ ${folder}/${name} script)
     string(APPEND KINETRI_VIEWER_SCRIPT_LITERALS "\nR\"kinetri(${script})kinetri\",")
   endforeach()
+  file(READ ${PROJECT_SOURCE_DIR}/live/live.css KINETRI_LIVE_live.css)
+  set(names kinetri.mjs presets.js live.js)
+  list(LENGTH names KINETRI_LIVE_SCRIPTS)
+  set(KINETRI_LIVE_SCRIPT_LITERALS)
+  foreach(name IN LISTS names)
+    file(READ ${PROJECT_SOURCE_DIR}/live/${name} script)
+    string(APPEND KINETRI_LIVE_SCRIPT_LITERALS "\nR\"kinetri(${script})kinetri\",")
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+      ${PROJECT_SOURCE_DIR}/live/${name})
+  endforeach()
+  # The module, if it has been built.
+  set(KINETRI_LIVE_PIECES 0)
+  set(KINETRI_LIVE_PIECE_LITERALS)
+  if(EXISTS "${KINETRI_LIVE_MODULE}")
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+      ${KINETRI_LIVE_MODULE})
+    file(READ ${KINETRI_LIVE_MODULE} module)
+    string(LENGTH "${module}" size)
+    set(piece 60000)
+    math(EXPR last "${size} - 1")
+    foreach(begin RANGE 0 ${last} ${piece})
+      string(SUBSTRING "${module}" ${begin} ${piece} text)
+      string(APPEND KINETRI_LIVE_PIECE_LITERALS "\n\"${text}\",")
+      math(EXPR KINETRI_LIVE_PIECES "${KINETRI_LIVE_PIECES} + 1")
+    endforeach()
+  endif()
   configure_file(${PROJECT_SOURCE_DIR}/cmake/viewer_assets.cpp.in ${output} @ONLY)
 endfunction()

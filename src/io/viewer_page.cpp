@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kinetri/events/event_color.h"
+#include "kinetri/impl/base/check.h"
 #include "kinetri/impl/io/bytes.h"
 #include "kinetri/impl/io/json_writer.h"
 #include "kinetri/impl/simulation/playback.h"
@@ -278,6 +279,9 @@ std::string escaped(std::string_view text) {
       case '>':
         result += "&gt;";
         break;
+      case '"':
+        result += "&quot;";
+        break;
       default:
         result += c;
     }
@@ -348,6 +352,27 @@ void write_viewer_page(std::ostream& out, const Recording& recording,
   write_page(out, settings.title, [&] {
     out << "<script type=\"application/json\" id=\"recording\">"
         << embedded(viewer_recording(recording, settings)) << "</script>\n";
+  });
+}
+
+bool has_live_module() {
+  return !detail::live_module.empty();
+}
+
+void write_live_page(std::ostream& out, const Live_page& page) {
+  KINETRI_PRECONDITION(has_live_module(), "a page without its module");
+  write_page(out, page.title, [&] {
+    out << "<style>" << detail::live_style << "</style>\n";
+    if (!page.points.empty()) {
+      out << "<script type=\"text/csv\" id=\"points\" data-options=\"" << escaped(page.options)
+          << "\">\n"
+          << page.points << "</script>\n";
+    }
+    out << "<script type=\"text/plain\" id=\"module\">";
+    for (const std::string_view piece : detail::live_module) out << piece;
+    out << "</script>\n<script type=\"module\">\n";
+    for (const std::string_view script : detail::live_scripts) out << script;
+    out << "</script>\n";
   });
 }
 

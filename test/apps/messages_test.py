@@ -41,6 +41,9 @@ WITHOUT_CASE = {
         "/tmp: writing a temporary file for --verify failed: <reason>; expected space for the logs, or --events, "
         "--motions, --initial-edges and --edges with files elsewhere",
         "kinetri: <path> ended without an answer; expected that it verifies the run, or says what is wrong"],
+    "only where the module has not been built": [
+        "kinetri: this kinetri has been built without the module of live pages; build it with scripts/platform.sh wasm, "
+        "then build kinetri again"],
     "it would take a file of many gigabytes": [
         "<file>:<line>: there are too many points; expected at most 4294967294"],
 }

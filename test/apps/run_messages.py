@@ -208,6 +208,10 @@ def run_cases():
                        meanwhile=lambda _, process, number=number: process.send_signal(number))
 
 
+def live_cases():
+    yield case("live --rim")
+
+
 def cases():
-    for some in (checkpoint_cases, output_cases, run_cases):
+    for some in (checkpoint_cases, output_cases, run_cases, live_cases):
         yield from some()

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "kinetri/events/event_color.h"
+#include "support/precondition_error.h"
 #include "support/text.h"
 
 namespace kinetri::viewer_page_test {
@@ -197,6 +198,22 @@ TEST(Viewer_page, shows_a_recording_of_nothing) {
   EXPECT_EQ(object["events"]["count"], 0);
   EXPECT_EQ(object["events"]["first"], 0);
   EXPECT_EQ(object["motions"]["data"], "");
+}
+
+TEST(LivePage, has_the_points_and_the_module) {
+  std::ostringstream out;
+  const Live_page live = {"a < b", "x,y,vx,vy\n1,2,3,4\n", "{\"rim\":true}"};
+  if (!has_live_module()) {
+    EXPECT_PRECONDITION_ERROR(write_live_page(out, live), "a page without its module");
+    return;
+  }
+  write_live_page(out, live);
+  const std::string text = out.str();
+  EXPECT_NE(text.find("<title>a &lt; b</title>"), std::string::npos);
+  EXPECT_EQ(test::between(text, "data-options=\"{&quot;rim&quot;:true}\">\n", "</script"),
+            live.points);
+  EXPECT_GT(test::between(text, "id=\"module\">", "</script").size(), 100'000u);
+  EXPECT_EQ(text.find("id=\"recording\">"), std::string::npos);
 }
 
 }  // namespace

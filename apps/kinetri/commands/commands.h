@@ -15,6 +15,7 @@ Command tracks_command();
 Command wave_command();
 Command experiment_command();
 Command render_command();
+Command live_command();
 
 /// The program with all of them.
 Command program();

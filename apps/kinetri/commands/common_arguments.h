@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "cli/command.h"
+#include "kinetri/simulation/box_2.h"
 #include "kinetri/triangulation/coincident_points.h"
 
 namespace kinetri::app {
@@ -22,6 +23,9 @@ double size_ratio_argument(std::string_view text);
 
 /// The value of --seed. Throws Usage_error.
 std::uint64_t seed_argument(std::string_view text);
+
+/// The value of --box. Throws Usage_error.
+Box_2 box_argument(const std::string& text);
 
 /// Declares --coincident. `target` gets the default, and must outlive the command.
 void add_coincident_option(Command& command, std::string& target);

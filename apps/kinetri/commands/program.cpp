@@ -16,7 +16,7 @@ Command program() {
                      "kinetri simulate points.csv --until 10 --events events.csv --audit end",
                      "kinetri help simulate"};
   result.commands = {generate_command(), simulate_command(),   resume_command(), tracks_command(),
-                     wave_command(),     experiment_command(), render_command()};
+                     wave_command(),     experiment_command(), render_command(), live_command()};
   result.exit_codes = {
       {0, "Done."},
       {1, "An audit failed, or kinetri-verify refuted the run."},

@@ -34,26 +34,6 @@ struct Simulate_options {
 // By the value of Points_settings::has_area_masses.
 constexpr std::array<std::string_view, 2> masses = {"column", "area"};
 
-Box_2 box_argument(const std::string& text) {
-  std::array<double, 4> sides = {};
-  std::size_t number = 0;
-  for (std::size_t start = 0; start <= text.size(); ++number) {
-    const std::size_t comma = std::min(text.find(',', start), text.size());
-    const std::string side = text.substr(start, comma - start);
-    if (number < sides.size()) sides[number] = number_argument("--box", side);
-    start = comma + 1;
-  }
-  if (number != sides.size()) {
-    throw Usage_error(
-        joined("--box: '", text, "' has ", number, " numbers; expected four, XMIN,YMIN,XMAX,YMAX"));
-  }
-  const auto& [xmin, ymin, xmax, ymax] = sides;
-  if (xmin < xmax && ymin < ymax) return {xmin, ymin, xmax, ymax};
-  throw Usage_error(
-      joined("--box: '", text,
-             "' has no area; expected XMIN,YMIN,XMAX,YMAX with XMIN < XMAX and YMIN < YMAX"));
-}
-
 Points_settings points_settings(const Simulate_options& options) {
   Points_settings result;
   result.points = options.points;

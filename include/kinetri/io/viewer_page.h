@@ -117,6 +117,20 @@ std::string viewer_recording(const Recording& recording, const Viewer_settings& 
 void write_viewer_page(std::ostream& out, const Recording& recording,
                        const Viewer_settings& settings);
 
+/// The content of a page that runs by itself.
+struct Live_page {
+  std::string title;    ///< for people
+  std::string points;   ///< a file of points; empty: the page begins with one of its own
+  std::string options;  ///< of KineticDelaunay (live/README.md), as a JSON object
+};
+
+/// Whether this library has been built with the module of the page (live/README.md).
+bool has_live_module();
+
+/// Writes the page, which contains the whole library as WebAssembly. Errors are those of the
+/// stream. Precondition: has_live_module().
+void write_live_page(std::ostream& out, const Live_page& page);
+
 /// The arguments of write_viewer_page.
 struct Viewer_page {
   Recording recording;       ///< the run

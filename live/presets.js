@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the page begins with: the points as a file of points, and the options of KineticDelaunay. All in a box
+// of SIDE by SIDE, and the same each time.
+
+const SIDE = 100;
+const BOX = [0, 0, SIDE, SIDE];
+
+/** Numbers from 0 to 1, the same in every browser. */
+function randomNumbers(seed) {
+  let state = seed >>> 0 || 1;
+  return () => {
+    state ^= state << 13;
+    state ^= state >>> 17;
+    state ^= state << 5;
+    return (state >>> 0) / 4294967296;
+  };
+}
+
+/** The text of a file of points: the names of its columns, and its rows. */
+function pointsFile(names, rows) {
+  return `${names.join()}\n${rows.map((row) => `${row.join()}\n`).join('')}`;
+}
+
+/** `count` places on a grid, each moved by up to `share` of half the room that discs of the radius leave. */
+function jitteredGrid(count, radius, share, random, [left, bottom, right, top] = BOX) {
+  const width = right - left, height = top - bottom;
+  const columns = Math.max(Math.round(Math.sqrt(count * width / height)), 1), rows = Math.ceil(count / columns);
+  const reachX = share * Math.max(width / columns / 2 - radius, 0);
+  const reachY = share * Math.max(height / rows / 2 - radius, 0);
+  return Array.from({length: count}, (_, i) => [
+    left + (i % columns + 0.5) * width / columns + reachX * (2 * random() - 1),
+    bottom + (Math.floor(i / columns) + 0.5) * height / rows + reachY * (2 * random() - 1),
+  ]);
+}
+
+/** The radius with which `count` discs cover the share of the box. */
+function radiusOfShare(count, share) {
+  return Math.sqrt(share * SIDE * SIDE / (Math.PI * count));
+}
+
+function gas(count) {
+  const random = randomNumbers(7), radius = radiusOfShare(count, 0.18);
+  const velocity = () => 40 * (random() - 0.5);
+  return {
+    text: pointsFile(['x', 'y', 'vx', 'vy'],
+                     jitteredGrid(count, radius, 0.9, random).map((place) => [...place, velocity(), velocity()])),
+    options: {box: BOX, radius, rim: true, collisions: 'elastic'},
+  };
+}
+
+function packing(count) {
+  const random = randomNumbers(11), radius = radiusOfShare(count, 0.05), growth = radius / 4;
+  const velocity = () => 12 * (random() - 0.5);
+  return {
+    text: pointsFile(['x', 'y', 'vx', 'vy', 'radius', 'growth'], jitteredGrid(count, radius, 0.9, random).map(
+      (place) => [...place, velocity(), velocity(), radius * (0.6 + 0.4 * random()), growth * (0.6 + 0.4 * random())])),
+    options: {box: BOX, rim: true, collisions: 'elastic'},
+  };
+}
+
+function crowds(count) {
+  const random = randomNumbers(5), half = Math.floor(count / 2), radius = radiusOfShare(count, 0.1);
+  const walk = () => 6 + 3 * random(), drift = () => 2 * (random() - 0.5);
+  const group = (number, sides, direction) => jitteredGrid(number, radius, 0.8, random, sides).map(
+    (place) => [...place, direction * walk(), drift()]);
+  return {
+    text: pointsFile(['x', 'y', 'vx', 'vy'], [...group(half, [0, 10, 42, 90], 1),
+                                             ...group(count - half, [58, 10, 100, 90], -1)]),
+    options: {box: BOX, radius, rim: true, collisions: 'elastic'},
+  };
+}
+
+function flock(count) {
+  const random = randomNumbers(3), velocity = () => 24 * (random() - 0.5);
+  return {
+    text: pointsFile(['x', 'y', 'vx', 'vy'],
+                     jitteredGrid(count, 0, 0.9, random).map((place) => [...place, velocity(), velocity()])),
+    options: {box: BOX},
+  };
+}
+
+/** Turns each point toward the mean velocity of itself and its neighbors, by a share. */
+function turnFlock(points, share) {
+  const before = points.velocities(), edges = points.edges();
+  const sum = before.slice(), count = new Float64Array(before.length / 2).fill(1);
+  for (let i = 0; i < edges.length; i += 2) {
+    const a = edges[i], b = edges[i + 1];
+    for (let k = 0; k < 2; ++k) {
+      sum[2 * a + k] += before[2 * b + k];
+      sum[2 * b + k] += before[2 * a + k];
+    }
+    ++count[a];
+    ++count[b];
+  }
+  const ids = [], velocities = [];
+  for (let id = 0; id < count.length; ++id) {
+    if (Number.isNaN(before[2 * id])) continue;
+    const turned = [0, 1].map((k) => before[2 * id + k] + share * (sum[2 * id + k] / count[id] - before[2 * id + k]));
+    const speed = Math.hypot(before[2 * id], before[2 * id + 1]), now = Math.hypot(...turned);
+    ids.push(id);
+    velocities.push(turned.map((component) => (now > 0 ? component * speed / now : component)));
+  }
+  points.setVelocities(ids, velocities);
+}
+
+function oneMover(count) {
+  const random = randomNumbers(9);
+  const rows = jitteredGrid(count, 0, 0.7, random).map((place) => [...place, 0, 0]);
+  if (rows.length > 0) rows[0].splice(2, 2, 31, 19);
+  return {text: pointsFile(['x', 'y', 'vx', 'vy'], rows), options: {box: BOX}};
+}
+
+/** A lattice whose columns move up and down: at many times all its points are cocircular with others. */
+function lattice(count) {
+  const columns = Math.max(Math.floor(Math.sqrt(count)), 1), step = Math.floor(SIDE / (columns + 1));
+  const rows = [];
+  for (let i = 0; i < columns; ++i) {
+    for (let k = 0; k < columns; ++k) rows.push([step * (i + 1), step * (k + 1), 0, i % 2 === 0 ? step : -step]);
+  }
+  return {text: pointsFile(['x', 'y', 'vx', 'vy'], rows), options: {box: BOX}};
+}
+
+/** The wave of the paper: a row of points moves up, and hands its velocity on to each row that it meets. */
+function wave(count) {
+  const columns = Math.max(Math.round(Math.sqrt(count)), 2), step = SIDE / columns, rows = [];
+  for (let k = 0; k < columns; ++k) {
+    for (let i = 0; i < columns; ++i) rows.push([step * (i + 0.5), step * (k + 0.5), 0, k === 0 ? step : 0]);
+  }
+  return {text: pointsFile(['x', 'y', 'vx', 'vy'], rows), options: {box: BOX, radius: step / 128, collisions: 'swap'}};
+}
+
+const PRESETS = {
+  gas: {label: 'Gas', make: gas, count: 120},
+  packing: {label: 'Packing', make: packing, count: 150},
+  crowds: {label: 'Two crowds', make: crowds, count: 240},
+  flock: {label: 'Flock', make: flock, count: 200, turn: turnFlock},
+  mover: {label: 'One mover', make: oneMover, count: 400},
+  lattice: {label: 'Lattice', make: lattice, count: 144},
+  wave: {label: 'Wave', make: wave, count: 225},
+};

@@ -1,0 +1,266 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The live page, in Chromium, with real pointer events. What it shows is compared with what its module says, and
+its logs are checked by kinetri-verify, which shares no code with it.
+
+usage: page_test.py KINETRI KINETRI_VERIFY
+
+Ends with 77, which ctest takes for skipped, if the program has no module of live pages, or there is no Chromium.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "viewer" / "test"))
+from chromium import Chromium  # noqa: E402
+
+SKIPPED = 77
+POINTS = "x,y,vx,vy\n" + "".join(f"{7 * i % 50 + 3},{11 * i % 53 + 2},{i % 5 - 2},{i % 7 - 3}\n" for i in range(40))
+SCREEN = "(() => { const x = live.flatView.camera.screenX(%f), y = live.flatView.camera.screenY(%f);" \
+         " const r = element('picture').getBoundingClientRect(); return [r.left + x, r.top + y]; })()"
+
+
+def write_page(folder, *arguments):
+    page = folder / "live.html"
+    done = subprocess.run([PROGRAM, "live", *arguments, "-o", page], capture_output=True, text=True)
+    if done.returncode == 2 and "without the module of live pages" in done.stderr:
+        print(done.stderr, end="")
+        sys.exit(SKIPPED)
+    if done.returncode != 0:
+        raise AssertionError(done.stderr)
+    return page
+
+
+class LivePageTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = FOLDER / self.id().rsplit(".", 1)[1]
+        self.folder.mkdir()
+        BROWSER.begin_page(1280, 800)
+
+    def tearDown(self):
+        self.assertEqual(BROWSER.problems, [])
+
+    def open(self, *arguments, query="", plays=False):
+        """The page, paused as soon as it can be."""
+        page = write_page(self.folder, *arguments)
+        BROWSER.url = page.resolve().as_uri() + query
+        BROWSER.go_to(BROWSER.url)
+        self.wait("window.live !== undefined || !document.getElementById('message').hidden")
+        BROWSER.problems = [text for text in BROWSER.problems if not text.endswith(BROWSER.url)]
+        if not plays:
+            self.evaluate("live.isPlaying() && live.togglePlaying(1)")
+            BROWSER.settle()
+
+    def evaluate(self, expression):
+        return BROWSER.evaluate(expression)
+
+    def wait(self, condition, seconds=60):
+        end = time.monotonic() + seconds
+        while not self.evaluate(condition):
+            self.assertLess(time.monotonic(), end, f"waiting for {condition}")
+            time.sleep(0.05)
+
+    def points_file(self, text=POINTS):
+        path = self.folder / "points.csv"
+        path.write_text(text)
+        return path
+
+    def place_of(self, point):
+        """Where it is on the page."""
+        x, y = self.evaluate(f"Array.from(live.points.positions().subarray({2 * point}, {2 * point + 2}))")
+        return self.evaluate(SCREEN % (x, y))
+
+    def drag(self, begin, end, steps=12):
+        BROWSER.mouse("mouseMoved", *begin)
+        BROWSER.mouse("mousePressed", *begin, button="left", buttons=1, clickCount=1)
+        for i in range(1, steps + 1):
+            place = [a + (b - a) * i / steps for a, b in zip(begin, end)]
+            BROWSER.mouse("mouseMoved", *place, button="left", buttons=1)
+            BROWSER.settle()
+        BROWSER.mouse("mouseReleased", *end, button="left", clickCount=1)
+        BROWSER.settle()
+
+    def choose(self, tool):
+        self.evaluate(f"document.querySelector('[data-tool={tool}]').click()")
+
+    def check_present(self):
+        """What is shown is what the module has, and an audit passes."""
+        self.evaluate("live.goToEnd()")
+        BROWSER.settle()
+        shown = [number for edge in self.evaluate("kinetri.edges()") for number in edge]
+        self.assertEqual(shown, self.evaluate("Array.from(live.points.edges())"))
+        triangles = [number for triangle in self.evaluate("kinetri.triangles()") for number in triangle]
+        self.assertEqual(triangles, self.evaluate("Array.from(live.points.triangles())"))
+        self.assertEqual(self.evaluate("live.points.audit()"), [])
+
+    def check_logs(self, *options):
+        """kinetri-verify accepts the motions and events so far, which end with the edges that are shown."""
+        self.evaluate("live.goOn()")
+        files = {name: self.folder / f"live.{name}.csv" for name in ("motions", "events", "edges")}
+        for name in ("motions", "events"):
+            files[name].write_text("".join(self.evaluate(f"live.logs.{name}")))
+        edges = self.evaluate("kinetri.edges()")
+        files["edges"].write_text("a,b\n" + "".join(f"{a},{b}\n" for a, b in edges))
+        until = self.evaluate("live.clock")
+        done = subprocess.run([VERIFY, files["motions"], files["events"], "--until", repr(until), "--edges",
+                               files["edges"], *options], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return files["events"].read_text().splitlines()
+
+    # ---- tests ----
+
+    def test_points_move_and_the_logs_are_verified(self):
+        self.open(self.points_file(), "--box", "0,0,60,60", plays=True)
+        self.wait("live.clock > 2")
+        self.evaluate("live.togglePlaying(1)")
+        self.evaluate("live.points.advanceTo(live.clock)")
+        self.check_present()
+        events = self.check_logs("--box", "0,0,60,60")
+        self.assertGreater(len(events), 50)
+        # The program has the same events.
+        until = self.evaluate("live.clock")
+        log = subprocess.run([PROGRAM, "simulate", self.folder / "points.csv", "--until", repr(until), "--box",
+                              "0,0,60,60", "--events", "-", "--quiet"], capture_output=True, text=True, check=True)
+        self.assertEqual(log.stdout.splitlines(), events)
+
+    def test_every_beginning_passes_an_audit(self):
+        for start in ("gas", "packing", "crowds", "flock", "mover", "lattice", "wave"):
+            with self.subTest(start=start):
+                BROWSER.begin_page(1280, 800)
+                self.open(query=f"?start={start}&points=60", plays=True)
+                self.wait("live.clock > 0.4 || element('status').textContent.includes('expected')")
+                self.evaluate("live.direction = 0")
+                BROWSER.settle()
+                self.assertGreater(self.evaluate("live.clock"), 0.4)
+                self.check_present()
+
+    def test_a_point_is_thrown(self):
+        self.open(self.points_file(), "--box", "0,0,60,60")
+        self.evaluate("live.speedStep = -4")
+        begin = self.place_of(0)
+        self.evaluate("live.togglePlaying(1)")
+        self.drag(begin, [begin[0] + 90, begin[1] - 60])
+        self.evaluate("live.direction = 0")
+        kinds = self.evaluate("Array.from(live.recording.rowKind.subarray(0, live.recording.rows),"
+                              " (kind) => live.recording.kinds[kind])")
+        self.assertIn("trajectory", kinds)
+        vx, vy = self.evaluate("Array.from(live.points.velocities().subarray(0, 2))")
+        self.assertGreater(vx, 0)
+        self.assertGreater(vy, 0)
+        self.check_present()
+        self.check_logs("--box", "0,0,60,60")
+
+    def test_a_point_is_moved_while_time_stands_still(self):
+        self.open(self.points_file(), "--box", "0,0,60,60")
+        begin = self.place_of(3)
+        end = [begin[0] + 40, begin[1] + 25]
+        self.drag(begin, end)
+        place = self.place_of(3)
+        self.assertAlmostEqual(place[0], end[0], delta=1)
+        self.assertAlmostEqual(place[1], end[1], delta=1)
+        self.check_present()
+        # Out of the box it stays at the wall.
+        self.drag(place, [2, place[1]])
+        self.assertEqual(self.evaluate("live.points.positions()[6]"), 0)
+        self.check_present()
+        self.check_logs("--box", "0,0,60,60")
+
+    def test_points_are_added_erased_and_pinned(self):
+        self.open(self.points_file(), "--box", "0,0,60,60")
+        self.choose("add")
+        BROWSER.click(*self.evaluate(SCREEN % (30.2, 0.8)))
+        self.assertEqual(self.evaluate("live.points.length"), 41)
+        self.choose("erase")
+        BROWSER.click(*self.place_of(5))
+        self.assertEqual(self.evaluate("live.points.length"), 40)
+        self.choose("pin")
+        BROWSER.click(*self.place_of(7))
+        self.assertEqual(self.evaluate("Array.from(live.points.velocities().subarray(14, 16))"), [0, 0])
+        self.check_present()
+        BROWSER.click(*self.place_of(7))
+        self.assertEqual(self.evaluate("Array.from(live.points.velocities().subarray(14, 16))"), [0, -3])
+        self.check_present()
+        self.check_logs("--box", "0,0,60,60")
+
+    def test_the_next_event_is_the_one_that_comes(self):
+        self.open(self.points_file(), "--box", "0,0,60,60")
+        for _ in range(30):
+            self.wait("live.next !== undefined")
+            said = self.evaluate("({...live.next, rows: live.recording.rows})")
+            BROWSER.key("ArrowRight")
+            row = self.evaluate("(({recording}, row) => ({kind: recording.kinds[recording.rowKind[row]],"
+                                " time: recording.rowTime[row], lower: recording.rowLow[row],"
+                                " upper: recording.rowHigh[row]}))(live, %d)" % said["rows"])
+            self.assertEqual({key: said[key] for key in row}, row)
+        self.check_present()
+
+    def test_time_goes_back_and_on(self):
+        self.open(self.points_file(), "--box", "0,0,60,60", plays=True)
+        first = self.evaluate("kinetri.span[0]")
+        self.wait("live.clock > 1")
+        self.evaluate("live.togglePlaying(1)")
+        now = self.evaluate("[kinetri.event, kinetri.edges()]")
+        self.evaluate("kinetri.goTo(%r)" % first)
+        self.assertEqual(self.evaluate("kinetri.event"), 0)
+        self.assertFalse(self.evaluate("live.isPresent()"))
+        self.evaluate("live.togglePlaying(-1); live.togglePlaying(1); live.changeSpeed(6)")
+        self.wait("live.recording.rows > %d" % now[0])
+        self.evaluate("live.togglePlaying(1)")
+        self.check_present()
+        self.evaluate("live.playback.goToEvent(%d)" % now[0])
+        self.assertEqual(self.evaluate("kinetri.edges()"), now[1])
+
+    def test_a_recording_that_is_too_long_begins_anew(self):
+        self.open(self.points_file(), "--box", "0,0,60,60", plays=True)
+        self.wait("live.recording.rows > 40")
+        self.evaluate("live.direction = 0; live.beginAnew(); live.playback.goToEvent(live.recording.rows)")
+        self.assertEqual(self.evaluate("live.recording.rows"), 0)
+        self.evaluate("live.togglePlaying(1)")
+        self.wait("live.recording.rows > 40")
+        self.evaluate("live.direction = 0")
+        self.check_present()
+
+    def test_an_error_is_shown_and_the_points_stay(self):
+        self.open(self.points_file("x,y,vx,vy\n1,1,0,0\n3,1,0,0\n2,3,0,0\n"), "--box", "0,0,4,4")
+        self.evaluate("live.change(() => live.points.insert([9, 9]))")
+        self.assertIn("box", self.evaluate("element('status').textContent"))
+        self.assertEqual(self.evaluate("live.points.length"), 3)
+        self.check_present()
+
+    def test_an_address_that_asks_for_nonsense(self):
+        self.open(query="?start=gas&points=-3", plays=True)
+        self.assertIn("whole number from 1", self.evaluate("element('message').innerText"))
+        BROWSER.begin_page(1280, 800)
+        self.open(query="?start=%3Cb%3E", plays=True)
+        self.assertIn("unknown", self.evaluate("element('message').innerText"))
+
+    def test_a_browser_without_webassembly(self):
+        page = write_page(self.folder)
+        page.write_text(page.read_text().replace("<body>", "<body><script>delete window.WebAssembly</script>", 1))
+        BROWSER.go_to(page.resolve().as_uri())
+        self.wait("!element('message').hidden")
+        BROWSER.problems = []
+        self.assertIn("has no WebAssembly", self.evaluate("element('message').innerText"))
+
+    def test_a_phone(self):
+        BROWSER.begin_page(390, 844)
+        self.open(query="?start=gas&points=50", plays=True)
+        self.assertLessEqual(self.evaluate("document.documentElement.scrollWidth"), 390)
+        self.assertGreater(self.evaluate("element('picture').clientHeight"), 250)
+
+
+if __name__ == "__main__":
+    PROGRAM, VERIFY = sys.argv[1:3]
+    if Chromium.executable() is None:
+        print("skipped: there is no chromium")
+        sys.exit(SKIPPED)
+    with tempfile.TemporaryDirectory(prefix="kinetri-live-") as place:
+        FOLDER = pathlib.Path(place)
+        write_page(FOLDER)
+        with Chromium() as BROWSER:
+            result = unittest.main(argv=[sys.argv[0], *sys.argv[3:]], exit=False).result
+    sys.exit(0 if result.wasSuccessful() else 1)
