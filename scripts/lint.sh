@@ -52,7 +52,7 @@ on_files() {
   shift
   command -v "${command[0]}" >/dev/null || return 77
   while (($# > 0)); do names+=(-o -name "$1") && shift; done
-  mapfile -d '' files < <(find .ci apps bench data examples include python scripts setup.py src test \
+  mapfile -d '' files < <(find .ci apps bench data examples include live python scripts setup.py src test \
     viewer -type f \( "${names[@]:1}" \) -print0 | sort -z)
   "${command[@]}" "${files[@]}" || return 1
 }

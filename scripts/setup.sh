@@ -148,6 +148,7 @@ kinetri_wasm_libraries() {
   kinetri_say "Building GMP and MPFR for WebAssembly in $folder, for some minutes ..."
   kinetri_wasm_source gmp "$sources/gmp"
   mkdir -p "$sources/gmp/doc" "$sources/gmp/build" && : >"$sources/gmp/doc/Makefile.in"  # Debian leaves it out.
+  # shellcheck disable=SC2016  # $0 is of the inner shell.
   (cd "$sources/gmp/build" && kinetri_quietly "building GMP" "$sources/gmp.log" bash -ec '
     emconfigure ../configure --host=none --disable-assembly --disable-shared CC_FOR_BUILD=cc HOST_CC=cc CFLAGS=-O3
     emmake make -j "$0" libgmp.la "SUBDIRS=mpn mpz mpq mpf printf scanf rand"' "$(kinetri_jobs)")
@@ -155,6 +156,7 @@ kinetri_wasm_libraries() {
   cp "$sources/gmp/build/.libs/libgmp.a" "$folder.partly/lib"
   kinetri_wasm_source mpfr4 "$sources/mpfr"
   mkdir -p "$sources/mpfr/build"
+  # shellcheck disable=SC2016
   (cd "$sources/mpfr/build" && kinetri_quietly "building MPFR" "$sources/mpfr.log" bash -ec '
     emconfigure ../configure --host=none --disable-shared --disable-thread-safe "--with-gmp=$1" CFLAGS=-O3
     emmake make -j "$0" -C src libmpfr.la' "$(kinetri_jobs)" "$folder.partly")

@@ -13,8 +13,8 @@ extern const std::string_view viewer_page;  // with markers for insertions
 extern const std::string_view viewer_style;
 extern const std::span<const std::string_view> viewer_scripts;  // in their order
 
-// Those of live/. The module is the library as WebAssembly, compressed, as text in pieces; empty if it
-// has not been built.
+// Those of live/. The module is the library as WebAssembly, compressed, as text in pieces; empty if
+// it has not been built.
 extern const std::string_view live_style;
 extern const std::span<const std::string_view> live_scripts;
 extern const std::span<const std::string_view> live_module;

@@ -7,7 +7,6 @@ usage: page_test.py KINETRI KINETRI_VERIFY
 
 Ends with 77, which ctest takes for skipped, if the program has no module of live pages, or there is no Chromium.
 """
-import json
 import pathlib
 import subprocess
 import sys
