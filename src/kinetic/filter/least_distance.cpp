@@ -10,8 +10,8 @@ namespace kinetri {
 namespace {
 
 // The difference d of two points at a time, and the exact difference v of their velocities.
-struct Difference {
-  Difference(const Linear_motion_2& p, const Linear_motion_2& q, double time)
+struct Difference_of_places {
+  Difference_of_places(const Linear_motion_2& p, const Linear_motion_2& q, double time)
       : places({&p, &q}, {time}),
         vx(exact_sum(p.velocity.x, -q.velocity.x)),
         vy(exact_sum(p.velocity.y, -q.velocity.y)),
@@ -69,19 +69,19 @@ std::optional<Rounding> rounded_time_of_least_distance(const Linear_motion_2& p,
   // Newton steps in binary64, so that the last step, with double_double, is small.
   double time = p.epoch;
   for (int attempts = 0; attempts < 2; ++attempts) {
-    const Difference at(p, q, time);
+    const Difference_of_places at(p, q, time);
     if (!at.is_in_range()) return std::nullopt;
     time -= at.half_slope().high / at.squared_speed().high;
     if (!std::isfinite(time)) return std::nullopt;
   }
-  const Difference at(p, q, time);
+  const Difference_of_places at(p, q, time);
   if (!at.is_in_range()) return std::nullopt;
   const double slope = at.squared_speed().high;
   return newton_rounding(time, at.half_slope().high, at.error(), slope, 8 * unit_roundoff * slope);
 }
 
 std::optional<double> rounded_least_distance(const Linear_motion_2& p, const Linear_motion_2& q) {
-  const Difference at(p, q, p.epoch);
+  const Difference_of_places at(p, q, p.epoch);
   if (!at.is_in_range()) return std::nullopt;
   const Double_double determinant = at.determinant();
   const Double_double squared_speed = at.squared_speed();
