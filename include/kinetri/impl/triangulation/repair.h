@@ -92,6 +92,7 @@ class Kinetic_types<Traits>::Repair {
     }
     return certain_side_of_oriented_circle(place(a), place(b), place(c), place(v), error_);
   }
+  // The corner beyond edge i.
   Vertex_handle opposite(Face_handle face, int i) const {
     const Face_handle beyond = face->neighbor(i);
     return beyond->vertex(Triangulation::cw(index_in(beyond, face->vertex(Triangulation::cw(i)))));
@@ -103,7 +104,7 @@ class Kinetic_types<Traits>::Repair {
   bool embed();
   void flip_turned();
   bool try_flip_turned(Face_handle face);
-  bool has_crossed(Vertex_handle v, Vertex_handle a, Vertex_handle b) const;
+  bool is_obtuse(Vertex_handle v, Vertex_handle a, Vertex_handle b) const;
   Vertex_handle corner_to_take_out(Face_handle face) const;
   bool take_out(Vertex_handle v);
   std::optional<Edge> best_ear(std::span<const Edge> spokes) const;
@@ -122,6 +123,7 @@ class Kinetic_types<Traits>::Repair {
     for (int i = 0; i < 3; ++i) suspects_.emplace_back(face, i);
   }
 
+  // A face that has changed.
   void add_new(Face_handle face) {
     suspect(face);
     if (!is_left_turn(face)) turned_.push_back(face);
@@ -161,7 +163,9 @@ bool Kinetic_types<Traits>::Repair::move(std::span<const Change> changes) {
   set_points(changes);
   flips_left_ = 4 * triangulation_.tds().number_of_faces();
   if (!std::isfinite(error_) || !std::isfinite(weight_error_) || !find_turned()) return false;
-  for (const Face_handle face : triangulation_.finite_face_handles()) take_out_hidden(face);
+  if constexpr (is_weighted) {
+    for (const Face_handle face : triangulation_.finite_face_handles()) take_out_hidden(face);
+  }
   bool is_done = embed() && flip_suspects();
   delete_unlinked();
   is_done = is_done && put_back();
@@ -293,8 +297,8 @@ void Kinetic_types<Traits>::Repair::flip_turned() {
   turned_ = std::move(left);
 }
 
-// Flips an edge of a triangle that has turned over if fewer of the two new triangles have, or as
-// many of less area. (The sum of the signed areas stays.)
+// Flips the edge of a turned triangle opposite to its obtuse angle, if fewer of the two new
+// triangles have turned over, or as many of less area. (The sum of the signed areas stays.)
 template <class Traits>
 bool Kinetic_types<Traits>::Repair::try_flip_turned(Face_handle face) {
   struct Turned {
@@ -319,7 +323,7 @@ bool Kinetic_types<Traits>::Repair::try_flip_turned(Face_handle face) {
     const Vertex_handle there = opposite(face, i);
     const Vertex_handle right = face->vertex(Triangulation::ccw(i));
     const Vertex_handle left = face->vertex(Triangulation::cw(i));
-    if (!has_crossed(here, right, left)) continue;
+    if (!is_obtuse(here, right, left)) continue;
     const Turned before = turned(std::array{here, right, left}, std::array{there, left, right});
     const Turned after = turned(std::array{here, right, there}, std::array{here, there, left});
     constexpr double less = 0.99;  // flips of areas that differ by rounding alone might not end
@@ -335,10 +339,11 @@ bool Kinetic_types<Traits>::Repair::try_flip_turned(Face_handle face) {
   return false;
 }
 
-// Whether a point that is beyond a hull edge is near it: else the ends of that have changed places.
+// Whether the angle at v is obtuse: then v has probably crossed the opposite edge of its triangle,
+// which has turned over. Else its other corners may have changed places.
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::has_crossed(Vertex_handle v, Vertex_handle a,
-                                                Vertex_handle b) const {
+bool Kinetic_types<Traits>::Repair::is_obtuse(Vertex_handle v, Vertex_handle a,
+                                              Vertex_handle b) const {
   const Vector_2 to_a = difference(place(a), place(v));
   const Vector_2 to_b = difference(place(b), place(v));
   return to_a.x * to_b.x + to_a.y * to_b.y < 0;
@@ -623,7 +628,9 @@ bool Kinetic_types<Traits>::Repair::flip_suspects() {
     if (flips_left_-- == 0) return false;
     if (const Vertex_handle v = reflex_end(face, i); v != Vertex_handle()) {
       // It is above the triangle of the three other points, and so is hidden.
-      if (!take_out(v) || !embed()) return false;
+      const bool was_on_hull = are_adjacent(v, triangulation_.infinite_vertex());
+      if (!take_out(v)) return false;
+      if ((was_on_hull || !turned_.empty()) && !embed()) return false;
       continue;
     }
     const auto [beyond, j] = topology_.with_mirror(Edge(face, i)).there;
