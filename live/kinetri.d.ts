@@ -55,7 +55,7 @@ export class KinetriError extends Error {}
 export function load(source?: WebAssembly.Module | BufferSource): Promise<void>;
 
 export class KineticDelaunay {
-  constructor(positions: Vectors, velocities?: Vectors, options?: Options);
+  constructor(positions: Vectors, velocities?: Vectors | null, options?: Options);
   static read(text: string, options?: Options): KineticDelaunay;
   close(): void;
 

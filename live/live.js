@@ -4,7 +4,7 @@
 // present: there points are taken, thrown, added, erased and pinned. Going back plays the recording.
 // This is a module, after kinetri.mjs in the same element; the viewer's scripts are before it.
 
-const BUDGET = 8;             // milliseconds of a frame in which events are executed
+const BUDGET = 8;             // milliseconds of a frame for events
 const TURN = 0.1;             // time between two turns of a flock
 const MOST_ROWS = 300000;     // of the recording, before it begins anew
 const SPARE_IDS = 4096;       // for points that are added
@@ -56,9 +56,16 @@ class LiveViewer extends Viewer {
     this.logs = {events: [], motions: [], size: 0, from: this.clock};
     this.refreshed = 0;
     this.isSlow = false;
+    if (preset === null) this.chooseSpeed();
     this.listenToPointer();
     this.makeBar();
     this.refresh();
+  }
+
+  /** The speed at which a fast point needs some eight seconds for the width of the picture. */
+  chooseSpeed() {
+    const [left, bottom, right, top] = this.flatView.extents.whole, fast = this.fastSpeed();
+    if (fast > 0) this.speedStep = Math.round(3 * Math.log10(Math.max(right - left, top - bottom) / (8 * fast)));
   }
 
   /** Whether what is shown is the present. */
