@@ -20,6 +20,7 @@
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/base/error.h"
 #include "kinetri/impl/triangulation/torus_triangulation_impl.h"
+#include "support/message_of.h"
 #include "support/multiplier.h"
 #include "support/precondition_error.h"
 
@@ -744,23 +745,13 @@ std::string too_long(const std::string& of, const std::string& against, const st
          "together, or stop before the points or the box have moved so far";
 }
 
-template <class Function>
-std::string message_of(Function function) {
-  try {
-    function();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST(Torus_triangulation, refuses_first_vectors_with_an_offset_of_more_than_32_bits) {
   // Shortest vectors: (greatest, 1) and (1, 0), of which the sum has too great an offset.
   const Box box{{1, 0}, {-greatest, 1}};
   Torus torus{Traits(box)};
   const Vertex_handle v = torus.tds().create_vertex();
   v->set_point(Point(7, {0, 0}));
-  EXPECT_EQ(message_of([&] {
+  EXPECT_EQ(test::message_of<Error>([&] {
               torus.insert_first(v, {{{1, 0}, {greatest, 1}}});
             }),
             too_long("7", "7", "2147483648, 1"));
@@ -784,7 +775,7 @@ TEST(Torus_triangulation, refuses_a_flip_to_an_offset_of_more_than_32_bits_and_s
   for (const Edge& edge : edges_of(torus)) {
     const int x = Torus::offset(edge.first, Torus::cw(edge.second), Torus::ccw(edge.second)).x;
     if (x != greatest - 1 && x != 1 - greatest) continue;
-    const std::string message = message_of([&] { torus.flip(edge); });
+    const std::string message = test::message_of<Error>([&] { torus.flip(edge); });
     EXPECT_TRUE(message == too_long("7", "7", "2147483648, 1") ||
                 message == too_long("7", "7", "-2147483648, -1"))
         << message;
@@ -802,8 +793,8 @@ TEST(Torus_triangulation, refuses_a_walk_beyond_32_bits) {
   const auto locate = [&](std::int64_t boxes) {
     torus.locate(Point(5, {-2 * boxes, 1}), start, {greatest, 0});
   };
-  EXPECT_EQ(message_of([&] { locate(greatest); }), "no error");
-  const std::string message = message_of([&] { locate(std::int64_t{greatest} + 9); });
+  EXPECT_EQ(test::message_of<Error>([&] { locate(greatest); }), "");
+  const std::string message = test::message_of<Error>([&] { locate(std::int64_t{greatest} + 9); });
   EXPECT_EQ(message.substr(0, message.find(',')),
             "the image of point 5 next to point 4 is moved by (2147483648");
 }
@@ -819,7 +810,8 @@ TEST(Torus_triangulation, refuses_an_insertion_beyond_32_bits_and_stays_as_it_is
     const Offset offset{sign * greatest, 0};
     const Point point(5, {inside.x - 6 * std::int64_t{offset.x}, inside.y});
     ASSERT_EQ(torus.locate(point, edge.first, offset).locus, locus);
-    const std::string message = message_of([&] { torus.insert(point, edge.first, offset); });
+    const std::string message =
+        test::message_of<Error>([&] { torus.insert(point, edge.first, offset); });
     EXPECT_EQ(message.substr(0, message.find(',')),
               std::string("the image of point 5 next to point 4 is moved by (") +
                   (sign < 0 ? "-" : "") + "2147483648");
