@@ -10,6 +10,7 @@ const MOST_ROWS = 300000;     // of the recording, before it begins anew
 const SPARE_IDS = 4096;       // for points that are added
 const MOST_LOG = 100e6;       // characters of the logs that are kept
 const REFRESH = 250;          // milliseconds between two updates of list, histogram and counters
+const REST = 120;             // milliseconds: a pointer that rests so long throws nothing
 const HEAVY = 1e9;            // mass of a point that is held or pinned
 const MOST_FOR_NEXT = 20000;  // points for which the next event is looked for
 const TOOLS = {take: 'Take and throw', add: 'Add', erase: 'Erase', pin: 'Pin'};
@@ -29,13 +30,13 @@ class Hold {
     const {viewer} = this, {camera} = viewer.flatView;
     [this.x, this.y] = viewer.inBox(camera.planeX(event.offsetX), camera.planeY(event.offsetY));
     this.places.push({x: this.x, y: this.y, at: event.timeStamp});
-    while (this.places.length > 2 && this.places[0].at < event.timeStamp - 80) this.places.shift();
+    while (this.places.length > 2 && this.places[0].at < event.timeStamp - REST) this.places.shift();
   }
 
   /** The velocity of the pointer, in the time of the run. */
   thrown(event) {
     const first = this.places[0], elapsed = event.timeStamp - first.at;
-    if (!(elapsed > 0) || this.places.at(-1).at < event.timeStamp - 80) return [0, 0];
+    if (!(elapsed > 0) || this.places.at(-1).at < event.timeStamp - REST) return [0, 0];
     const perSecond = 1000 / elapsed / this.viewer.speed();
     return [(this.x - first.x) * perSecond, (this.y - first.y) * perSecond];
   }
