@@ -7,8 +7,8 @@
 
 #include "kinetri/base/error.h"
 #include "kinetri/impl/io/checksum.h"
+#include "kinetri/impl/io/input_text.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 
 namespace kinetri {
 namespace {

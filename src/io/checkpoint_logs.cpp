@@ -7,9 +7,9 @@
 
 #include "kinetri/base/error.h"
 #include "kinetri/impl/io/checksum.h"
+#include "kinetri/impl/io/input_text.h"
 #include "kinetri/impl/io/output_file.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 #include "kinetri/io/checkpoint_file.h"
 
 namespace kinetri {
@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Checksum checksum_of(const std::string& path) {
-  std::ifstream in = open_table(path, {"what a run has written", ""});
+  std::ifstream in = open_input(path, "what a run has written");
   Checksum result;
   std::array<char, 1U << 16U> buffer;
   while (in.read(buffer.data(), buffer.size()), in.gcount() > 0) {

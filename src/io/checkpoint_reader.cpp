@@ -17,8 +17,8 @@
 #include "json_value.h"
 #include "kinetri/algebra/sturm_sequence.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/input_text.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 #include "kinetri/io/checkpoint_file.h"
 
 namespace kinetri {
@@ -226,7 +226,7 @@ Checkpoint read_checkpoint(std::istream& in, const std::string& name) {
 
 Checkpoint read_checkpoint_file(const std::string& path) {
   if (path == "-") return read_checkpoint(std::cin, "standard input");
-  std::ifstream in = open_table(path, {"a simulation's state", ""});
+  std::ifstream in = open_input(path, "a simulation's state");
   return read_checkpoint(in, path);
 }
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <tuple>
 
+#include "io/text_table.h"
 #include "kinetri/impl/io/parse_number.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 
 namespace kinetri {
 namespace {

@@ -10,12 +10,12 @@
 #include <map>
 #include <utility>
 
+#include "io/text_table.h"
 #include "kinetri/base/error.h"
 #include "kinetri/base/ids.h"
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/io/parse_number.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 #include "utf8_input.h"
 
 namespace kinetri {
@@ -209,7 +209,7 @@ Points_file read_points(std::istream& in, const std::string& name) {
 
 Points_file read_points_file(const std::string& path) {
   if (path == "-") return read_points(std::cin, "standard input");
-  std::ifstream in = open_table(path, points_kind);
+  std::ifstream in = open_input(path, points_kind.content);
   return read_points(in, path);
 }
 

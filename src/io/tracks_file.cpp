@@ -8,6 +8,7 @@
 #include <iostream>
 #include <utility>
 
+#include "io/text_table.h"
 #include "io/tracks/degrees.h"
 #include "io/tracks/projection.h"
 #include "io/tracks/timestamp.h"
@@ -15,7 +16,6 @@
 #include "kinetri/base/error.h"
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 #include "utf8_input.h"
 
 namespace kinetri {
@@ -264,7 +264,7 @@ Tracks_file read_tracks(std::istream& in, const std::string& name, Tracks_format
 
 Tracks_file read_tracks_file(const std::string& path, const Tracks_file_options& options) {
   if (path == "-") return read_tracks(std::cin, "standard input", options);
-  std::ifstream in = open_table(path, tracks_kind);
+  std::ifstream in = open_input(path, tracks_kind.content);
   return read_tracks(in, path, options);
 }
 

@@ -5,7 +5,7 @@
 
 #include "answers/table_answer.h"
 #include "cli/arguments.h"
-#include "kinetri/impl/io/text_table.h"
+#include "kinetri/impl/io/input_text.h"
 
 namespace kinetri::app {
 namespace {

@@ -9,9 +9,9 @@
 #include "cli/arguments.h"
 #include "cli/progress.h"
 #include "commands/commands.h"
+#include "kinetri/impl/io/input_text.h"
 #include "kinetri/impl/io/output_file.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 #include "kinetri/io/viewer_page.h"
 #include "outputs/regular_times.h"
 #include "pictures/film.h"
@@ -77,7 +77,7 @@ double time_of_run(std::string_view option, const std::string& text, const Recor
 
 Viewer_page page_of(const std::string& path) {
   if (path == "-") return read_viewer_page(std::cin, "standard input");
-  std::ifstream in = open_table(path, {"a run, as --html writes it", ""});
+  std::ifstream in = open_input(path, "a run, as --html writes it");
   return read_viewer_page(in, path);
 }
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +12,8 @@
 #include "cli/arguments.h"
 #include "cli/text.h"
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/input_text.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 #include "outputs/gnuplot.h"
 #include "pictures/view_words.h"
 
@@ -67,11 +66,9 @@ double range_argument(const Run_options& options) {
 // The two names in a value of --between, read as CSV.
 std::array<std::string, 2> names_between(const std::string& text) {
   static const std::string option = "--between";
-  std::istringstream no_lines;
-  Table_reader reader(no_lines, option, {"pairs", "pair"});
   std::vector<std::string> names;
   try {
-    reader.for_each_csv_field(text, [&](std::string_view name) { names.emplace_back(name); });
+    names = csv_fields(text, option);
   } catch (const Input_error& error) {
     throw Usage_error(error.what());
   }

@@ -7,8 +7,8 @@
 
 #include "cli/arguments.h"
 #include "cli/text.h"
+#include "kinetri/impl/io/input_text.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 #include "outputs/frame_times.h"
 
 namespace kinetri::app {
@@ -31,7 +31,7 @@ Cell_limits cell_limits(const Answer_settings& settings, const Run_source& sourc
   }
   constexpr std::size_t longest = std::size_t{1} << 26;
   const std::string& path = *settings.walkable;
-  std::ifstream in = open_table(path, {"a walkable area, as Well-Known Text", "area"});
+  std::ifstream in = open_input(path, "a walkable area, as Well-Known Text");
   std::string text;
   std::string piece(std::size_t{1} << 16, '\0');
   while (in) {

@@ -7,9 +7,9 @@
 
 #include "cli/arguments.h"
 #include "cli/text.h"
+#include "kinetri/impl/io/input_text.h"
 #include "kinetri/impl/io/parse_number.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 #include "kinetri/io/viewer_page.h"
 
 namespace kinetri::app {

@@ -11,9 +11,9 @@
 
 #include "cli/arguments.h"
 #include "cli/text.h"
+#include "kinetri/impl/io/input_text.h"
 #include "kinetri/impl/io/shared_paths.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 #include "kinetri/io/viewer_page.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/simulation/tracks.h"

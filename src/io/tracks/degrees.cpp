@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/input_text.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 
 namespace kinetri {
 namespace {

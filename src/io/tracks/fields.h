@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kinetri/impl/io/text_table.h"
+#include "io/text_table.h"
 
 namespace kinetri {
 

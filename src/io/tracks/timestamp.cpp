@@ -5,10 +5,10 @@
 #include <chrono>
 #include <optional>
 
+#include "io/text_table.h"
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/io/parse_number.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 #include "kinetri/io/tracks_file.h"
 
 namespace kinetri {

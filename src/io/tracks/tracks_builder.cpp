@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/input_text.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/impl/io/text_table.h"
 
 namespace kinetri {
 namespace {

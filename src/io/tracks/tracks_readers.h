@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/text_table.h"
 #include "io/tracks/tracks_builder.h"
-#include "kinetri/impl/io/text_table.h"
 #include "kinetri/io/tracks_file.h"
 
 namespace kinetri {

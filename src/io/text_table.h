@@ -2,12 +2,11 @@
 //
 // The common part of readers of text files with one row a line: lines, fields, headers, numbers,
 // and errors with their positions.
-#ifndef KINETRI_IMPL_IO_TEXT_TABLE_H
-#define KINETRI_IMPL_IO_TEXT_TABLE_H
+#ifndef KINETRI_SRC_IO_TEXT_TABLE_H
+#define KINETRI_SRC_IO_TEXT_TABLE_H
 
 #include <algorithm>
 #include <cstddef>
-#include <fstream>
 #include <functional>
 #include <iosfwd>
 #include <optional>
@@ -17,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/base/platform.h"
+#include "kinetri/impl/io/input_text.h"
 
 namespace kinetri {
 
@@ -27,32 +26,8 @@ struct Table_kind {
   std::string_view row;      ///< "point"
 };
 
-/// Opens the file `path`. Throws Input_error without a line if it is a directory or cannot be
-/// opened.
-std::ifstream open_table(const std::string& path, const Table_kind& kind);
-
 inline bool is_blank(char c) {
   return c == ' ' || c == '\t';
-}
-
-/// `text` without the blanks around it.
-std::string_view trimmed(std::string_view text);
-
-/// The text with A to Z replaced by a to z.
-std::string in_lower_case(std::string_view text);
-
-/// The text for a message: in quotes, on one line, printable, and not too long.
-std::string in_quotes(std::string_view text);
-
-/// Calls function(field) for each field between commas, trimmed; there is at least one.
-template <class Function>
-void for_each_field_between_commas(std::string_view line, Function function) {
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    function(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return;
-    line.remove_prefix(comma + 1);
-  }
 }
 
 /// Calls function(field) for each field between blanks.
@@ -162,4 +137,4 @@ class Table_reader {
 
 }  // namespace kinetri
 
-#endif  // KINETRI_IMPL_IO_TEXT_TABLE_H
+#endif  // KINETRI_SRC_IO_TEXT_TABLE_H
