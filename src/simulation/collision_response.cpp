@@ -6,6 +6,8 @@
 #include <initializer_list>
 #include <limits>
 
+#include "simulation/known_responses.h"
+
 namespace kinetri {
 
 Contact_response_2 log_contact(const Contact_2& /*contact*/) {

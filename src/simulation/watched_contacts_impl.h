@@ -11,6 +11,7 @@
 
 #include "events/distribute.h"
 #include "kinetri/impl/base/check.h"
+#include "simulation/known_responses.h"
 #include "simulation/watched_contacts.h"
 
 namespace kinetri::detail {

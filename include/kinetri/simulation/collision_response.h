@@ -110,20 +110,6 @@ inline constexpr std::array<Named_response, 6> named_responses = {
      {"stop", stop_both, "both stop"},
      {"remove", erase_both, "both are erased"}}};
 
-namespace detail {
-
-/// Whether a response is a built-in one that changes the points. Its result depends on its argument
-/// only.
-bool is_pure(const Collision_response& response);
-
-/// Whether a response is erase_both.
-bool is_erase_both(const Collision_response& response);
-
-/// Whether a response is log_contact.
-bool is_log_contact(const Collision_response& response);
-
-}  // namespace detail
-
 }  // namespace kinetri
 
 #endif  // KINETRI_SIMULATION_COLLISION_RESPONSE_H
