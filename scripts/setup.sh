@@ -151,7 +151,7 @@ kinetri_wasm_libraries() {
   # shellcheck disable=SC2016  # $0 is of the inner shell.
   (cd "$sources/gmp/build" && kinetri_quietly "building GMP" "$sources/gmp.log" bash -ec '
     emconfigure ../configure --host=none --disable-assembly --disable-shared CC_FOR_BUILD=cc HOST_CC=cc CFLAGS=-O3
-    emmake make -j "$0" libgmp.la "SUBDIRS=mpn mpz mpq mpf printf scanf rand"' "$(kinetri_jobs)")
+    emmake make -j "$0" "SUBDIRS=mpn mpz mpq mpf printf scanf rand"' "$(kinetri_jobs)")
   cp "$sources/gmp/build/gmp.h" "$folder.partly/include"
   cp "$sources/gmp/build/.libs/libgmp.a" "$folder.partly/lib"
   kinetri_wasm_source mpfr4 "$sources/mpfr"
