@@ -6,7 +6,7 @@ from message_case import (DENIED, NO_FILE, ONE_FLIP, case, checkpoint, points, s
 FORMATS = "auto, rows, frames, ids, table, jupedsim, sumo, lammps, xyz, geojson, gpx or trackmate"
 VIEWER_WORDS = ("t, event, show, hide, edge, point, follow, color, at, kinds, unit, legend, play, theme, list, "
                 "draw")
-COMMANDS = "generate, simulate, resume, tracks, wave, experiment, render, completion, manual or help"
+COMMANDS = "generate, simulate, resume, tracks, wave, experiment, render, live, completion, manual or help"
 SCENARIOS = "uniform, gaussian, constant-speed, one-mover, lattice, lattice-jitter or packing"
 POINTS_COLUMNS = "x,y,vx,vy and optionally radius, growth, mass, ax,ay, jx,jy, in any order"
 TRACKS_COLUMNS = ("t,id,x,y and optionally radius, in any order, or --columns t=NAME,id=NAME,x=NAME,y=NAME "
