@@ -279,9 +279,6 @@ std::string escaped(std::string_view text) {
       case '>':
         result += "&gt;";
         break;
-      case '"':
-        result += "&quot;";
-        break;
       default:
         result += c;
     }
@@ -364,8 +361,8 @@ void write_live_page(std::ostream& out, const Live_page& page) {
   write_page(out, page.title, [&] {
     out << "<style>" << detail::live_style << "</style>\n";
     if (!page.points.empty()) {
-      out << "<script type=\"text/csv\" id=\"points\" data-options=\"" << escaped(page.options)
-          << "\">\n"
+      out << "<script type=\"text/csv\" id=\"points\" data-options='" << escaped(page.options)
+          << "'>\n"
           << page.points << "</script>\n";
     }
     out << "<script type=\"text/plain\" id=\"module\">";

@@ -210,8 +210,7 @@ TEST(LivePage, has_the_points_and_the_module) {
   write_live_page(out, live);
   const std::string text = out.str();
   EXPECT_NE(text.find("<title>a &lt; b</title>"), std::string::npos);
-  EXPECT_EQ(test::between(text, "data-options=\"{&quot;rim&quot;:true}\">\n", "</script"),
-            live.points);
+  EXPECT_EQ(test::between(text, "data-options='{\"rim\":true}'>\n", "</script"), live.points);
   EXPECT_GT(test::between(text, "id=\"module\">", "</script").size(), 100'000u);
   EXPECT_EQ(text.find("id=\"recording\">"), std::string::npos);
 }

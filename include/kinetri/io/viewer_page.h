@@ -121,7 +121,7 @@ void write_viewer_page(std::ostream& out, const Recording& recording,
 struct Live_page {
   std::string title;    ///< for people
   std::string points;   ///< a file of points; empty: the page begins with one of its own
-  std::string options;  ///< of KineticDelaunay (live/README.md), as a JSON object
+  std::string options;  ///< of KineticDelaunay (live/README.md): a JSON object without apostrophes
 };
 
 /// Whether this library has been built with the module of the page (live/README.md).
