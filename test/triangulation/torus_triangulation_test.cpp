@@ -27,7 +27,7 @@
 namespace kinetri::torus_triangulation_test {
 namespace {
 
-using Offset = detail::Lattice_offset_2;
+using Offset = Lattice_offset_2;
 
 template <class Number>
 struct Vector {

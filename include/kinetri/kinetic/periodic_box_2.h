@@ -4,6 +4,7 @@
 #ifndef KINETRI_KINETIC_PERIODIC_BOX_2_H
 #define KINETRI_KINETIC_PERIODIC_BOX_2_H
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 
@@ -25,7 +26,7 @@ struct Lattice_offset_2 {
   std::int32_t x = 0;  ///< how often the first lattice vector
   std::int32_t y = 0;  ///< how often the second
 
-  friend bool operator==(const Lattice_offset_2&, const Lattice_offset_2&) = default;
+  friend auto operator<=>(const Lattice_offset_2&, const Lattice_offset_2&) = default;
 };
 
 /// A parallelogram that is repeated all over the plane, spanned by two *lattice vectors*. Each is a

@@ -18,15 +18,9 @@
 
 #include "kinetri/base/ids.h"
 #include "kinetri/impl/triangulation/kinetic_triangulation_data_structure_2.h"
+#include "kinetri/kinetic/periodic_box_2.h"
 
 namespace kinetri::detail {
-
-/// How many times an image of a point is moved along the two vectors of the lattice.
-struct Lattice_offset_2 {
-  std::int32_t x = 0;  ///< along the first vector
-  std::int32_t y = 0;  ///< along the second one
-  friend auto operator<=>(const Lattice_offset_2&, const Lattice_offset_2&) = default;
-};
 
 /// A face whose corners are images of points. It stores their offsets against corner 0, so that
 /// they are those of edges, and the index that each edge has in the neighbor.
