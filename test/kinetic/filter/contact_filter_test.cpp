@@ -172,7 +172,7 @@ TEST_P(Contact_filter, of_signs_at_an_instant_never_contradicts_exact_arithmetic
                 in_circle_polynomial(p, q, r, s));
     const std::array<const Linear_motion_2*, 3> around = {&b, i % 2 == 0 ? &c : &d,
                                                           i % 2 == 0 ? &d : &c};
-    if (in_mode(i, [&] { return certainly_surrounded(a, around, interval); })) {
+    if (in_mode(i, [&] { return certainly_surrounded<Linear_motion_2>(a, around, interval); })) {
       ++surrounded;
       for (std::size_t k = 0; k < 3; ++k) {
         const Polynomial turn = orientation_polynomial(p, Moving_point_2(*around[k]),
