@@ -630,7 +630,9 @@ class MovingPoints(RunAnswers):
             raise PreconditionError(
                 f"a duration of {duration} from time {now}; expected one that ends later, at a finite time")
         here = self.positions()[chosen]
-        self._set_motions(chosen, here, (ends - here) / (end - now), None, None)
+        with np.errstate(over="ignore"):  # which is refused
+            velocities = (ends - here) / (end - now)
+        self._set_motions(chosen, here, velocities, None, None)
         events = self.advance_to(end, progress=progress)
         self._engine.set_positions(chosen, ends)
         return events

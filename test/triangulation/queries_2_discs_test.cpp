@@ -331,8 +331,12 @@ TEST(Queries_of_discs, of_equal_radii_are_those_of_points) {
       EXPECT_EQ(of_discs.neighbors(id), of_points.neighbors(id));
     }
     EXPECT_EQ(of_discs.rounded_positions(), of_points.rounded_positions());
-    EXPECT_EQ(of_discs.rounded_voronoi_areas(box.polygon),
-              of_points.rounded_voronoi_areas(box.polygon));
+    // Their sums are rounded differently: sides of at most 40 in all, off by a few units of 2^-49.
+    const std::vector<double> areas = of_discs.rounded_voronoi_areas(box.polygon);
+    const std::vector<double> expected = of_points.rounded_voronoi_areas(box.polygon);
+    ASSERT_EQ(areas.size(), expected.size());
+    for (std::size_t k = 0; k < areas.size(); ++k)
+      EXPECT_NEAR(areas[k], expected[k], 160 * 0x1p-49);
   }
 }
 
