@@ -239,15 +239,14 @@ class Kinetic_queries_2 {
   std::uint64_t changes_;  // of the triangulation, when this object was made
 };
 
-/// @{
 /// Traits that are derived from those of the library have the queries of these.
 template <KineticTraits_2 Own>
 Kinetic_queries_2(const Kinetic_triangulation_2<Own>&)
     -> Kinetic_queries_2<detail::Library_traits<Own>>;
+/// The same at a time.
 template <KineticTraits_2 Own>
 Kinetic_queries_2(const Kinetic_triangulation_2<Own>&, const Algebraic_number&)
     -> Kinetic_queries_2<detail::Library_traits<Own>>;
-/// @}
 
 extern template class Kinetic_queries_2<Linear_kinetic_traits_2>;
 extern template class Kinetic_queries_2<Polynomial_kinetic_traits_2>;
