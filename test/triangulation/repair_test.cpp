@@ -43,17 +43,21 @@ Motions at_random(std::size_t n, std::mt19937_64& random) {
   return result;
 }
 
+Motions shifted(Motions motions, double length, std::mt19937_64& random) {
+  std::normal_distribution<double> shift(0, length);
+  for (Linear_motion_2& motion : motions) {
+    motion.position = {motion.position.x + shift(random), motion.position.y + shift(random)};
+  }
+  return motions;
+}
+
 TEST(Repair, of_small_steps_pays_and_ends_with_the_edges_of_the_new_positions) {
   std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> shift(-0.1, 0.1);
   std::size_t flips = 0;
   for (int run = 0; run < 20; ++run) {
     SCOPED_TRACE(run);
     const Motions before = at_random(400, random);
-    Motions after = before;
-    for (Linear_motion_2& motion : after) {
-      motion.position = {motion.position.x + shift(random), motion.position.y + shift(random)};
-    }
+    const Motions after = shifted(before, 0.06, random);
     Moved moved(before, after);
     ASSERT_TRUE(moved.is_repaired);
     EXPECT_EQ(moved.core.topology.finite_edge_ids(), edges_of(after));
@@ -69,14 +73,10 @@ TEST(Repair, of_small_steps_pays_and_ends_with_the_edges_of_the_new_positions) {
 // the hull change places.
 TEST(Repair, of_long_steps_takes_points_out_where_flips_do_not_help) {
   std::mt19937_64 random(5);
-  std::normal_distribution<double> shift(0, 0.3);
   for (int run = 0; run < 50; ++run) {
     SCOPED_TRACE(run);
     const Motions before = at_random(400, random);
-    Motions after = before;
-    for (Linear_motion_2& motion : after) {
-      motion.position = {motion.position.x + shift(random), motion.position.y + shift(random)};
-    }
+    const Motions after = shifted(before, 0.3, random);
     Moved moved(before, after);
     ASSERT_TRUE(moved.is_repaired);
     EXPECT_TRUE(moved.core.topology.triangulation().tds().is_valid());
