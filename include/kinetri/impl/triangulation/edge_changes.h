@@ -15,7 +15,7 @@
 
 namespace kinetri::detail {
 
-/// In the order of edges; comparing it is faster.
+/// A number in the order of the edges, which is faster to compare.
 inline std::uint64_t edge_key(const Edge_ids& edge) {
   return std::uint64_t{edge[0]} << 32 | edge[1];
 }
