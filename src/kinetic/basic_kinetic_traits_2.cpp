@@ -591,6 +591,9 @@ template Certificate Of_images::orientation_certificate(const Moving_image_2&,
                                                         const Moving_image_2&,
                                                         const Moving_image_2&, const Time&,
                                                         Certificate_state) const;
+template Certificate Of_images::flatness_certificate(const Moving_image_2&, const Moving_image_2&,
+                                                     const Moving_image_2&, const Time&,
+                                                     Certificate_state) const;
 template Certificate Of_images::coincidence_certificate(const Moving_image_2&,
                                                         const Moving_image_2&, const Time&,
                                                         const Double_interval&) const;

@@ -29,7 +29,7 @@ constexpr const char* within =
 constexpr const char* left =
     "an error has left the simulation within a contact; make another one, or restore a snapshot";
 constexpr const char* left_by_observer =
-    "an observer has thrown, and left the triangulation within an event; make another one, or "
+    "an exception has left the triangulation within an event; make another one, or "
     "restore a snapshot";
 
 struct Nothing : Overlap_observer {

@@ -24,7 +24,7 @@ constexpr const char* within =
     "a change of the triangulation within an event, or while another change is made; make it when "
     "advance_to, step or the other change has returned";
 constexpr const char* left =
-    "an observer has thrown, and left the triangulation within an event; make another one, or "
+    "an exception has left the triangulation within an event; make another one, or "
     "restore a snapshot";
 
 const Linear_motion_2 motion = {{50, 50}, {1, 0}, 0};

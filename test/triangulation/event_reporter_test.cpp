@@ -172,7 +172,7 @@ TEST_F(Event_reporter, refuses_all_changes_once_an_observer_has_thrown) {
   EXPECT_FALSE(has_happened);
   EXPECT_EQ(part.counters.number_of_events(), 0u);
   EXPECT_PRECONDITION_ERROR(reporter.check_may_change(),
-                            "an observer has thrown, and left the triangulation within an event; "
+                            "an exception has left the triangulation within an event; "
                             "make another one, or restore a snapshot");
 }
 

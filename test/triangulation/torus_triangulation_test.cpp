@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The reference looks at all copies of the points about a reduced basis of the lattice, in
-// integers.
 #include "kinetri/impl/triangulation/torus_triangulation.h"
 
 #include <gtest/gtest.h>
@@ -23,62 +20,24 @@
 #include "support/message_of.h"
 #include "support/multiplier.h"
 #include "support/precondition_error.h"
+#include "support/torus_reference.h"
 
 namespace kinetri::torus_triangulation_test {
 namespace {
 
 using Offset = Lattice_offset_2;
 
-template <class Number>
-struct Vector {
-  Number x;
-  Number y;
-  friend bool operator==(const Vector&, const Vector&) = default;
-};
-template <class Number>
-Vector<Number> operator-(const Vector<Number>& a, const Vector<Number>& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-template <class Number>
-Number cross(const Vector<Number>& a, const Vector<Number>& b) {
-  return a.x * b.y - a.y * b.x;
-}
-template <class Number>
-Number dot(const Vector<Number>& a, const Vector<Number>& b) {
-  return a.x * b.x + a.y * b.y;
-}
-template <class Number>
-int sign_of(const Number& x) {
-  return x > 0 ? 1 : x < 0 ? -1 : 0;
-}
-template <class Number>
-int turn(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& r) {
-  return sign_of<Number>(cross(q - p, r - p));
-}
-/// Positive if s is in the circle of p, q, r, which turn left; the first that is not zero of the
-/// signs with the lifts x^2 + y^2, xy, x^2.
-template <class Number>
-int in_circle(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& r,
-              const Vector<Number>& s) {
-  const Vector<Number> a = p - s;
-  const Vector<Number> b = q - s;
-  const Vector<Number> c = r - s;
-  const Number bc = cross(b, c);
-  const Number ca = cross(c, a);
-  const Number ab = cross(a, b);
-  const Number lifted = dot(a, a) * bc + dot(b, b) * ca + dot(c, c) * ab;
-  if (lifted != 0) return sign_of<Number>(lifted);
-  const Number of_products = a.x * a.y * bc + b.x * b.y * ca + c.x * c.y * ab;
-  if (of_products != 0) return sign_of<Number>(of_products);
-  return sign_of<Number>(a.x * a.x * bc + b.x * b.x * ca + c.x * c.x * ab);
-}
+using test::cross;
+using test::Face;
+using test::floor_of_quotient;
+using test::Image;
+using test::in_circle;
+using test::normal_form;
+using test::turn;
+using test::Vector;
 
 using Place = Vector<std::int64_t>;
-
-struct Box {
-  Place first{1, 0};
-  Place second{0, 1};
-};
+using Box = test::Box<std::int64_t>;
 
 /// Points at rest with integer coordinates.
 class Traits {
@@ -130,24 +89,6 @@ using Vertex_handle = Torus::Vertex_handle;
 using Face_handle = Torus::Face_handle;
 using Edge = Torus::Edge;
 
-/// An image: the id of the point and the offset.
-using Image = std::tuple<Point_id, std::int64_t, std::int64_t>;
-/// The corners of a face, moved and rotated so that the result is the same for all its images.
-using Face = std::array<Image, 3>;
-
-Face normal_form(const Face& face) {
-  Face best;
-  for (std::size_t r = 0; r < 3; ++r) {
-    Face moved;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto& [id, x, y] = face[(r + i) % 3];
-      moved[i] = {id, x - std::get<1>(face[r]), y - std::get<2>(face[r])};
-    }
-    if (r == 0 || moved < best) best = moved;
-  }
-  return best;
-}
-
 Image image_of(Face_handle face, int i) {
   return {face->vertex(i)->point().id(), Torus::offset(face, i).x, Torus::offset(face, i).y};
 }
@@ -162,94 +103,11 @@ std::vector<Face> faces_of(const Torus& torus) {
   return result;
 }
 
-// ---- the reference ----
-
-struct Copy {
-  Place place;
-  Image image;
-};
-
-std::int64_t floor_of_quotient(std::int64_t a, std::int64_t b) {
-  return a / b - (a % b < 0 ? 1 : 0);
-}
-
-/// Two shortest vectors of a lattice that span it, and their offsets.
-struct Reduced {
-  Place first;
-  Place second;
-  std::array<std::int64_t, 2> first_offset = {1, 0};
-  std::array<std::int64_t, 2> second_offset = {0, 1};
-
-  explicit Reduced(const Box& box) : first(box.first), second(box.second) {
-    for (;;) {
-      if (dot(first, first) > dot(second, second)) {
-        std::swap(first, second);
-        std::swap(first_offset, second_offset);
-      }
-      const std::int64_t length = dot(first, first);
-      const std::int64_t k = floor_of_quotient(2 * dot(first, second) + length, 2 * length);
-      if (k == 0) return;
-      second = second - Place{k * first.x, k * first.y};
-      for (std::size_t i = 0; i < 2; ++i) second_offset[i] -= k * first_offset[i];
-    }
-  }
-
-  Copy moved(const Copy& copy, std::int64_t r, std::int64_t s) const {
-    const auto& [id, x, y] = copy.image;
-    return {{copy.place.x + r * first.x + s * second.x, copy.place.y + r * first.y + s * second.y},
-            {id, x + r * first_offset[0] + s * second_offset[0],
-             y + r * first_offset[1] + s * second_offset[1]}};
-  }
-};
-
-/// The copies of the points in one cell of the reduced basis, first, and in the three on each side.
-/// The neighbors of a point in the cell are among them: a circle with no copies inside is no wider
-/// along a line of copies than the first vector.
-std::vector<Copy> copies(const Box& box, const std::vector<Point>& points) {
-  const Reduced basis(box);
-  const std::int64_t area = cross(basis.first, basis.second);
-  const auto cells = [area](std::int64_t numerator) {
-    return area > 0 ? floor_of_quotient(numerator, area) : floor_of_quotient(-numerator, -area);
-  };
-  std::vector<Copy> result;
-  for (const Point& point : points) {
-    result.push_back(basis.moved({point.place(), {point.id(), 0, 0}},
-                                 -cells(cross(point.place(), basis.second)),
-                                 -cells(cross(basis.first, point.place()))));
-  }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (std::int64_t r = -3; r <= 3; ++r) {
-      for (std::int64_t s = -3; s <= 3; ++s) {
-        if (r != 0 || s != 0) result.push_back(basis.moved(result[i], r, s));
-      }
-    }
-  }
-  return result;
-}
-
-/// The faces of the Delaunay triangulation, sorted, each once.
+/// The faces of the Delaunay triangulation by brute force, sorted, each once.
 std::vector<Face> reference(const Box& box, const std::vector<Point>& points) {
-  const std::vector<Copy> all = copies(box, points);
-  std::set<Face> result;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Place& p = all[i].place;
-    for (const Copy& q : all) {
-      if (q.image == all[i].image) continue;
-      // The apex whose circle contains no other to the left of p q.
-      const Copy* apex = nullptr;
-      for (const Copy& r : all) {
-        if (turn(p, q.place, r.place) <= 0) continue;
-        if (apex == nullptr || in_circle(p, q.place, apex->place, r.place) > 0) apex = &r;
-      }
-      if (apex == nullptr) continue;
-      const bool is_empty = std::ranges::none_of(all, [&](const Copy& s) {
-        return s.image != all[i].image && s.image != q.image && s.image != apex->image &&
-               in_circle(p, q.place, apex->place, s.place) > 0;
-      });
-      if (is_empty) result.insert(normal_form({all[i].image, q.image, apex->image}));
-    }
-  }
-  return {result.begin(), result.end()};
+  std::vector<test::Placed_point<std::int64_t>> places;
+  for (const Point& point : points) places.emplace_back(point.id(), point.place());
+  return test::reference(box, places);
 }
 
 bool coincide(const Box& box, const Place& p, const Place& q) {
@@ -388,7 +246,7 @@ TEST(Torus_triangulation, follows_edges_by_their_indices) {
   }
   std::vector<Edge> corners;
   const auto visit = [&](Face_handle face, int i) { corners.emplace_back(face, i); };
-  torus.for_each_face_at(v, visit);
+  detail::for_each_face_at(torus, v, visit);
   const std::vector<Edge> expected = {Edge(f, 0), Edge(g, 0), Edge(f, 1),
                                       Edge(g, 1), Edge(f, 2), Edge(g, 2)};
   EXPECT_EQ(corners, expected);
@@ -424,7 +282,7 @@ TEST(Torus_triangulation, of_one_point_has_three_loops) {
       {0, 0, {0, 1}}, {0, 0, {1, -1}}, {0, 0, {1, 0}}};
   EXPECT_EQ(edge_names(torus), names);
   int corners = 0;
-  torus.for_each_face_at(v, [&](Face_handle, int) { ++corners; });
+  detail::for_each_face_at(torus, v, [&](Face_handle, int) { ++corners; });
   EXPECT_EQ(corners, 6);
   EXPECT_EQ(torus.edges_opposite(v).size(), 6u);
 }
@@ -653,7 +511,7 @@ TEST(Torus_triangulation, walks_around_vertices_counterclockwise) {
     for (const Vertex_handle v : torus.tds().vertex_handles()) {
       std::vector<std::pair<Vertex_handle, Offset>> right;
       std::vector<std::pair<Vertex_handle, Offset>> left;
-      torus.for_each_face_at(v, [&](Face_handle face, int i) {
+      detail::for_each_face_at(torus, v, [&](Face_handle face, int i) {
         ASSERT_EQ(face->vertex(i), v);
         ASSERT_TRUE(corners.emplace(face, i).second) << "seed " << seed;
         right.emplace_back(face->vertex(Torus::ccw(i)), Torus::offset(face, i, Torus::ccw(i)));

@@ -4,6 +4,7 @@
 #ifndef KINETRI_BASE_IDS_H
 #define KINETRI_BASE_IDS_H
 
+#include <compare>
 #include <cstdint>
 #include <limits>
 
@@ -18,6 +19,14 @@ using Point_id = std::uint32_t;
 /// The id of points outside the input, such as query points and circumcenters, and of the infinite
 /// vertex.
 inline constexpr Point_id no_point = std::numeric_limits<Point_id>::max();
+
+/// Which image of a point in a periodic box: how often each lattice vector is added to a position.
+struct Lattice_offset_2 {
+  std::int32_t x = 0;  ///< how often the first lattice vector
+  std::int32_t y = 0;  ///< how often the second
+
+  friend auto operator<=>(const Lattice_offset_2&, const Lattice_offset_2&) = default;
+};
 
 }  // namespace kinetri
 

@@ -15,6 +15,7 @@
 #include "kinetri/kinetic/certificate.h"
 #include "kinetri/kinetic/instant.h"
 #include "kinetri/kinetic/linear_motion_2.h"
+#include "kinetri/kinetic/periodic_box_2.h"
 
 namespace kinetri {
 
@@ -32,6 +33,23 @@ concept MotionWithPosition_2 = requires(const Motion motion, const Vector_2 plac
   { at_rest_in(motion, place) } -> std::same_as<Motion>;
 };
 
+/// What certificates are about: in a periodic box images of points, Traits::Image_2, else points.
+template <class Traits>
+struct Certified_type {
+  using type = typename Traits::Point_2;  ///< points
+};
+/// The same in a periodic box.
+template <class Traits>
+requires requires {
+  typename Traits::Image_2;
+}
+struct Certified_type<Traits> {
+  using type = typename Traits::Image_2;  ///< images
+};
+/// The type that Certified_type has.
+template <class Traits>
+using Certified_point_2 = typename Certified_type<Traits>::type;
+
 /// What the kinetic triangulation requires of a model of motion. The model has these types:
 ///
 /// | Type | What it is |
@@ -39,6 +57,8 @@ concept MotionWithPosition_2 = requires(const Motion motion, const Vector_2 plac
 /// | `Motion` | a trajectory, for which there are `is_finite` and `mirrored` |
 /// | `Point_2` | a moving point: constructed from a Motion and a Point_id, and returns both |
 /// | `Instantaneous_traits` | a model of CGAL's DelaunayTriangulationTraits_2 on `Point_2` |
+///
+/// (In a periodic box PeriodicKineticTraits_2 has more, and the certificates are about images.)
 ///
 /// `mirrored(motion)` is the motion with -t in place of t. For audits, `point.position(t)` is the
 /// position at a Rational time. Times are of type Algebraic_number.
@@ -79,7 +99,8 @@ concept MotionWithPosition_2 = requires(const Motion motion, const Vector_2 plac
 /// Several threads use a traits object at once.
 template <class Traits>
 concept KineticTraits_2 = requires(const Traits traits, const typename Traits::Motion motion,
-                                   const typename Traits::Point_2 p, const Algebraic_number t,
+                                   const typename Traits::Point_2 point,
+                                   const Certified_point_2<Traits> p, const Algebraic_number t,
                                    const Double_interval bounds, const Instant instant,
                                    const Instant_clock& clock, Certificate_state state) {
   { traits.instantaneous_traits(instant) } -> std::same_as<typename Traits::Instantaneous_traits>;
@@ -87,8 +108,8 @@ concept KineticTraits_2 = requires(const Traits traits, const typename Traits::M
   { traits.exact() } -> std::same_as<Traits>;
   { mirrored(motion) } -> std::same_as<typename Traits::Motion>;
   { is_finite(motion) } -> std::same_as<bool>;
-  { p.id() } -> std::same_as<Point_id>;
-  { p.motion() } -> std::convertible_to<typename Traits::Motion>;
+  { point.id() } -> std::same_as<Point_id>;
+  { point.motion() } -> std::convertible_to<typename Traits::Motion>;
   requires std::constructible_from<typename Traits::Point_2, typename Traits::Motion, Point_id>;
   { traits.in_circle_certificate(p, p, p, p, t, state) } -> std::same_as<Certificate>;
   { traits.orientation_certificate(p, p, p, t, state) } -> std::same_as<Certificate>;
@@ -120,10 +141,10 @@ template <class Traits>
 concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
     std::same_as<typename Traits::Batches_of, Traits> &&
     requires(const Traits traits, const Algebraic_number t,
-             const std::array<Quadruple<typename Traits::Point_2>, 2> two,
-             const Flip_neighborhood<typename Traits::Point_2> around, const Double_interval now,
-             const typename Traits::Point_2 p,
-             const std::span<const typename Traits::Point_2* const> points) {
+             const std::array<Quadruple<Certified_point_2<Traits>>, 2> two,
+             const Flip_neighborhood<Certified_point_2<Traits>> around, const Double_interval now,
+             const Certified_point_2<Traits> p,
+             const std::span<const Certified_point_2<Traits>* const> points) {
   { traits.in_circle_certificates(two, t) } -> std::same_as<std::array<Certificate, 2>>;
   { traits.certificates_after_flip(around, now) } -> std::same_as<std::array<Certificate, 5>>;
   { traits.is_surrounded(p, points, now) } -> std::same_as<bool>;
@@ -168,6 +189,28 @@ concept WeightedKineticTraits_2 = KineticTraits_2<Traits> &&
                         typename Traits::Point_2>;
   at_instant.power_side_of_oriented_power_circle_2_object();
   at_instant.compare_power_distance_2_object();
+};
+
+/// Traits of points in a periodic box, for triangulations of the flat torus, the plane modulo the
+/// lattice of the box. Certificates and predicates are about *images* of points, of type Image_2,
+/// whose offsets are against the point as it was given; they depend on differences of offsets only.
+/// The Instantaneous_traits have `Point_2`, `Image_2`, `image`, and of CGAL's predicates
+/// Orientation_2 and Side_of_oriented_circle_2, on images. Orientation and flatness certificates
+/// are not used: there is no hull.
+///
+/// | Function | Result |
+/// |---|---|
+/// | `image(point, offset)` | that image of the point, valid as long as the traits or a copy |
+/// | `box()` | the box |
+/// | `mirrored()` | the traits with the mirrored box |
+template <class Traits>
+concept PeriodicKineticTraits_2 = KineticTraits_2<Traits> &&
+    requires(const Traits traits, const typename Traits::Instantaneous_traits at_instant,
+             const typename Traits::Point_2 point, const Lattice_offset_2 offset) {
+  { traits.image(point, offset) } -> std::same_as<typename Traits::Image_2>;
+  { at_instant.image(point, offset) } -> std::same_as<typename Traits::Image_2>;
+  { traits.box() } -> std::same_as<const Periodic_box_2&>;
+  { traits.mirrored() } -> std::same_as<Traits>;
 };
 
 }  // namespace kinetri

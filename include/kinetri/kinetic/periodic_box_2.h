@@ -4,13 +4,12 @@
 #ifndef KINETRI_KINETIC_PERIODIC_BOX_2_H
 #define KINETRI_KINETIC_PERIODIC_BOX_2_H
 
-#include <compare>
-#include <cstdint>
 #include <optional>
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/algebra/polynomial.h"
 #include "kinetri/base/error.h"
+#include "kinetri/base/ids.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 
 namespace kinetri {
@@ -19,14 +18,6 @@ namespace kinetri {
 class Periodic_box_error : public Error {
  public:
   using Error::Error;
-};
-
-/// How often each lattice vector is added to a position.
-struct Lattice_offset_2 {
-  std::int32_t x = 0;  ///< how often the first lattice vector
-  std::int32_t y = 0;  ///< how often the second
-
-  friend auto operator<=>(const Lattice_offset_2&, const Lattice_offset_2&) = default;
 };
 
 /// A parallelogram that is repeated all over the plane, spanned by two *lattice vectors*. Each is a

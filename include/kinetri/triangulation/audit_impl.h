@@ -23,10 +23,17 @@
 
 #include "kinetri/impl/triangulation/certification_impl.h"
 #include "kinetri/impl/triangulation/insertion_order.h"
+#include "kinetri/impl/triangulation/static_construction.h"
+#include "kinetri/impl/triangulation/torus_triangulation_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri::detail {
 
+inline std::string edge_name(const Periodic_edge& edge) {
+  const auto& [ids, offset] = edge;
+  return "edge " + std::to_string(ids[0]) + "-" + std::to_string(ids[1]) + " (" +
+         std::to_string(offset.x) + ", " + std::to_string(offset.y) + ")";
+}
 inline std::string edge_name(const Edge_ids& ids) {
   if (ids[1] == no_point) return "edge from " + std::to_string(ids[0]) + " to infinity";
   return "edge " + std::to_string(ids[0]) + "-" + std::to_string(ids[1]);
@@ -53,12 +60,15 @@ class Auditor {
   using Weighted_place = typename Kernel::Weighted_point_2;
   using Types = Topology<Traits>;
   static constexpr bool is_weighted = Types::is_weighted;
+  static constexpr bool is_periodic = Types::is_periodic;
   using Triangulation = typename Types::Triangulation;
   using Vertex_handle = typename Types::Vertex_handle;
   using Face_handle = typename Types::Face_handle;
   using Edge = typename Types::Edge;
   using Time = typename Types::Time;
   using Entry = typename Types::Entry;
+  using Point_2 = typename Types::Point_2;
+  using Edge_name = typename Types::Edge_name;
 
   struct Failure {
     Entry_kind kind;
@@ -66,10 +76,16 @@ class Auditor {
   };
 
   void place_points();
+  Time latest() const;
+  bool are_twins(const Point_2& p, const Point_2& q) const;
   bool has_touch(const Time& time) const;
+  bool has_touch_in_plane(const Time& time) const;
   void check_links();
+  void check_vertices();
+  void check_events();
   bool are_links_right() const;
   void check_embedding();
+  void check_hull();
   void check_chain();
   void check_delaunay();
   void check_hidden_points();
@@ -84,6 +100,14 @@ class Auditor {
                    const std::optional<Failure>& failure);
 
   const Place& place(Vertex_handle v) const { return places_[v->point().id()]; }
+  // The position of the corner; of its image against corner 0, in a periodic box.
+  Place place(Face_handle face, int i) const {
+    if constexpr (is_periodic) return moved(place(face->vertex(i)), face->offset(i));
+    return place(face->vertex(i));
+  }
+  Place moved(const Place& place, const Lattice_offset_2& offset) const {
+    return place + offset.x * box_[0] + offset.y * box_[1];
+  }
   decltype(auto) input(Point_id id) const {
     if constexpr (is_weighted) {
       return Weighted_place(places_[id], weights_[id]);
@@ -101,7 +125,7 @@ class Auditor {
       return CGAL::side_of_oriented_circle(p, q, r, s);
     }
   }
-  std::string name(const Edge& edge) const { return edge_name(Types::ids_of(edge)); }
+  std::string name(const Edge& edge) const { return edge_name(Types::name_of(edge)); }
   std::string name(const Entry& entry) const {
     if constexpr (is_weighted) {
       if (entry.is_hidden()) return "hidden point " + std::to_string(entry.hidden->point().id());
@@ -116,8 +140,9 @@ class Auditor {
   const Certification<Traits>& certification_;
   const Schedule<Traits>& schedule_;
   const typename Schedule<Traits>::Queue& queue_;
-  std::vector<Place> places_;          // at one exact time, by point id
-  std::vector<Exact_number> weights_;  // at the same time, if points have weights
+  std::vector<Place> places_;                     // at one exact time, by point id
+  std::vector<Exact_number> weights_;             // at the same time, if points have weights
+  std::array<typename Kernel::Vector_2, 2> box_;  // at the same time, in a periodic box
   Audit_report report_;
 };
 
@@ -143,13 +168,13 @@ Audit_report Auditor<Traits>::run(Audit_level level) {
 template <class Traits>
 void Auditor<Traits>::place_points() {
   const Time& now = schedule_.current_time();
-  Time end = Time(Rational(now.upper() + 1));
+  Time end = latest();
   if (schedule_.is_deferred()) {
     for_each_failure([&](const std::string&, Queue_handle, const std::optional<Failure>& failure) {
       if (failure) end = std::min(end, failure->time);
     });
   } else if (!queue_.empty()) {
-    end = queue_.time_of(queue_.top());
+    end = std::min(end, queue_.time_of(queue_.top()));
   }
   do {
     const Rational time = simplest_between(now, end);
@@ -165,13 +190,38 @@ void Auditor<Traits>::place_points() {
       places_.emplace_back(Exact_number(position.x), Exact_number(position.y));
       if constexpr (is_weighted) weights_.emplace_back(v->point().weight(time));
     }
+    if constexpr (is_periodic) {
+      const Periodic_box_2& box = certification_.traits().box();
+      const auto vector = [&](const Linear_motion_2& motion) {
+        const auto end_of_vector = Moving_point_2(motion).position(time);
+        return typename Kernel::Vector_2(end_of_vector.x, end_of_vector.y);
+      };
+      box_ = {vector(box.first()), vector(box.second())};
+    }
     end = Time(time);
   } while (has_touch(end));
 }
 
+// A time after the present one, and not after the end of time.
+template <class Traits>
+auto Auditor<Traits>::latest() const -> Time {
+  const Time later(Rational(schedule_.current_time().upper() + 1));
+  return schedule_.end() ? std::min(later, *schedule_.end()) : later;
+}
+
 // Whether a triangle is flat at `time`, that of `places_`, but not just after it.
 template <class Traits>
-bool Auditor<Traits>::has_touch(const Time& time) const {
+bool Auditor<Traits>::has_touch([[maybe_unused]] const Time& time) const {
+  // Without a hull, only points that coincide make a triangle flat (docs/MATH.md).
+  if constexpr (is_periodic) {
+    return false;
+  } else {
+    return has_touch_in_plane(time);
+  }
+}
+
+template <class Traits>
+bool Auditor<Traits>::has_touch_in_plane(const Time& time) const {
   if (triangulation_.dimension() < 2) return false;
   const auto after = certification_.traits().instantaneous_traits({time, Time_side::after});
   return std::ranges::any_of(triangulation_.finite_face_handles(), [&](Face_handle f) {
@@ -202,9 +252,22 @@ bool Auditor<Traits>::are_links_right() const {
 
 template <class Traits>
 void Auditor<Traits>::check_links() {
+  if constexpr (is_periodic) {
+    if (const std::string problem = triangulation_.problem(); !problem.empty()) {
+      return fail(problem);
+    }
+  } else {
+    if (!are_links_right()) return fail("the triangulation's links are broken");
+  }
+  check_vertices();
+  check_events();
+}
+
+template <class Traits>
+void Auditor<Traits>::check_vertices() {
   const auto& vertices = topology_.vertices();
-  if (!are_links_right()) return fail("the triangulation's links are broken");
-  const std::size_t vertices_there = triangulation_.tds().number_of_vertices() - 1;
+  const std::size_t infinite = is_periodic ? 0 : 1;
+  const std::size_t vertices_there = triangulation_.tds().number_of_vertices() - infinite;
   if (vertices_there != topology_.number_of_vertices()) {
     fail("there are " + std::to_string(topology_.number_of_vertices()) + " points but " +
          std::to_string(vertices_there) + " vertices");
@@ -217,12 +280,40 @@ void Auditor<Traits>::check_links() {
   }
   for (const auto& [id, twin] : topology_.twins().all()) {
     if (topology_.has_vertex(twin.shown) && twin.shown < id && !topology_.has_vertex(id) &&
-        same_trajectory(topology_.point(twin.shown).motion(), twin.point.motion())) {
+        are_twins(topology_.point(twin.shown), twin.point)) {
       continue;
     }
     fail("point " + std::to_string(id) + " is hidden by point " + std::to_string(twin.shown) +
          ", which has another trajectory, or no vertex");
   }
+}
+
+// Whether two points have the same trajectory (and weight); in a periodic box, whether images have.
+template <class Traits>
+bool Auditor<Traits>::are_twins(const Point_2& p, const Point_2& q) const {
+  if constexpr (is_periodic) {
+    const Periodic_box_2& box = certification_.traits().box();
+    const Rational time = simplest_between(schedule_.current_time(), latest());
+    const auto at = [&](const Linear_motion_2& motion) {
+      return Moving_point_2(motion).position(time);
+    };
+    const Exact_position_2 from = p.position(time);
+    const Exact_position_2 to = q.position(time);
+    const auto [a, b] = std::pair(at(box.first()), at(box.second()));
+    const Rational x = ((to.x - from.x) * b.y - (to.y - from.y) * b.x) / box.area(time);
+    const Rational y = (a.x * (to.y - from.y) - a.y * (to.x - from.x)) / box.area(time);
+    const Lattice_offset_2 offset = {x.convert_to<std::int32_t>(), y.convert_to<std::int32_t>()};
+    const auto motion = [&](const Point_2& point, const Lattice_offset_2& of_image) {
+      return certification_.traits().image(point, of_image).motion();
+    };
+    return offset.x == x && offset.y == y && same_trajectory(motion(p, offset), motion(q, {}));
+  } else {
+    return same_trajectory(p.motion(), q.motion());
+  }
+}
+
+template <class Traits>
+void Auditor<Traits>::check_events() {
   if (schedule_.is_deferred()) {
     if (!queue_.empty()) fail("certificates are deferred, but the queue has entries");
     return;
@@ -250,7 +341,7 @@ void Auditor<Traits>::check_links() {
   for (const Edge& edge : triangulation_.all_edges()) {
     if (triangulation_.dimension() < 1) break;
     const Queue_handle handle = edge.first->event(edge.second);
-    const Edge mirror = triangulation_.dimension() == 2 ? triangulation_.mirror_edge(edge) : edge;
+    const Edge mirror = topology_.with_mirror(edge).there;
     if (mirror.first->event(mirror.second) != handle) {
       fail("the two faces at " + name(edge) + " disagree about its event");
     }
@@ -276,13 +367,19 @@ void Auditor<Traits>::fail(const char* what, const std::array<Vertex_handle, 3>&
 
 template <class Traits>
 void Auditor<Traits>::check_embedding() {
-  if (triangulation_.dimension() < 2) return check_chain();
+  if constexpr (!is_periodic) {
+    if (triangulation_.dimension() < 2) return check_chain();
+  }
   for (const Face_handle f : triangulation_.finite_face_handles()) {
-    if (CGAL::orientation(place(f->vertex(0)), place(f->vertex(1)), place(f->vertex(2))) !=
-        CGAL::LEFT_TURN) {
+    if (CGAL::orientation(place(f, 0), place(f, 1), place(f, 2)) != CGAL::LEFT_TURN) {
       fail("not counterclockwise: triangle", {f->vertex(0), f->vertex(1), f->vertex(2)});
     }
   }
+  if constexpr (!is_periodic) check_hull();
+}
+
+template <class Traits>
+void Auditor<Traits>::check_hull() {
   for (const Edge& edge : triangulation_.all_edges()) {
     if (!triangulation_.is_infinite(edge)) continue;
     const auto turn = topology_.hull_turn(topology_.with_mirror(edge));
@@ -314,13 +411,22 @@ void Auditor<Traits>::check_chain() {
 template <class Traits>
 void Auditor<Traits>::check_delaunay() {
   if (triangulation_.dimension() < 2) return;
-  for (const Edge& edge : triangulation_.finite_edges()) {
+  for (const Edge& edge : triangulation_.all_edges()) {
     const auto& [face, i] = edge;
-    if (triangulation_.is_infinite(face) || triangulation_.is_infinite(face->neighbor(i))) continue;
-    const Vertex_handle opposite = triangulation_.tds().mirror_vertex(face, i);
-    if (side_of_circle(input(face->vertex(0)->point().id()), input(face->vertex(1)->point().id()),
-                       input(face->vertex(2)->point().id()),
-                       input(opposite->point().id())) == CGAL::ON_POSITIVE_SIDE) {
+    const auto& [neighbor, j] = topology_.with_mirror(edge).there;
+    if (triangulation_.is_infinite(face) || triangulation_.is_infinite(neighbor)) continue;
+    const Vertex_handle opposite = neighbor->vertex(j);
+    CGAL::Oriented_side side = CGAL::ON_ORIENTED_BOUNDARY;
+    if constexpr (is_periodic) {
+      const Place shared = place(face, Triangulation::cw(i));
+      side = side_of_circle(place(face, 0), place(face, 1), place(face, 2),
+                            shared + (place(neighbor, j) - place(neighbor, Triangulation::ccw(j))));
+    } else {
+      const auto corner = [&](Vertex_handle v) { return input(v->point().id()); };
+      side = side_of_circle(corner(face->vertex(0)), corner(face->vertex(1)),
+                            corner(face->vertex(2)), corner(opposite));
+    }
+    if (side == CGAL::ON_POSITIVE_SIDE) {
       fail("not locally Delaunay: " + name(edge) + " between " +
            std::to_string(face->vertex(i)->point().id()) + " and " +
            std::to_string(opposite->point().id()));
@@ -378,18 +484,28 @@ void Auditor<Traits>::check_reference() {
   auto points = topology_.points();
   const auto after = certification_.traits().exact().instantaneous_traits(
       {schedule_.current_time(), Time_side::after});
-  sort_for_insertion(points, after);
   Triangulation reference(after);
-  insert_in_order(reference, points, std::identity(), [](const auto&, const auto&) {});
-  std::vector<Edge_ids> edges;
-  for (const Edge& edge : reference.finite_edges()) edges.push_back(Types::ids_of(edge));
+  if constexpr (is_periodic) {
+    std::vector<Edge_ids> coincident;
+    reference =
+        Types::Static_construction::build(points, schedule_.current_time(), after, coincident);
+  } else {
+    sort_for_insertion(points, after);
+    insert_in_order(reference, points, std::identity(), [](const auto&, const auto&) {});
+  }
+  std::vector<Edge_name> edges;
+  for (const Edge& edge : reference.all_edges()) {
+    if (reference.dimension() > 0 && !reference.is_infinite(edge)) {
+      edges.push_back(Types::name_of(edge));
+    }
+  }
   std::ranges::sort(edges);
-  const std::vector<Edge_ids> present = topology_.finite_edge_ids();
-  for (const Edge_ids& edge : edges) {
+  const std::vector<Edge_name> present = topology_.finite_edges();
+  for (const Edge_name& edge : edges) {
     if (std::ranges::binary_search(present, edge)) continue;
     fail("missing: " + edge_name(edge) + " of the static Delaunay triangulation");
   }
-  for (const Edge_ids& edge : present) {
+  for (const Edge_name& edge : present) {
     if (std::ranges::binary_search(edges, edge)) continue;
     fail(edge_name(edge) + " is not in the static Delaunay triangulation");
   }

@@ -157,8 +157,12 @@ class Kinetic_triangulation_2 {
   /// The motion of the point `id`. Precondition: contains(id).
   const Motion& motion(Point_id id) const { return point(id).motion(); }
 
-  /// The ids of the ends of all finite edges, sorted. O(n log n).
+  /// The ids of the ends of all finite edges, sorted. In a periodic box a pair comes as often as it
+  /// has edges. O(n log n).
   std::vector<Edge_ids> finite_edge_ids() const;
+
+  /// In a periodic box, all 3n edges of the n visible points, sorted. O(n log n).
+  std::vector<Periodic_edge> periodic_edges() const requires PeriodicKineticTraits_2<Traits>;
 
   /// The whole state; see Triangulation_snapshot. O(n). Precondition: not called by an observer,
   /// nor after one has thrown within an event (checked).
@@ -368,6 +372,7 @@ extern template class Kinetic_triangulation_2<Linear_kinetic_traits_2>;
 extern template class Kinetic_triangulation_2<Polynomial_kinetic_traits_2>;
 extern template class Kinetic_triangulation_2<Disc_kinetic_traits_2>;
 extern template class Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>;
+extern template class Kinetic_triangulation_2<Periodic_kinetic_traits_2>;
 
 }  // namespace kinetri
 

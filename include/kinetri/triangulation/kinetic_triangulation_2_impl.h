@@ -119,7 +119,19 @@ auto Kinetic_triangulation_2<Traits>::point(Point_id id) const -> const Point_2&
 
 template <KineticTraits_2 Traits>
 std::vector<Edge_ids> Kinetic_triangulation_2<Traits>::finite_edge_ids() const {
-  return core_.topology.finite_edge_ids();
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    std::vector<Edge_ids> result;
+    for (const Periodic_edge& edge : core_.topology.finite_edges()) result.push_back(edge.ids);
+    return result;
+  } else {
+    return core_.topology.finite_edges();
+  }
+}
+
+template <KineticTraits_2 Traits>
+std::vector<Periodic_edge> Kinetic_triangulation_2<Traits>::periodic_edges() const requires
+    PeriodicKineticTraits_2<Traits> {
+  return core_.topology.finite_edges();
 }
 
 // ---- time ----
@@ -163,6 +175,9 @@ std::size_t Kinetic_triangulation_2<Traits>::advance_to(const Time& time,
       time >= current_time(),
       "the time to advance to is in the past; take the present one or a later one, "
       "or call reverse first");
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    traits().box().require_area(current_time(), time);
+  }
   return core_.advance_to(time, may_go_on);
 }
 

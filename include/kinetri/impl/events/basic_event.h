@@ -6,6 +6,7 @@
 #define KINETRI_IMPL_EVENTS_BASIC_EVENT_H
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -48,6 +49,23 @@ constexpr Edge_ids edge_ids(Point_id a, Point_id b) {
   return a < b ? Edge_ids{a, b} : Edge_ids{b, a};
 }
 
+/// An edge in a periodic box: from a point ids[0] to the image of the point ids[1] that the lattice
+/// moves by `offset` against ids[1]; and all images of that. An edge with two different points has
+/// ids[0] < ids[1]; one from a point to its own image has the greater of the two offsets.
+struct Periodic_edge {
+  Edge_ids ids = {};             ///< the ends, the smaller id first
+  Lattice_offset_2 offset = {};  ///< of the second end against the first
+
+  friend auto operator<=>(const Periodic_edge&, const Periodic_edge&) = default;
+};
+
+/// The edge from the point `a` to the image of `b` with this offset against `b`.
+constexpr Periodic_edge periodic_edge(Point_id a, Point_id b, Lattice_offset_2 offset) {
+  const Lattice_offset_2 reverse = {-offset.x, -offset.y};
+  if (a != b ? a < b : reverse < offset) return {{a, b}, offset};
+  return {{b, a}, reverse};
+}
+
 /// The edges that a change has removed and added in the end, both sorted.
 struct Changed_edges {
   std::vector<Edge_ids> removed;  ///< that were there before
@@ -69,6 +87,9 @@ struct Changed_edges {
 ///
 /// If a point with the trajectory of point_a hides it, or hid it (Coincident_points), that is
 /// point_b of `hide` or `reveal`. It may be erased at that time.
+///
+/// In a periodic box several edges may have the same ends. `removed` and `removed_offset` together
+/// are a Periodic_edge, as are `added` and `added_offset`.
 template <class Time>
 struct Basic_event {
   std::uint64_t number = 0;            ///< 0 for the first event of a run, then one more each
@@ -80,6 +101,8 @@ struct Basic_event {
   std::optional<Point_id> point_b = std::nullopt;  ///< the second of two points
   /// The third corner of the triangle removed or added at a hull edge. Not in files.
   std::optional<Point_id> apex = std::nullopt;
+  Lattice_offset_2 removed_offset = {};  ///< of the removed edge, in a periodic box
+  Lattice_offset_2 added_offset = {};    ///< of the added edge, in a periodic box
 };
 
 }  // namespace kinetri

@@ -40,7 +40,16 @@ inline constexpr std::uint8_t no_condition = 4;
 template <class Traits>
 struct Kinetic_types<Traits>::Certificate_points {
   Entry_kind kind = Entry_kind::recheck;
-  std::array<const Point_2*, 4> points = {};
+  std::array<Corner, 4> points = {};
+
+  /// As the traits take them; valid as long as this object.
+  Quadruple<Image_2> quadruple() const {
+    if constexpr (is_periodic) {
+      return {&points[0], &points[1], &points[2], &points[3]};
+    } else {
+      return points;
+    }
+  }
 };
 
 template <class Traits>
@@ -53,6 +62,8 @@ class Kinetic_types<Traits>::Certification {
       : traits_(traits), topology_(topology), triangulation_(topology.triangulation()) {}
 
   const Traits& traits() const { return traits_; }
+  /// From now on, makes the certificates of other traits.
+  void set_traits(const Traits& traits) { traits_ = traits; }
   const Topology& topology() const { return topology_; }
 
   // ---- edges ----
@@ -113,6 +124,15 @@ class Kinetic_types<Traits>::Certification {
     const Certificate* certificate;
   };
 
+  Certificate_points points_in_plane(const Edge_with_mirror& edge) const;
+  /// The points around an edge that has just been flipped.
+  struct Around_flip {
+    std::array<Corner, 4> corners = {};
+    std::array<Corner, 4> beyond = {};
+  };
+
+  static bool find_around(const Edge_with_mirror& edge, const Outer_edges& outer,
+                          const Triangulation& triangulation, Around_flip& around);
   template <class Now, class Put>
   bool certify_together(const Edge_with_mirror& edge, const Outer_edges& outer,
                         const Double_interval& bounds, const Now& now,

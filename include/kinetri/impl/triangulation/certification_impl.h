@@ -18,6 +18,17 @@ namespace kinetri::detail {
 template <class Traits>
 auto Kinetic_types<Traits>::Certification::points(const Edge_with_mirror& edge) const
     -> Certificate_points {
+  if constexpr (is_periodic) {
+    const auto [apex, right, opposite, left] = triangulation_.quadrilateral(edge.here);
+    return {Entry_kind::flip, {right, left, apex, opposite}};
+  } else {
+    return points_in_plane(edge);
+  }
+}
+
+template <class Traits>
+auto Kinetic_types<Traits>::Certification::points_in_plane(const Edge_with_mirror& edge) const
+    -> Certificate_points {
   const auto& [face, i] = edge.here;
   const Vertex_handle left = face->vertex(Triangulation::cw(i));
   const Vertex_handle right = face->vertex(Triangulation::ccw(i));
@@ -39,8 +50,8 @@ auto Kinetic_types<Traits>::Certification::points(const Edge_with_mirror& edge) 
 template <class Traits>
 inline Certificate Kinetic_types<Traits>::Certification::certificate(
     const Certificate_points& about, const Time& after, Certificate_state state) const {
-  const auto& [p, q, r, s] = about.points;
-  if (about.kind == Entry_kind::flip) {
+  const auto [p, q, r, s] = about.quadruple();
+  if (is_periodic || about.kind == Entry_kind::flip) {
     return traits_.in_circle_certificate(*p, *q, *r, *s, after, state);
   }
   if (about.kind == Entry_kind::hull_insert) {
@@ -77,7 +88,8 @@ void Kinetic_types<Traits>::Certification::certify(std::span<const Edge_with_mir
         first = &edge;
         points_of_first = about;
       } else {
-        auto both = traits_.in_circle_certificates({points_of_first.points, about.points}, after);
+        auto both =
+            traits_.in_circle_certificates({points_of_first.quadruple(), about.quadruple()}, after);
         const auto finish_known = [&](const Edge_with_mirror& e, const Certificate_points& p,
                                       Certificate&& known) {
           if (known.kind == Certificate::Kind::unknown) return certify_alone(e, p);
@@ -146,37 +158,71 @@ inline void Kinetic_types<Traits>::Certification::certify_after_flip(
   certify(outer, now(), Certificate_state::any, counters, put);
 }
 
-// Does nothing and returns false if a point is infinite, or the traits have no batches.
+// Returns false if a point is infinite or, in a periodic box, an offset too great.
+template <class Traits>
+inline bool Kinetic_types<Traits>::Certification::find_around(const Edge_with_mirror& edge,
+                                                              const Outer_edges& outer,
+                                                              const Triangulation& triangulation,
+                                                              Around_flip& around) {
+  const auto& [face, i] = edge.here;
+  const auto& [neighbor, j] = edge.there;
+  KINETRI_ASSERT(face->neighbor(i) == neighbor && neighbor->neighbor(j) == face,
+                 "CGAL's flip turns the edge in its faces by one index");
+  if constexpr (is_periodic) {
+    // Against an end of the edge, which has an edge to all corners.
+    const auto [apex, right, opposite, left] = triangulation.quadrilateral(edge.here);
+    around.corners = {left, apex, right, opposite};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int from = k < 2 ? Triangulation::cw(i) : Triangulation::ccw(j);
+      const auto offset = Triangulation::offset_beyond(outer[k].there, from);
+      if (!offset) return false;
+      const Vertex_handle beyond = outer[k].here.first->vertex(outer[k].here.second);
+      around.beyond[k] = triangulation.geom_traits().image(beyond->point(), *offset);
+    }
+    return true;
+  } else {
+    const std::array<Vertex_handle, 4> corners = {
+        face->vertex(Triangulation::cw(i)), face->vertex(i), face->vertex(Triangulation::ccw(i)),
+        neighbor->vertex(j)};
+    bool are_finite = true;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vertex_handle beyond = outer[k].here.first->vertex(outer[k].here.second);
+      around.corners[k] = &corners[k]->point();
+      around.beyond[k] = &beyond->point();
+      are_finite = are_finite && !triangulation.is_infinite(corners[k]) &&
+                   !triangulation.is_infinite(beyond);
+    }
+    return are_finite;
+  }
+}
+
+// Does nothing and returns false if these points have no batch, or the traits have none.
 template <class Traits>
 template <class Now, class Put>
 inline bool Kinetic_types<Traits>::Certification::certify_together(
     const Edge_with_mirror& edge, const Outer_edges& outer, const Double_interval& bounds,
     const Now& now, Certificate_counters& counters, const Put& put) const {
   if constexpr (BatchKineticTraits_2<Traits>) {
-    const auto& [face, i] = edge.here;
-    const auto& [neighbor, j] = edge.there;
-    KINETRI_ASSERT(face->neighbor(i) == neighbor && neighbor->neighbor(j) == face,
-                   "CGAL's flip turns the edge in its faces by one index");
-    const std::array<Vertex_handle, 4> corners = {
-        face->vertex(Triangulation::cw(i)), face->vertex(i), face->vertex(Triangulation::ccw(i)),
-        neighbor->vertex(j)};
-    bool are_finite = true;
-    Flip_neighborhood<Point_2> around;
+    Around_flip found;
+    if (!find_around(edge, outer, triangulation_, found)) return false;
+    Flip_neighborhood<Image_2> around;
     for (std::size_t k = 0; k < 4; ++k) {
-      const Vertex_handle beyond = outer[k].here.first->vertex(outer[k].here.second);
-      around.corners[k] = &corners[k]->point();
-      around.beyond[k] = &beyond->point();
-      are_finite = are_finite && !triangulation_.is_infinite(corners[k]) &&
-                   !triangulation_.is_infinite(beyond);
+      if constexpr (is_periodic) {
+        around.corners[k] = &found.corners[k];
+        around.beyond[k] = &found.beyond[k];
+      } else {
+        around.corners[k] = found.corners[k];
+        around.beyond[k] = found.beyond[k];
+      }
     }
-    if (!are_finite) return false;
     auto certificates = traits_.certificates_after_flip(around, bounds);
     for (std::size_t k = 0; k < certificates.size(); ++k) {
       const Edge_with_mirror& e = k < 4 ? outer[k] : edge;
       Certificate& known = certificates[k];
       if (known.kind == Certificate::Kind::unknown) {
-        known = certificate({Entry_kind::flip, around.certificate(k)}, now(),
-                            k < 4 ? Certificate_state::any : Certificate_state::vanishes);
+        const auto [p, q, r, s] = around.certificate(k);
+        known = traits_.in_circle_certificate(
+            *p, *q, *r, *s, now(), k < 4 ? Certificate_state::any : Certificate_state::vanishes);
       }
       counters.count(known);
       const Entry_kind kind = first_failure(e, Entry_kind::flip, known, now, counters);
@@ -238,9 +284,17 @@ inline Certificate Kinetic_types<Traits>::Certification::coincidence(
     const Edge_with_mirror& edge, const Time& after, const Double_interval& among,
     Certificate_counters& counters) const {
   const auto& [face, i] = edge.here;
-  Certificate result =
-      traits_.coincidence_certificate(face->vertex(Triangulation::cw(i))->point(),
-                                      face->vertex(Triangulation::ccw(i))->point(), after, among);
+  const int left = Triangulation::cw(i);
+  const int right = Triangulation::ccw(i);
+  Certificate result;
+  if constexpr (is_periodic) {
+    result =
+        traits_.coincidence_certificate(triangulation_.corner(face, left, left),
+                                        triangulation_.corner(face, right, left), after, among);
+  } else {
+    result = traits_.coincidence_certificate(face->vertex(left)->point(),
+                                             face->vertex(right)->point(), after, among);
+  }
   KINETRI_ASSERT(result.kind == Certificate::Kind::never_fails || result.failure != nullptr,
                  "a coincidence certificate has its failure time or never fails");
   counters.count(result);
@@ -251,9 +305,10 @@ template <class Traits>
 auto Kinetic_types<Traits>::Certification::failure_time(const Certificate_points& failed,
                                                         const Double_interval& bounds) const
     -> Time {
-  const auto& [p, q, r, s] = failed.points;
-  return failed.kind == Entry_kind::flip ? traits_.in_circle_failure(*p, *q, *r, *s, bounds)
-                                         : traits_.orientation_failure(*p, *q, *r, bounds);
+  const auto [p, q, r, s] = failed.quadruple();
+  return is_periodic || failed.kind == Entry_kind::flip
+             ? traits_.in_circle_failure(*p, *q, *r, *s, bounds)
+             : traits_.orientation_failure(*p, *q, *r, bounds);
 }
 
 // ---- hidden points ----
@@ -300,10 +355,11 @@ Certificate Kinetic_types<Traits>::Certification::hidden_certificate(
   const Face_handle face = v->face();
   const Point_2& point = v->point();
   if (triangulation_.dimension() == 2) {
-    const auto [kind, about] = hidden_points(v, condition);
-    const auto& [p, q, r, s] = about;
-    return kind == Entry_kind::flip ? traits_.in_circle_certificate(*p, *q, *r, *s, after, state)
-                                    : traits_.orientation_certificate(*p, *q, *r, after, state);
+    const Certificate_points about = hidden_points(v, condition);
+    const auto& [p, q, r, s] = about.points;
+    return about.kind == Entry_kind::flip
+               ? traits_.in_circle_certificate(*p, *q, *r, *s, after, state)
+               : traits_.orientation_certificate(*p, *q, *r, after, state);
   }
   if (triangulation_.dimension() < 1) {
     return traits_.weight_certificate(triangulation_.finite_vertex()->point(), point, after);
@@ -386,7 +442,7 @@ bool Kinetic_types<Traits>::Certification::is_embedded_around(
 template <class Traits>
 Rounded_places Kinetic_types<Traits>::Certification::places(
     [[maybe_unused]] const Time& time) const {
-  if constexpr (HasRoundedPlace<Motion>) {
+  if constexpr (HasRoundedPlace<Motion> && !is_periodic) {
     const auto point_of = [](Vertex_handle v) -> const Point_2& { return v->point(); };
     return Rounded_places(triangulation_.finite_vertex_handles(), time, point_of);
   } else {

@@ -42,8 +42,10 @@ class Kinetic_types<Traits>::Decisions {
   template <class Now>
   Decision decide(const Entry& failure, const Edge_with_mirror& edge, const Double_interval& bounds,
                   const Now& now) const {
-    if (failure.kind == Entry_kind::hull_insert) {
-      return decide_at_hull(edge, failure.changes_sign, now());
+    if constexpr (!is_periodic) {
+      if (failure.kind == Entry_kind::hull_insert) {
+        return decide_at_hull(edge, failure.changes_sign, now());
+      }
     }
     if constexpr (is_weighted) {
       if (failure.kind == Entry_kind::flip && !topology_.are_weights_equal()) {

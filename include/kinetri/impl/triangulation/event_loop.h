@@ -24,7 +24,7 @@ template <class Traits>
 class Kinetic_types<Traits>::Event_loop {
  public:
   /// The others must outlive this object.
-  Event_loop(Topology& topology, const Certification& certification, Schedule& schedule,
+  Event_loop(Topology& topology, Certification& certification, Schedule& schedule,
              Event_reporter& reporter, Updates& updates)
       : topology_(topology),
         certification_(certification),
@@ -74,14 +74,16 @@ class Kinetic_types<Traits>::Event_loop {
     Vertex_handle companion;  // was at the same position: the search starts there
   };
 
+  std::size_t run_events_of_instant();
   void execute(const Entry& failure);
   bool retry_postponed();
+  bool retry_postponed_edges();
   void set_coincident_points_aside();
   void put_points_back();
   bool has_flat_triangle() const;
 
   Topology& topology_;
-  const Certification& certification_;
+  Certification& certification_;
   Schedule& schedule_;
   Event_reporter& reporter_;
   Updates& updates_;

@@ -26,8 +26,20 @@ std::size_t Kinetic_types<Traits>::Event_loop::run_to(const Time& time,
   return events;
 }
 
+// In a periodic box an offset may be too great.
 template <class Traits>
 std::size_t Kinetic_types<Traits>::Event_loop::run_instant() {
+  std::size_t events = 0;
+  if constexpr (is_periodic) {
+    reporter_.within_event([&] { events = run_events_of_instant(); });
+  } else {
+    events = run_events_of_instant();
+  }
+  return events;
+}
+
+template <class Traits>
+std::size_t Kinetic_types<Traits>::Event_loop::run_events_of_instant() {
   auto& queue = schedule_.queue();
   reporter_.begin_instant();
   is_hull_flat_ = false;
@@ -118,9 +130,15 @@ bool Kinetic_types<Traits>::Event_loop::execute_due_events_within(
 }
 
 // Schedules the postponed edges again if there was a change since the last call, and reconstructs
-// the triangulation otherwise. Returns whether there were any.
+// the triangulation otherwise. Returns whether there were any, as there may be with weights.
 template <class Traits>
 bool Kinetic_types<Traits>::Event_loop::retry_postponed() {
+  if constexpr (is_weighted) return retry_postponed_edges();
+  return false;
+}
+
+template <class Traits>
+bool Kinetic_types<Traits>::Event_loop::retry_postponed_edges() {
   if (postponed_.empty()) return false;
   const bool is_stuck = updates_.number_of_changes() == changes_before_retry_;
   changes_before_retry_ = updates_.number_of_changes();
@@ -169,8 +187,9 @@ void Kinetic_types<Traits>::Event_loop::set_coincident_points_aside() {
   }
   topology_.set_instant({schedule_.current_time(), Time_side::before});
   for (const auto& [least, id] : groups.others()) {
-    if (topology_.triangulation().test_dim_down(topology_.vertex(id))) return rebuild();
-    updates_.take_out(topology_.vertex(id));
+    if (!topology_.can_take_out(topology_.vertex(id)) || !updates_.take_out(topology_.vertex(id))) {
+      return rebuild();
+    }
     points_set_aside_.push_back({topology_.vertex(id), topology_.vertex(least)});
     ++reporter_.counters().points_set_aside;
   }
@@ -201,6 +220,11 @@ void Kinetic_types<Traits>::Event_loop::reverse() {
     topology_.set_point({v->point().id(), mirrored(v->point().motion())});
   }
   topology_.twins().for_each_motion([](const Motion& motion) { return mirrored(motion); });
+  if constexpr (is_periodic) {
+    certification_.set_traits(certification_.traits().mirrored());
+    topology_.set_traits(certification_.traits());
+    schedule_.set_end(certification_.traits().box().collapse_after(schedule_.current_time()));
+  }
   updates_.show_current_time();
   if (has_flat_triangle()) {
     rebuild();
@@ -218,9 +242,16 @@ bool Kinetic_types<Traits>::Event_loop::has_flat_triangle() const {
   if (triangulation.dimension() < 2) return true;
   const auto now =
       certification_.traits().instantaneous_traits({schedule_.current_time(), Time_side::at});
+  const auto corner = [&](Face_handle face, int i) -> decltype(auto) {
+    if constexpr (is_periodic) {
+      return triangulation.corner(face, i, 0);
+    } else {
+      return (face->vertex(i)->point());
+    }
+  };
   return std::ranges::any_of(triangulation.finite_face_handles(), [&](Face_handle face) {
-    return now.orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
-                                      face->vertex(2)->point()) == CGAL::COLLINEAR;
+    return now.orientation_2_object()(corner(face, 0), corner(face, 1), corner(face, 2)) ==
+           CGAL::COLLINEAR;
   });
 }
 

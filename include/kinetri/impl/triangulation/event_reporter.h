@@ -22,7 +22,20 @@
 
 namespace kinetri::detail {
 
-/// The event of a flip, without number and time. The infinite vertex has the id no_point.
+/// The event of a flip in a periodic box, without number and time.
+inline Event flip_event(Event_kind kind,
+                        const std::pair<Periodic_edge, Periodic_edge>& removed_and_added) {
+  const auto& [removed, added] = removed_and_added;
+  Event event;
+  event.kind = kind;
+  event.removed = removed.ids;
+  event.removed_offset = removed.offset;
+  event.added = added.ids;
+  event.added_offset = added.offset;
+  return event;
+}
+
+/// The event of a flip in the plane. The infinite vertex has the id no_point.
 inline Event flip_event(Event_kind kind, const std::pair<Edge_ids, Edge_ids>& removed_and_added) {
   Event event;
   event.kind = kind;
@@ -71,8 +84,8 @@ class Kinetic_types<Traits>::Event_reporter {
                          "a change of the triangulation within an event, or while another change "
                          "is made; make it when advance_to, step or the other change has returned");
     KINETRI_PRECONDITION(!is_in_event_,
-                         "an observer has thrown, and left the triangulation within an event; make "
-                         "another one, or restore a snapshot");
+                         "an exception has left the triangulation within an event; make another "
+                         "one, or restore a snapshot");
   }
   [[nodiscard]] Flag_while start_change() {
     check_may_change();
@@ -83,6 +96,13 @@ class Kinetic_types<Traits>::Event_reporter {
   /// Sets whether an event is reported, for code that calls observers itself; stays true if one
   /// throws.
   void set_in_event(bool is_in_event) { is_in_event_ = is_in_event; }
+  /// Calls a function within an event, in which the triangulation stays if that throws.
+  template <class Function>
+  void within_event(const Function& function) {
+    const bool was_in_event = std::exchange(is_in_event_, true);
+    function();
+    is_in_event_ = was_in_event;
+  }
 
   // ---- events ----
 
@@ -106,19 +126,19 @@ class Kinetic_types<Traits>::Event_reporter {
   template <class Change>
   void report(Event event, const Change& change) {
     if (edges_) {
-      if (event.removed) edges_->note(*event.removed, -1);
-      if (event.added) edges_->note(*event.added, 1);
+      if (event.removed) edges_->note(named(*event.removed, event.removed_offset), -1);
+      if (event.added) edges_->note(named(*event.added, event.added_offset), 1);
       return change();
     }
     event.number = counters_.number_of_events();
     if (!observers_.empty()) event.time = schedule_.current_time();
-    is_in_event_ = true;
-    observers_.call([&](Event_observer& observer) { observer.before_event(event); });
-    change();
-    count_event(event.kind);
-    if (event.removed || event.added) trail({event.removed, event.added});
-    observers_.call([&](Event_observer& observer) { observer.after_event(event); });
-    is_in_event_ = false;
+    within_event([&] {
+      observers_.call([&](Event_observer& observer) { observer.before_event(event); });
+      change();
+      count_event(event.kind);
+      if (event.removed || event.added) trail({event.removed, event.added});
+      observers_.call([&](Event_observer& observer) { observer.after_event(event); });
+    });
   }
 
   /// Reports that change() hides or reveals a point, and the edges that this adds or removes.
@@ -161,7 +181,7 @@ class Kinetic_types<Traits>::Event_reporter {
     if (!edges_) edges_.emplace();
   }
   /// An edge was added (1) or removed (-1). Precondition: is_noting().
-  void note(const Edge_ids& edge, int change) { edges_->note(edge, change); }
+  void note(const Edge_name& edge, int change) { edges_->note(edge, change); }
   /// A point has been hidden or revealed, while edges are noted; by another point, if that is
   /// given.
   void note_hidden(Point_id point, bool is_hidden, std::optional<Point_id> by = std::nullopt) {
@@ -178,12 +198,19 @@ class Kinetic_types<Traits>::Event_reporter {
 
  private:
   void report_points();
+  static Edge_name named(const Edge_ids& ids, [[maybe_unused]] Lattice_offset_2 offset) {
+    if constexpr (is_periodic) {
+      return {ids, offset};
+    } else {
+      return ids;
+    }
+  }
 
   const Topology& topology_;
   const Schedule& schedule_;
   Triangulation_counters& counters_;
   Observer_list<Event_observer> observers_;
-  std::optional<Edge_changes> edges_;  // while edges are noted
+  std::optional<Edge_changes<Edge_name>> edges_;  // while edges are noted
   struct Hiding {
     Point_id point;
     bool is_hidden;
@@ -219,33 +246,38 @@ template <class Traits>
 Changed_edges Kinetic_types<Traits>::Event_reporter::report_edges() {
   Changed_edges result;
   if (!edges_) return result;
-  std::vector<Edge_ids> touched;
-  for (const auto& [edge, net_change] : edges_->take()) {
-    touched.push_back(edge);
-    if (net_change != 0) (net_change < 0 ? result.removed : result.added).push_back(edge);
-  }
+  const auto changes = edges_->take();
   edges_.reset();
   report_points();
-  if (!has_listeners()) {
-    count_events(Event_kind::rebuild, result.removed.size() + result.added.size());
-    return result;
-  }
-  Event event;
-  event.kind = Event_kind::rebuild;
-  for (const Edge_ids& edge : result.removed) {
-    event.removed = edge;
-    report(event, [] {});
-  }
-  event.removed.reset();
-  for (const Edge_ids& edge : result.added) {
-    event.added = edge;
-    report(event, [] {});
-  }
+  const bool are_heard = has_listeners();
+  const auto report_all = [&](int net, std::optional<Edge_ids> Event::*edge,
+                              Lattice_offset_2 Event::*offset, std::vector<Edge_ids>& ids) {
+    for (const auto& change : changes) {
+      if (change.net != net) continue;
+      ids.push_back(ids_of(change.edge));
+      if (!are_heard) continue;
+      Event event;
+      event.kind = Event_kind::rebuild;
+      event.*edge = ids.back();
+      event.*offset = offset_of(change.edge);
+      report(event, [] {});
+    }
+    if (!are_heard) count_events(Event_kind::rebuild, ids.size());
+  };
+  report_all(-1, &Event::removed, &Event::removed_offset, result.removed);
+  report_all(1, &Event::added, &Event::added_offset, result.added);
   if (observers_.empty()) return result;
-  is_in_event_ = true;
-  observers_.call(
-      [&](Event_observer& observer) { observer.after_rebuild(schedule_.current_time(), touched); });
-  is_in_event_ = false;
+  std::vector<Edge_ids> touched;
+  for (const auto& change : changes) {
+    if (touched.empty() || touched.back() != ids_of(change.edge)) {
+      touched.push_back(ids_of(change.edge));
+    }
+  }
+  within_event([&] {
+    observers_.call([&](Event_observer& observer) {
+      observer.after_rebuild(schedule_.current_time(), touched);
+    });
+  });
   return result;
 }
 
@@ -257,10 +289,10 @@ void Kinetic_types<Traits>::Event_reporter::report_hiding() {
   std::ranges::sort(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (keeps_trail_) trail_.hidden.insert(trail_.hidden.end(), points.begin(), points.end());
-  is_in_event_ = true;
-  observers_.call(
-      [&](Event_observer& observer) { observer.after_hiding(schedule_.current_time(), points); });
-  is_in_event_ = false;
+  within_event([&] {
+    observers_.call(
+        [&](Event_observer& observer) { observer.after_hiding(schedule_.current_time(), points); });
+  });
 }
 
 }  // namespace kinetri::detail

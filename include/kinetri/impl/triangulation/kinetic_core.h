@@ -15,6 +15,7 @@
 #include "kinetri/impl/triangulation/schedule.h"
 #include "kinetri/impl/triangulation/topology.h"
 #include "kinetri/impl/triangulation/updates.h"
+#include "kinetri/kinetic/periodic_kinetic_traits_2.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 
 namespace kinetri::detail {
@@ -71,6 +72,7 @@ KINETRI_KINETIC_PARTS(extern template, Linear_kinetic_traits_2);
 KINETRI_KINETIC_PARTS(extern template, Polynomial_kinetic_traits_2);
 KINETRI_KINETIC_PARTS(extern template, Disc_kinetic_traits_2);
 KINETRI_KINETIC_PARTS(extern template, Polynomial_disc_kinetic_traits_2);
+extern template struct Kinetic_types<Periodic_kinetic_traits_2>::Kinetic_core;
 
 /// Access to the parts of a triangulation, for audits, queries and simulations.
 struct Core_access {

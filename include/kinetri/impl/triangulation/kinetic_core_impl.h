@@ -14,6 +14,11 @@ template <class Traits>
 void Kinetic_types<Traits>::Kinetic_core::start_with(std::span<const Point_2> points,
                                                      std::size_t ids) {
   const auto started = std::chrono::steady_clock::now();
+  if constexpr (is_periodic) {
+    const Periodic_box_2& box = certification.traits().box();
+    box.require_area(schedule.current_time(), schedule.current_time());
+    schedule.set_end(box.collapse_after(schedule.current_time()));
+  }
   topology.set_weights_equal(Kinetic_types<Traits>::Topology::have_equal_weights(points));
   std::vector<Edge_ids> coincident;
   const auto build = [&](std::span<const Point_2> some) {

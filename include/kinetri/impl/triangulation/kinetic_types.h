@@ -8,15 +8,19 @@
 
 #include <array>
 #include <optional>
+#include <type_traits>
 
 #include "kinetri/base/ids.h"
+#include "kinetri/impl/events/basic_event.h"
 #include "kinetri/impl/triangulation/kinetic_triangulation_data_structure_2.h"
 #include "kinetri/impl/triangulation/regular_triangulation.h"
+#include "kinetri/impl/triangulation/torus_triangulation.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 
 namespace kinetri::detail {
 
-/// CGAL's triangulation of moving points: regular if they have weights, else Delaunay.
+/// The triangulation of moving points: of CGAL, regular if they have weights, else Delaunay; or of
+/// the flat torus, if they are in a periodic box.
 template <class Traits>
 struct Triangulation_of {
   using type = CGAL::Delaunay_triangulation_2<
@@ -27,6 +31,21 @@ template <WeightedKineticTraits_2 Traits>
 struct Triangulation_of<Traits> {
   using type = Regular_triangulation<typename Traits::Instantaneous_traits>;
 };
+
+template <PeriodicKineticTraits_2 Traits>
+struct Triangulation_of<Traits> {
+  using type = Torus_triangulation<typename Traits::Instantaneous_traits>;
+};
+
+/// The face, edge or vertex at a position.
+template <class Triangulation>
+struct Location_in {
+  typename Triangulation::Face_handle face;  ///< infinite beyond the hull
+  typename Triangulation::Locate_type locus = Triangulation::FACE;
+  int index = 0;  ///< of the edge or vertex, if the position is on one
+};
+template <class Traits>
+struct Location_in<Torus_triangulation<Traits>> : Torus_triangulation<Traits>::Location {};
 
 /// What an event does to a point: gives it another motion or, with none, erases it.
 template <class Motion>
@@ -58,12 +77,19 @@ struct Kinetic_types {
   using Point_2 = typename Traits::Point_2;
   using Change = Point_change<Motion>;
   using Time = Algebraic_number;
+  using Location = Location_in<Triangulation>;
   using Instantaneous_traits = typename Traits::Instantaneous_traits;
 
   static constexpr bool is_weighted = WeightedKineticTraits_2<Traits>;
+  static constexpr bool is_periodic = PeriodicKineticTraits_2<Traits>;
+
+  using Image_2 = Certified_point_2<Traits>;  ///< in the plane: the point
+  /// A point of a certificate: that of a vertex or, in a periodic box, an image of it.
+  using Corner = std::conditional_t<is_periodic, Image_2, const Point_2*>;
+  /// What names an edge.
+  using Edge_name = std::conditional_t<is_periodic, Periodic_edge, Edge_ids>;
 
   // Parameters and results of the parts, each in the header of the first part that has it.
-  struct Location;
   struct Certificate_points;
   struct Subject;
   struct Entry;

@@ -184,7 +184,7 @@ bool Kinetic_types<Traits>::Point_changes::should_schedule_all(std::size_t point
 // coincident points are refused, that would find them too late.
 template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::move_at_once(std::span<const Change> changes) const {
-  if constexpr (!HasRoundedPlace<Motion>) return false;
+  if constexpr (!HasRoundedPlace<Motion> || is_periodic) return false;
   const auto stays = [&](const Change& change) {
     return change.motion && topology_.has_vertex(change.point);
   };
@@ -252,11 +252,19 @@ void Kinetic_types<Traits>::Point_changes::find_changes_in_place(std::span<const
 
 template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::is_embedded_around(Vertex_handle v) const {
-  const auto orientation = triangulation_.geom_traits().orientation_2_object();
-  return certification_.is_embedded_around(
-      v, schedule_.current_bounds(), [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
-        return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
-      });
+  if constexpr (is_periodic) {
+    bool is_embedded = true;
+    for_each_face_at(triangulation_, v, [&](Face_handle face) {
+      is_embedded = is_embedded && triangulation_.orientation(face) == CGAL::LEFT_TURN;
+    });
+    return is_embedded;
+  } else {
+    const auto orientation = triangulation_.geom_traits().orientation_2_object();
+    return certification_.is_embedded_around(
+        v, schedule_.current_bounds(), [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
+          return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
+        });
+  }
 }
 
 // Finds changed points that would have one trajectory. Sorts the jumps so that near ones follow
@@ -314,14 +322,14 @@ void Kinetic_types<Traits>::Point_changes::locate_jumps(std::span<const Change> 
     };
     jump.location = topology_.locate(point, near == Face_handle() ? face_near() : near);
     near = jump.location.face;
-    const auto& [face, locus, i] = jump.location;
     if constexpr (is_weighted) {
       topology_.find_coincident(point, jump.location, changed, coincident);
-    } else if (locus == Triangulation::VERTEX && !changes_itself(face->vertex(i))) {
-      coincident.push_back(edge_ids(id, face->vertex(i)->point().id()));
+    } else if (jump.location.locus == Triangulation::VERTEX) {
+      const Vertex_handle there = near->vertex(jump.location.index);
+      if (!changes_itself(there)) coincident.push_back(edge_ids(id, there->point().id()));
     }
     for (int k = 0; k < 3; ++k) {
-      const Vertex_handle v = face->vertex(k);
+      const Vertex_handle v = near->vertex(k);
       if (!triangulation_.is_infinite(v) && !changes_itself(v)) jump.near = v;
     }
   }
@@ -442,7 +450,7 @@ void Kinetic_types<Traits>::Point_changes::make(Vertex_changes& planned) {
 // with others.
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::move(Vertex_changes& planned) {
-  if constexpr (HasRoundedPlace<Motion>) {
+  if constexpr (HasRoundedPlace<Motion> && !is_periodic) {
     updates_.show_current_time();
     Repair repair(topology_, reporter_, schedule_.current_time());
     if (repair.move(planned.changes)) return schedule_.defer();
@@ -531,8 +539,8 @@ bool Kinetic_types<Traits>::Point_changes::take_out(std::span<const Jump> jumps)
   for (const auto& [change, location, near] : jumps) {
     const Vertex_handle v = topology_.vertex(change.point);
     if (v == Vertex_handle()) continue;
-    if (!topology_.is_hidden(change.point) && triangulation_.test_dim_down(v)) return false;
-    updates_.take_out(v);
+    if (!topology_.is_hidden(change.point) && !topology_.can_take_out(v)) return false;
+    if (!updates_.take_out(v)) return false;
     if (!change.motion) topology_.set_point(change);
   }
   return true;

@@ -186,13 +186,19 @@ class Kinetic_types<Traits>::Schedule {
   Certificate_counters& certificate_counters() { return certificate_counters_; }
   const Certificate_counters& certificate_counters() const { return certificate_counters_; }
 
+  /// Ends time: failures at or after `end`, if given, are not due.
+  void set_end(std::optional<Time> end) { end_ = std::move(end); }
+  /// The end of time; none if there is no end.
+  const std::optional<Time>& end() const { return end_; }
+
   /// Rechecks certificates until the first entry is a failure or later than `until` (if not null).
-  /// Returns whether it is a failure at or before `until`.
+  /// Returns whether it is a failure at or before `until`, and before the end.
   bool settle(const Time* until);
   /// Calls `settle` with the present time.
   bool settle_now();
-  /// Whether the first failure is before `time`. Rechecks certificates, but stores nothing.
-  bool has_failure_before(const Time& time) const;
+  /// Whether the first failure is before `latest`, and before the end. Rechecks certificates, but
+  /// stores nothing.
+  bool has_failure_before(const Time& latest) const;
   /// The points of the certificate of an entry. Precondition: dimension 2.
   Certificate_points points(const Entry& entry) const;
 
@@ -217,7 +223,13 @@ class Kinetic_types<Traits>::Schedule {
   void schedule_deferred() {
     if (is_deferred_) schedule_all();
   }
-  /// Removes the entry of an edge from the queue, if it has one; the faces keep the handle.
+  /// In a periodic box, notes that an edge has no entry any more, since two outer edges of a
+  /// quadrilateral may be one edge, whose entry is removed and made once. In the plane the faces
+  /// keep the handle.
+  KINETRI_ALWAYS_INLINE static void forget_entry(const Edge_with_mirror& edge) {
+    if constexpr (is_periodic) Topology::set_event(edge, no_event);
+  }
+  /// Removes the entry of an edge from the queue, if it has one, and forgets it.
   KINETRI_ALWAYS_INLINE void unschedule(const Edge_with_mirror& edge) {
     unschedule(edge, counters_);
   }
@@ -284,6 +296,7 @@ class Kinetic_types<Traits>::Schedule {
   /// time. The points must not change until then. Empty when a public function returns or an
   /// observer is called, so that const functions change nothing.
   mutable std::optional<std::pair<Certificate_points, Double_interval>> pending_time_;
+  std::optional<Time> end_;
   Policy policy_{*this};
   Queue queue_{policy_};
   bool is_deferred_ = false;

@@ -33,7 +33,7 @@ bool Kinetic_types<Traits>::Schedule::Policy::precedes(const Entry& a, const Ent
     if (a.is_hidden() != b.is_hidden()) return b.is_hidden();
     if (a.is_hidden()) return a.hidden->point().id() < b.hidden->point().id();
   }
-  return Topology::ids_of(a.edge()) < Topology::ids_of(b.edge());
+  return Topology::name_of(a.edge()) < Topology::name_of(b.edge());
 }
 
 // The surroundings of the face of the entry have been prefetched before.
@@ -92,10 +92,12 @@ inline auto Kinetic_types<Traits>::Schedule::current_time() const -> const Time&
 template <class Traits>
 bool Kinetic_types<Traits>::Schedule::settle(const Time* until) {
   schedule_deferred();
+  if (end_ && (until == nullptr || *until > *end_)) until = &*end_;
   if (until == nullptr) return settle_while([](const Entry& /*entry*/) { return true; });
   const auto exact = [until]() -> const Time& { return *until; };
-  return settle_while(
+  const bool is_due = settle_while(
       [&](const Entry& entry) { return queue_.is_due(entry, until->interval(), exact); });
+  return is_due && (!end_ || queue_.time_of(queue_.top()) < *end_);
 }
 
 template <class Traits>
@@ -121,13 +123,15 @@ void Kinetic_types<Traits>::Schedule::recheck(std::span<const Entry> entries) {
         continue;
       }
     }
-    edges[number++] = topology_.with_mirror(entry.edge());
+    edges[number] = topology_.with_mirror(entry.edge());
+    forget_entry(edges[number++]);
   }
   schedule(std::span(edges).first(number), after);
 }
 
 template <class Traits>
-bool Kinetic_types<Traits>::Schedule::has_failure_before(const Time& time) const {
+bool Kinetic_types<Traits>::Schedule::has_failure_before(const Time& latest) const {
+  const Time& time = end_ ? std::min(latest, *end_) : latest;
   if (time <= current_time()) return false;
   if (is_deferred_) return has_deferred_failure_before(time);
   if (queue_.empty() || queue_.time_of(queue_.top()) >= time) return false;
@@ -205,6 +209,10 @@ template <class Traits>
 KINETRI_ALWAYS_INLINE void Kinetic_types<Traits>::Schedule::put(const Edge_with_mirror& edge,
                                                                 Entry_kind kind,
                                                                 Certificate&& certificate) {
+  if constexpr (is_periodic) {
+    // Two outer edges of a quadrilateral may be one, which has its entry then.
+    if (edge.here.first->event(edge.here.second) < Topology::listed) return;
+  }
   if (certificate.kind == Certificate::Kind::never_fails)
     return Topology::set_event(edge, no_event);
   Topology::set_event(edge, certificate.failure == nullptr
@@ -233,6 +241,7 @@ KINETRI_ALWAYS_INLINE void Kinetic_types<Traits>::Schedule::unschedule(
   const Queue_handle handle = edge.here.first->event(edge.here.second);
   if (handle == no_event) return;
   const Entry_kind kind = queue_.erase(handle).kind;
+  forget_entry(edge);
   if (kind != Entry_kind::recheck) {
     ++counters.discarded[static_cast<std::size_t>(event_kind_of(kind))];
   }
@@ -260,13 +269,11 @@ void Kinetic_types<Traits>::Schedule::unschedule_around(Vertex_handle v,
     for (const int i : {at, Triangulation::cw(at)}) {
       if (face->event(i) == Topology::listed) continue;
       // Constructed in place: copying what has just been written would stall the processor.
-      const Face_handle neighbor = face->neighbor(i);
-      const int right = index_in(neighbor, face->vertex(Triangulation::ccw(i)));
       Edge_with_mirror& edge = edges.emplace_back();
       edge.here.first = face;
       edge.here.second = i;
-      edge.there.first = neighbor;
-      edge.there.second = Triangulation::ccw(right);
+      edge.there.first = face->neighbor(i);
+      edge.there.second = topology_.mirror_index(face, i);
       unschedule(edge, counters);
       Topology::set_event(edge, Topology::listed);
     }

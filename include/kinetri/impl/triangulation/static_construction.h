@@ -22,6 +22,7 @@
 #include "kinetri/impl/triangulation/insertion_order.h"
 #include "kinetri/impl/triangulation/static_delaunay.h"
 #include "kinetri/impl/triangulation/topology.h"
+#include "kinetri/impl/triangulation/torus_construction.h"
 
 namespace kinetri::detail {
 
@@ -40,6 +41,9 @@ class Kinetic_types<Traits>::Static_construction {
   static bool is_embedded(const Triangulation& triangulation, const Rounded_places& places);
 
  private:
+  static Triangulation build_in_plane(std::span<const Point_2> points, const Time& time,
+                                      const Instantaneous_traits& now,
+                                      std::vector<Edge_ids>& coincident);
   static void find_coincident(std::span<const Point_2> points, const Time& time,
                               std::vector<Edge_ids>& coincident);
   static void find_coincident_in_faces(const Triangulation& triangulation,
@@ -52,20 +56,35 @@ class Kinetic_types<Traits>::Static_construction {
                                      std::vector<Edge_ids>& coincident);
   static bool build_from_places(std::span<const Point_2> points, const Rounded_places& places,
                                 Triangulation& result);
+  static bool is_embedded_in_plane(const Triangulation& triangulation,
+                                   const Rounded_places& places);
   static bool is_left_turn(const Triangulation& triangulation, const Rounded_places& places,
                            Vertex_handle a, Vertex_handle b, Vertex_handle c);
   static bool is_hull_convex(const Triangulation& triangulation, const Rounded_places& places);
   static bool flip_until_delaunay(Triangulation& triangulation, const Rounded_places& places);
 };
 
+template <class Traits>
+auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> points,
+                                                       const Time& time,
+                                                       const Instantaneous_traits& now,
+                                                       std::vector<Edge_ids>& coincident)
+    -> Triangulation {
+  if constexpr (is_periodic) {
+    return Torus_construction<Triangulation>(points, time.to_double(), now).build(coincident);
+  } else {
+    return build_in_plane(points, time, now, coincident);
+  }
+}
+
 // The triangulation at the instant of the traits, which is just after `time`. The triangulation of
 // the rounded positions is nearly the same and fast to make: mostly a few flips repair it.
 // Otherwise CGAL inserts the points.
 template <class Traits>
-auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> points,
-                                                       const Time& time,
-                                                       const Instantaneous_traits& traits,
-                                                       std::vector<Edge_ids>& coincident)
+auto Kinetic_types<Traits>::Static_construction::build_in_plane(std::span<const Point_2> points,
+                                                                const Time& time,
+                                                                const Instantaneous_traits& traits,
+                                                                std::vector<Edge_ids>& coincident)
     -> Triangulation {
   Triangulation result(traits);
   if constexpr (HasRoundedPlace<Motion>) {
@@ -255,6 +274,18 @@ bool Kinetic_types<Traits>::Static_construction::build_from_places(std::span<con
 template <class Traits>
 bool Kinetic_types<Traits>::Static_construction::is_embedded(const Triangulation& triangulation,
                                                              const Rounded_places& places) {
+  if constexpr (is_periodic) {
+    return std::ranges::all_of(triangulation.finite_face_handles(), [&](Face_handle face) {
+      return triangulation.orientation(face) == CGAL::LEFT_TURN;
+    });
+  } else {
+    return is_embedded_in_plane(triangulation, places);
+  }
+}
+
+template <class Traits>
+bool Kinetic_types<Traits>::Static_construction::is_embedded_in_plane(
+    const Triangulation& triangulation, const Rounded_places& places) {
   return std::ranges::all_of(triangulation.finite_face_handles(),
                              [&](Face_handle face) {
                                return is_left_turn(triangulation, places, face->vertex(0),

@@ -22,14 +22,6 @@
 
 namespace kinetri::detail {
 
-/// The face, edge or vertex at a position.
-template <class Traits>
-struct Kinetic_types<Traits>::Location {
-  Face_handle face;  ///< infinite beyond the hull
-  typename Triangulation::Locate_type locus = Triangulation::FACE;
-  int index = 0;  ///< of the edge or vertex, if the position is on one
-};
-
 /// Vertices, faces, and the points at the vertices.
 ///
 /// Invariant: each point has one vertex, which is in faces, or hidden in the list of one face, or
@@ -109,6 +101,10 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
 
   const Instant_clock& clock() const { return clock_; }
   void set_instant(const Instant& instant) { clock_.set(instant); }
+  /// Of a periodic box: sets the predicates to those of other traits, at the instant of clock().
+  void set_traits(const Traits& traits) requires is_periodic {
+    triangulation_.set_geom_traits(traits.instantaneous_traits(clock_));
+  }
 
   // ---- edges ----
 
@@ -117,14 +113,33 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
     return edge_ids(edge.first->vertex(Triangulation::cw(edge.second))->point().id(),
                     edge.first->vertex(Triangulation::ccw(edge.second))->point().id());
   }
-  std::vector<Edge_ids> finite_edge_ids() const;
+  /// The name: in the plane, the ids.
+  static Edge_name name_of(const Edge& edge);
+  /// The names of all finite edges, sorted.
+  std::vector<Edge_name> finite_edges() const;
   Edge_with_mirror with_mirror(const Edge& edge) const;
+  /// The index of edge i of a face in the neighbor. Precondition: dimension 2.
+  static int mirror_index(Face_handle face, int i) {
+    if constexpr (is_periodic) {
+      return face->mirror(i);
+    } else {  // Without branches, which would be mispredicted.
+      const Vertex_handle right = face->vertex(Triangulation::ccw(i));
+      return Triangulation::ccw(index_in(face->neighbor(i), right));
+    }
+  }
   /// Whether this is the chosen side of an edge: a choice by ids, since addresses differ from run
   /// to run.
   static bool is_chosen_side(const Edge& edge) {
     const auto& [face, i] = edge;
-    return face->vertex(Triangulation::cw(i))->point().id() <
-           face->vertex(Triangulation::ccw(i))->point().id();
+    const Point_id left = face->vertex(Triangulation::cw(i))->point().id();
+    const Point_id right = face->vertex(Triangulation::ccw(i))->point().id();
+    if constexpr (is_periodic) {
+      if (left == right) {
+        return Lattice_offset_2() <
+               Triangulation::offset(face, Triangulation::cw(i), Triangulation::ccw(i));
+      }
+    }
+    return left < right;
   }
   /// The edge from its chosen side: from the other side, certificates are rounded differently.
   static Edge_with_mirror chosen_side(const Edge_with_mirror& edge) {
@@ -150,12 +165,7 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
     return triangulation_.is_infinite(hull_edge.here.first) ? hull_edge.there : hull_edge.here;
   }
   /// The edge that a flip removes and the one that it adds.
-  static std::pair<Edge_ids, Edge_ids> flipped_edges(const Edge_with_mirror& edge) {
-    const auto& [face, i] = edge.here;
-    const auto& [neighbor, j] = edge.there;
-    return {ids_of(edge.here),
-            edge_ids(face->vertex(i)->point().id(), neighbor->vertex(j)->point().id())};
-  }
+  std::pair<Edge_name, Edge_name> flipped_edges(const Edge_with_mirror& edge) const;
 
   static void set_event(const Edge_with_mirror& edge, Queue_handle handle) {
     edge.here.first->set_event(edge.here.second, handle);
@@ -165,12 +175,9 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   // ---- positions ----
 
   /// The location of a point at the instant of the predicates, by a walk from `start` if that is
-  /// not null. Precondition: dimension 2.
-  Location locate(const Point_2& point, Face_handle start) const {
-    Location result;
-    result.face = triangulation_.locate(point, result.locus, result.index, start);
-    return result;
-  }
+  /// not null; in a periodic box of the image that is nearest to `start`. Precondition:
+  /// dimension 2.
+  Location locate(const Point_2& point, Face_handle start) const;
   /// The triangle at the location that hides a point with a weight, which may be on the border of
   /// that; none if the point is below it, outside the hull, or at the position of a vertex.
   Face_handle hiding_face(const Point_2& point, const Location& location) const;
@@ -182,8 +189,18 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   Vertex_handle vertex_near(const Point_2& point, double time) const;
 
   // ---- changes ----
-  //
-  // They call note(ids, change) for each finite edge that is added (1) or removed (-1).
+
+  /// Whether the dimension stays 2 without the vertex, which is in faces.
+  bool can_take_out(Vertex_handle v) const {
+    if constexpr (is_periodic) {
+      return triangulation_.number_of_vertices() > 1;
+    } else {
+      return !triangulation_.test_dim_down(v);
+    }
+  }
+
+  // In the plane. They call note(ids, change) for each finite edge that is added (1) or removed
+  // (-1).
 
   /// Flips an edge with the outer edges `before`. Returns the new edge; `before` are then the outer
   /// edges as seen from outside, the first two those of the face `here` of the new edge.

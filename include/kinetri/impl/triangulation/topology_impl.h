@@ -12,6 +12,7 @@
 #include "kinetri/impl/triangulation/edge_changes.h"
 #include "kinetri/impl/triangulation/point_problems.h"
 #include "kinetri/impl/triangulation/topology.h"
+#include "kinetri/impl/triangulation/wrapping.h"
 
 namespace kinetri::detail {
 
@@ -105,12 +106,25 @@ auto Kinetic_types<Traits>::Topology::points() const -> std::vector<Point_2> {
 // ---- edges ----
 
 template <class Traits>
-std::vector<Edge_ids> Kinetic_types<Traits>::Topology::finite_edge_ids() const {
-  std::vector<Edge_ids> edges;
+auto Kinetic_types<Traits>::Topology::name_of(const Edge& edge) -> Edge_name {
+  if constexpr (is_periodic) {
+    const auto& [face, i] = edge;
+    const int left = Triangulation::cw(i);
+    const int right = Triangulation::ccw(i);
+    return periodic_edge(face->vertex(left)->point().id(), face->vertex(right)->point().id(),
+                         Triangulation::offset(face, left, right));
+  } else {
+    return ids_of(edge);
+  }
+}
+
+template <class Traits>
+auto Kinetic_types<Traits>::Topology::finite_edges() const -> std::vector<Edge_name> {
+  std::vector<Edge_name> edges;
   edges.reserve(3 * number_of_vertices_);
   for (const Face_handle face : faces()) {
     for_each_own_edge(face, [&](const Edge& edge) {
-      if (!triangulation_.is_infinite(edge)) edges.push_back(ids_of(edge));
+      if (!triangulation_.is_infinite(edge)) edges.push_back(name_of(edge));
     });
   }
   sort_by_edge(edges, std::identity());
@@ -120,12 +134,24 @@ std::vector<Edge_ids> Kinetic_types<Traits>::Topology::finite_edge_ids() const {
 template <class Traits>
 inline auto Kinetic_types<Traits>::Topology::with_mirror(const Edge& edge) const
     -> Edge_with_mirror {
-  if (triangulation_.dimension() < 2) return {edge, edge};
-  // Without branches, which would be mispredicted.
+  if (!is_periodic && triangulation_.dimension() < 2) return {edge, edge};
   const auto& [face, i] = edge;
-  const Face_handle neighbor = face->neighbor(i);
-  const Vertex_handle right = face->vertex(Triangulation::ccw(i));
-  return {edge, Edge(neighbor, Triangulation::ccw(index_in(neighbor, right)))};
+  return {edge, Edge(face->neighbor(i), mirror_index(face, i))};
+}
+
+template <class Traits>
+inline auto Kinetic_types<Traits>::Topology::flipped_edges(const Edge_with_mirror& edge) const
+    -> std::pair<Edge_name, Edge_name> {
+  const auto& [face, i] = edge.here;
+  const auto& [neighbor, j] = edge.there;
+  const Point_id apex = face->vertex(i)->point().id();
+  const Point_id opposite = neighbor->vertex(j)->point().id();
+  if constexpr (is_periodic) {
+    return {name_of(edge.here),
+            periodic_edge(apex, opposite, Triangulation::offset_across(edge.here))};
+  } else {
+    return {ids_of(edge.here), edge_ids(apex, opposite)};
+  }
 }
 
 template <class Traits>
@@ -166,6 +192,24 @@ auto Kinetic_types<Traits>::Topology::hull_turn(const Edge_with_mirror& infinite
 }
 
 // ---- positions ----
+
+template <class Traits>
+auto Kinetic_types<Traits>::Topology::locate(const Point_2& point, Face_handle start) const
+    -> Location {
+  if constexpr (is_periodic) {
+    if (start == Face_handle()) start = *triangulation_.finite_face_handles().begin();
+    const double time = clock_.instant().time.to_double();
+    const Wrapping wrapping(triangulation_.geom_traits().box(), time);
+    const Lattice_offset_2 nearest =
+        wrapping.nearest(rounded_place(point.motion(), time),
+                         rounded_place(start->vertex(0)->point().motion(), time), point.id());
+    return {triangulation_.locate(point, start, nearest)};
+  } else {
+    Location result;
+    result.face = triangulation_.locate(point, result.locus, result.index, start);
+    return result;
+  }
+}
 
 template <class Traits>
 auto Kinetic_types<Traits>::Topology::hiding_face(const Point_2& point,
@@ -220,14 +264,22 @@ auto Kinetic_types<Traits>::Topology::vertex_near(const Point_2& point, double t
     -> Vertex_handle {
   Vertex_handle nearest;
   if constexpr (HasRoundedPlace<Motion>) {
-    const Vector_2 place = rounded_place(point.motion(), time);
+    const auto place_of = [&](const Point_2& p) {
+      const Vector_2 place = rounded_place(p.motion(), time);
+      if constexpr (is_periodic) {
+        return Wrapping(triangulation_.geom_traits().box(), time).image(place, p.id()).place;
+      } else {
+        return place;
+      }
+    };
+    const Vector_2 place = place_of(point);
     const auto tries = static_cast<std::size_t>(2 * std::cbrt(number_of_vertices_));
     const std::size_t step = std::max<std::size_t>(1, vertices_.size() / tries);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t id = point.id() % step; id < vertices_.size(); id += step) {
       const Vertex_handle v = vertices_[id];
       if (v == Vertex_handle()) continue;
-      const Vector_2 there = rounded_place(v->point().motion(), time);
+      const Vector_2 there = place_of(v->point());
       const double dx = there.x - place.x;
       const double dy = there.y - place.y;
       const double distance = dx * dx + dy * dy;
@@ -251,6 +303,16 @@ inline auto Kinetic_types<Traits>::Topology::flip(const Edge_with_mirror& edge, 
     -> Edge_with_mirror {
   const auto [face, i] = edge.here;
   const auto [neighbor, j] = edge.there;
+  if constexpr (is_periodic) {
+    // Two outer edges may be one, so that what is beyond them may change, too.
+    const Edge added = triangulation_.flip(edge.here);
+    const std::array<Edge, 4> sides = {Edge(face, Triangulation::cw(i)), Edge(face, i),
+                                       Edge(neighbor, Triangulation::cw(j)), Edge(neighbor, j)};
+    std::ranges::transform(sides, before.begin(), [](const Edge& side) {
+      return Edge_with_mirror{Triangulation::mirror(side), side};
+    });
+    return {added, Triangulation::mirror(added)};
+  }
   triangulation_.tds().flip(face, i);
   before = {{{before[0].there, Edge(face, Triangulation::cw(i))},
              {before[1].there, Edge(face, i)},
@@ -367,15 +429,17 @@ template <class Note_hidden>
 void Kinetic_types<Traits>::Topology::adopt(Triangulation rebuilt,
                                             [[maybe_unused]] const Note_hidden& note_hidden) {
   auto& tds = triangulation_.tds();
-  const auto vertex_here = [&](Vertex_handle there) {
-    return rebuilt.is_infinite(there) ? triangulation_.infinite_vertex()
-                                      : vertices_[there->point().id()];
+  const auto vertex_here = [&](Vertex_handle there) -> Vertex_handle {
+    if constexpr (!is_periodic) {
+      if (rebuilt.is_infinite(there)) return triangulation_.infinite_vertex();
+    }
+    return vertices_[there->point().id()];
   };
   tds.faces().clear();
   tds.faces().swap(rebuilt.tds().faces());
-  tds.set_dimension(rebuilt.dimension());
+  tds.set_dimension(rebuilt.tds().dimension());
   // Faces have dimension + 1 vertices; in dimension -1 one, the infinite vertex.
-  const int corners = std::max(rebuilt.dimension(), 0) + 1;
+  const int corners = std::max(tds.dimension(), 0) + 1;
   for (Face_handle face = tds.faces().begin(); face != tds.faces().end(); ++face) {
     for (int i = 0; i < corners; ++i) face->set_vertex(i, vertex_here(face->vertex(i)));
   }

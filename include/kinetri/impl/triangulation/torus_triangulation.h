@@ -13,12 +13,14 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "kinetri/base/ids.h"
+#include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/impl/triangulation/kinetic_triangulation_data_structure_2.h"
-#include "kinetri/kinetic/periodic_box_2.h"
 
 namespace kinetri::detail {
 
@@ -126,6 +128,8 @@ class Torus_triangulation {
   // ---- structure ----
 
   const Traits& geom_traits() const { return traits_; }
+  /// Sets the predicates.
+  void set_geom_traits(const Traits& traits) { traits_ = traits; }
   const Triangulation_data_structure& tds() const { return tds_; }
   /// To create and delete vertices that are in no face, and to store data in faces.
   Triangulation_data_structure& tds() { return tds_; }
@@ -134,6 +138,17 @@ class Torus_triangulation {
   int dimension() const { return tds_.faces().empty() ? -1 : 2; }
   /// Of those in faces.
   std::size_t number_of_vertices() const { return tds_.faces().size() / 2; }
+
+  /// @{
+  /// As in CGAL's triangulations; there is no infinite vertex.
+  static constexpr bool is_infinite(Vertex_handle) { return false; }
+  static constexpr bool is_infinite(Face_handle) { return false; }
+  static constexpr bool is_infinite(const Edge&) { return false; }
+  auto finite_vertex_handles() const { return tds_.vertex_handles(); }
+  auto finite_face_handles() const { return tds_.face_handles(); }
+  auto all_face_handles() const { return tds_.face_handles(); }
+  auto all_edges() const { return tds_.edges(); }
+  /// @}
 
   static int ccw(int i) { return Triangulation_data_structure::ccw(i); }
   static int cw(int i) { return Triangulation_data_structure::cw(i); }
@@ -150,16 +165,26 @@ class Torus_triangulation {
     return difference(face->offset(to), face->offset(from));
   }
 
-  /// Calls `function` with the handle of each face at `v` and the index of `v` in it,
-  /// counterclockwise. A face with several corners at `v` comes as often. The function must not
-  /// change the faces at `v`, which is in faces.
-  template <class Function>
-  void for_each_face_at(Vertex_handle v, Function function) const;
+  /// The offset of the corner opposite the edge in its other face against the one in this face.
+  static Lattice_offset_2 offset_across(const Edge& edge);
+  /// The offset of the corner opposite the edge in its other face against corner `from` of this
+  /// face; none if it is 2^31 or more.
+  static std::optional<Lattice_offset_2> offset_beyond(const Edge& edge, int from);
   /// The edges opposite `v` in the faces at it. `v` is in faces.
   std::vector<Edge> edges_opposite(Vertex_handle v) const;
 
   // ---- predicates ----
 
+  /// The corners of the edge's quadrilateral, counterclockwise from corner i of the face on. Their
+  /// offsets are against the corner cw(i), which has an edge to all others.
+  std::array<Image_2, 4> quadrilateral(const Edge& edge) const;
+  /// The corner of the face, with its offset against another corner.
+  Image_2 corner(Face_handle face, int i, int against) const {
+    return image(face, i, offset(face, against, i));
+  }
+  CGAL::Orientation orientation(Face_handle face) const {
+    return orientation(corner(face, 0, 0), corner(face, 1, 0), corner(face, 2, 0));
+  }
   /// Whether the opposite corner beyond the edge is in the circle of the face.
   bool is_violated(const Edge& edge) const;
 
@@ -171,6 +196,16 @@ class Torus_triangulation {
   Location locate(const Point_2& point, Face_handle start = {}, Lattice_offset_2 offset = {}) const;
 
   // ---- changes ----
+  //
+  // They call journal.before_change(face) before a face changes, and journal.created(face) and
+  // journal.deleted(face) after a face has been created, and before it is deleted.
+
+  /// The journal of callers that need none.
+  struct No_journal {
+    void before_change(Face_handle) const {}
+    void created(Face_handle) const {}
+    void deleted(Face_handle) const {}
+  };
 
   /// Makes the triangulation with one vertex, which is Delaunay. It begins with the diagonals of
   /// the parallelogram of two vectors that span the lattice. The number of flips is that of the
@@ -179,24 +214,33 @@ class Torus_triangulation {
   void insert_first(Vertex_handle v, const Basis& basis = {{{1, 0}, {0, 1}}});
   /// Inserts a vertex without faces into the face or edge of the location. Flips no edge, except
   /// that at the location. Only the edges opposite the vertex may then be violated, if none was.
-  void insert_in_faces(Vertex_handle v, const Location& location);
+  template <class Journal = No_journal>
+  void insert_in_faces(Vertex_handle v, const Location& location, Journal&& journal = Journal());
   /// Inserts a point, located as by locate(), and makes the triangulation Delaunay. Returns its
   /// vertex, or that of the point with an image in the same place, whose id is another.
   Vertex_handle insert(const Point_2& point, Face_handle start = {}, Lattice_offset_2 offset = {});
+  /// The same; the search for the image of the point with the first offset begins at the image of
+  /// the vertex with the second one, both against the positions as they were given.
+  Vertex_handle insert_near(const Point_2& point, Lattice_offset_2 offset, Vertex_handle near,
+                            Lattice_offset_2 offset_of_near);
 
   /// Replaces an edge, (face, i) with the mirror edge (neighbor, j), by the other diagonal of its
   /// quadrilateral, (face, ccw(i)) with the mirror edge (neighbor, ccw(j)). Returns that. Of the
   /// outer edges, (face, ccw(i)) becomes (neighbor, j), and (neighbor, ccw(j)) becomes (face, i).
   /// Does not examine how the faces turn.
-  Edge flip(const Edge& edge);
+  template <class Journal = No_journal>
+  Edge flip(const Edge& edge, Journal&& journal = Journal());
   /// Flips edges until the triangulation is Delaunay. Precondition: all violated edges are among
-  /// the given ones. [Lawson 1977]
-  void restore_delaunay(std::vector<Edge> edges);
+  /// the given ones. [Lawson 1977] Returns false if that would take more than `most_flips`.
+  template <class Journal = No_journal>
+  bool restore_delaunay(std::vector<Edge> edges, Journal&& journal = Journal(),
+                        std::size_t most_flips = std::numeric_limits<std::size_t>::max());
 
   /// Removes a vertex from its faces by flips, and makes the triangulation Delaunay. The vertex
   /// stays, in no face. If no flip leads on, the result is false: then, as after an Error, `v` may
   /// still be in faces, some of which may be flat, and the triangulation must be constructed anew.
-  bool remove_from_faces(Vertex_handle v);
+  template <class Journal = No_journal>
+  bool remove_from_faces(Vertex_handle v, Journal&& journal = Journal());
 
   // ---- checks ----
 
@@ -226,7 +270,6 @@ class Torus_triangulation {
   CGAL::Orientation orientation(const Image_2& p, const Image_2& q, const Image_2& r) const {
     return traits_.orientation_2_object()(p, q, r);
   }
-  std::array<Image_2, 4> quadrilateral(const Edge& edge) const;
   void check_new_edges(const Point_2& point, const Location& location) const;
   bool is_flip_away_possible(const Edge& edge, Vertex_handle v, bool may_be_flat) const;
   static int ends_lost_by_flip(const Edge& edge, Vertex_handle v);

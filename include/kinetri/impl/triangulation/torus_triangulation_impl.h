@@ -13,7 +13,14 @@ namespace kinetri::detail {
 
 // ---- offsets and links ----
 
-// The smallest integer is refused too, so that the reverse edge has an offset.
+/// The offset, none if it is 2^31 or more. The smallest integer is none, so that the reverse edge
+/// has an offset.
+inline std::optional<Lattice_offset_2> to_offset(std::int64_t x, std::int64_t y) {
+  constexpr std::int64_t greatest = std::numeric_limits<std::int32_t>::max();
+  if (x < -greatest || x > greatest || y < -greatest || y > greatest) return std::nullopt;
+  return Lattice_offset_2{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+}
+
 template <TorusTraits_2 Traits>
 Lattice_offset_2 Torus_triangulation<Traits>::checked_difference(Lattice_offset_2 a,
                                                                  Lattice_offset_2 b,
@@ -21,10 +28,7 @@ Lattice_offset_2 Torus_triangulation<Traits>::checked_difference(Lattice_offset_
                                                                  const Point_2& against) {
   const std::int64_t x = std::int64_t{a.x} - b.x;
   const std::int64_t y = std::int64_t{a.y} - b.y;
-  constexpr std::int64_t greatest = std::numeric_limits<std::int32_t>::max();
-  if (-greatest <= x && x <= greatest && -greatest <= y && y <= greatest) {
-    return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
-  }
+  if (const auto offset = to_offset(x, y)) return *offset;
   throw Error("the image of point " + std::to_string(of.id()) + " next to point " +
               std::to_string(against.id()) + " is moved by (" + std::to_string(x) + ", " +
               std::to_string(y) +
@@ -52,28 +56,38 @@ inline void Torus_triangulation<Traits>::link(const Edge& here, const Edge& ther
   there.first->set_mirror(there.second, here.second);
 }
 
+// Less than 2^31 by way of a common neighbor, unless the sum of two offsets is more.
 template <TorusTraits_2 Traits>
-template <class Function>
-void Torus_triangulation<Traits>::for_each_face_at(Vertex_handle v, Function function) const {
-  const Edge first = corner_at(v);
-  Edge corner = first;
-  do {
-    function(corner.first, corner.second);
-    corner = next_corner(corner);
-  } while (corner != first);
+std::optional<Lattice_offset_2> Torus_triangulation<Traits>::offset_beyond(const Edge& edge,
+                                                                           int from) {
+  const auto& [face, i] = edge;
+  const auto [neighbor, j] = mirror(edge);
+  const Lattice_offset_2 to_left = offset(face, from, cw(i));
+  const Lattice_offset_2 left_to_opposite = offset(neighbor, ccw(j), j);
+  const std::int64_t x = std::int64_t{to_left.x} + left_to_opposite.x;
+  const std::int64_t y = std::int64_t{to_left.y} + left_to_opposite.y;
+  return to_offset(x, y);
+}
+
+// Throws an Error if it is too great.
+template <TorusTraits_2 Traits>
+inline Lattice_offset_2 Torus_triangulation<Traits>::offset_across(const Edge& edge) {
+  const auto& [face, i] = edge;
+  const auto [neighbor, j] = mirror(edge);
+  return checked_difference(offset(neighbor, ccw(j), j), offset(face, cw(i), i),
+                            neighbor->vertex(j)->point(), face->vertex(i)->point());
 }
 
 template <TorusTraits_2 Traits>
 auto Torus_triangulation<Traits>::edges_opposite(Vertex_handle v) const -> std::vector<Edge> {
   std::vector<Edge> result;
-  for_each_face_at(v, [&](Face_handle face, int i) { result.emplace_back(face, i); });
+  detail::for_each_face_at(*this, v,
+                           [&](Face_handle face, int i) { result.emplace_back(face, i); });
   return result;
 }
 
 // ---- predicates ----
 
-// The corners of an edge's quadrilateral, counterclockwise from corner i of the face on. Their
-// offsets are against cw(i), which has an edge to all others.
 template <TorusTraits_2 Traits>
 inline auto Torus_triangulation<Traits>::quadrilateral(const Edge& edge) const
     -> std::array<Image_2, 4> {
@@ -177,7 +191,9 @@ void Torus_triangulation<Traits>::check_new_edges(const Point_2& point,
 //      /  /     \  \          A vertex on an edge makes one of the three flat, until that edge is
 //     0 ----------- 1         flipped.
 template <TorusTraits_2 Traits>
-void Torus_triangulation<Traits>::insert_in_faces(Vertex_handle v, const Location& location) {
+template <class Journal>
+void Torus_triangulation<Traits>::insert_in_faces(Vertex_handle v, const Location& location,
+                                                  Journal&& journal) {
   const Face_handle face = location.face;
   KINETRI_PRECONDITION(location.locus != VERTEX,
                        "there is a vertex at the location; expected a face or an edge");
@@ -185,8 +201,11 @@ void Torus_triangulation<Traits>::insert_in_faces(Vertex_handle v, const Locatio
   const Lattice_offset_2 first = offset(face, 1);
   const Lattice_offset_2 second = offset(face, 2);
   check_new_edges(v->point(), location);
+  journal.before_change(face);
   const std::array<Face_handle, 3> faces = {face, tds_.create_face(corner[0], v, corner[2]),
                                             tds_.create_face(corner[0], corner[1], v)};
+  journal.created(faces[1]);
+  journal.created(faces[2]);
   link(Edge(faces[1], 1), mirror(Edge(face, 1)));
   link(Edge(faces[2], 2), mirror(Edge(face, 2)));
   face->set_vertex(0, v);
@@ -201,7 +220,7 @@ void Torus_triangulation<Traits>::insert_in_faces(Vertex_handle v, const Locatio
   corner[2]->set_face(face);
   v->set_face(face);
   if (location.locus == EDGE) {
-    flip(Edge(faces[static_cast<std::size_t>(location.index)], location.index));
+    flip(Edge(faces[static_cast<std::size_t>(location.index)], location.index), journal);
   }
 }
 
@@ -229,6 +248,19 @@ auto Torus_triangulation<Traits>::insert(const Point_2& point, Face_handle start
   return v;
 }
 
+template <TorusTraits_2 Traits>
+auto Torus_triangulation<Traits>::insert_near(const Point_2& point, Lattice_offset_2 offset,
+                                              Vertex_handle near, Lattice_offset_2 offset_of_near)
+    -> Vertex_handle {
+  const Face_handle face = near->face();
+  const Lattice_offset_2 of_corner_0 = face->offset(face->index(near));
+  const auto checked = [&](Lattice_offset_2 a, Lattice_offset_2 b) {
+    return checked_difference(a, b, point, near->point());
+  };
+  return insert(point, face,
+                checked(checked(offset, offset_of_near), {-of_corner_0.x, -of_corner_0.y}));
+}
+
 // ---- flips ----
 
 //         c                  c
@@ -238,7 +270,8 @@ auto Torus_triangulation<Traits>::insert(const Point_2& point, Face_handle start
 //       \ | /              \   /           that covers the torus, both pairs are.
 //         d                  d
 template <TorusTraits_2 Traits>
-auto Torus_triangulation<Traits>::flip(const Edge& edge) -> Edge {
+template <class Journal>
+auto Torus_triangulation<Traits>::flip(const Edge& edge, Journal&& journal) -> Edge {
   const auto [face, i] = edge;
   const auto [neighbor, j] = mirror(edge);
   const Vertex_handle here = face->vertex(i);        // a
@@ -249,7 +282,9 @@ auto Torus_triangulation<Traits>::flip(const Edge& edge) -> Edge {
   const Lattice_offset_2 to_here = offset(face, cw(i), i);
   const Lattice_offset_2 to_there = offset(neighbor, ccw(j), j);
   const Lattice_offset_2 to_right = offset(face, cw(i), ccw(i));
-  checked_difference(to_there, to_here, there->point(), here->point());
+  offset_across(edge);  // throws if that is too great
+  journal.before_change(face);
+  journal.before_change(neighbor);
 
   // Two sides move from one face to the other. If they are one edge, the mirror edges move, too.
   const Edge left_side(face, ccw(i));
@@ -277,16 +312,20 @@ auto Torus_triangulation<Traits>::flip(const Edge& edge) -> Edge {
 // A flip stores its four outer edges again, so that an edge on the stack that has moved since is
 // there a second time.
 template <TorusTraits_2 Traits>
-void Torus_triangulation<Traits>::restore_delaunay(std::vector<Edge> edges) {
+template <class Journal>
+bool Torus_triangulation<Traits>::restore_delaunay(std::vector<Edge> edges, Journal&& journal,
+                                                   std::size_t most_flips) {
   while (!edges.empty()) {
     const Edge edge = edges.back();
     edges.pop_back();
     if (!is_violated(edge)) continue;
-    const auto [face, i] = flip(edge);
+    if (most_flips-- == 0) return false;
+    const auto [face, i] = flip(edge, journal);
     const auto [neighbor, j] = mirror(Edge(face, i));
     edges.insert(edges.end(), {Edge(face, cw(i)), Edge(face, ccw(i)), Edge(neighbor, cw(j)),
                                Edge(neighbor, ccw(j))});
   }
+  return true;
 }
 
 // ---- removal ----
@@ -317,15 +356,20 @@ bool Torus_triangulation<Traits>::is_flip_away_possible(const Edge& edge, Vertex
 // Flips edges away from the vertex until it has three. Faces that are flat at the vertex are needed
 // if it is on a diagonal of its neighbors, as in the middle of a square.
 template <TorusTraits_2 Traits>
-bool Torus_triangulation<Traits>::remove_from_faces(Vertex_handle v) {
+template <class Journal>
+bool Torus_triangulation<Traits>::remove_from_faces(Vertex_handle v, Journal&& journal) {
   if (number_of_vertices() == 1) {
+    for (const Face_handle face : tds_.face_handles()) {
+      journal.before_change(face);
+      journal.deleted(face);
+    }
     tds_.faces().clear();
     v->set_face(Face_handle());
     return true;
   }
   std::vector<Face_handle> changed;  // Each flip is within the faces at the vertex.
   int degree = 0;
-  for_each_face_at(v, [&](Face_handle face, int) {
+  detail::for_each_face_at(*this, v, [&](Face_handle face, int) {
     changed.push_back(face);
     ++degree;
   });
@@ -336,7 +380,7 @@ bool Torus_triangulation<Traits>::remove_from_faces(Vertex_handle v) {
     const Edge edge(corner.first, cw(corner.second));
     const int lost = ends_lost_by_flip(edge, v);
     if (lost > 0 && degree - lost >= 3 && is_flip_away_possible(edge, v, may_be_flat)) {
-      flip(edge);
+      flip(edge, journal);
       degree -= lost;
       refused = 0;
       may_be_flat = false;
@@ -358,6 +402,7 @@ bool Torus_triangulation<Traits>::remove_from_faces(Vertex_handle v) {
   const Lattice_offset_2 to_right = offset(face, cw(i), ccw(i));
   const Edge beyond_second = mirror(Edge(second, j));
   const Edge beyond_third = mirror(Edge(third, k));
+  for (const Face_handle at_vertex : {face, second, third}) journal.before_change(at_vertex);
   face->set_vertex(i, second->vertex(cw(j)));
   set_offsets(face, i, {to_apex, to_right, {}});
   link(Edge(face, ccw(i)), beyond_second);
@@ -372,9 +417,11 @@ bool Torus_triangulation<Traits>::remove_from_faces(Vertex_handle v) {
     if (f == second || f == third) continue;
     for (int side = 0; side < 3; ++side) edges.emplace_back(f, side);
   }
-  tds_.delete_face(second);
-  tds_.delete_face(third);
-  restore_delaunay(std::move(edges));
+  for (const Face_handle left_over : {second, third}) {
+    journal.deleted(left_over);
+    tds_.delete_face(left_over);
+  }
+  restore_delaunay(std::move(edges), journal);
   return true;
 }
 
@@ -415,8 +462,10 @@ std::string Torus_triangulation<Traits>::problem_of_face(Face_handle face) const
   const auto name = [&] {
     std::string result = "the face";
     for (int i = 0; i < 3; ++i) {
-      result += " " + std::to_string(face->vertex(i)->point().id()) + " (" +
-                std::to_string(offset(face, i).x) + ", " + std::to_string(offset(face, i).y) + ")";
+      result += ' ';
+      result += std::to_string(face->vertex(i)->point().id());
+      result += " (" + std::to_string(offset(face, i).x);
+      result += ", " + std::to_string(offset(face, i).y) + ")";
     }
     return result;
   };
@@ -429,8 +478,7 @@ std::string Torus_triangulation<Traits>::problem_of_face(Face_handle face) const
       return name() + " does not fit its neighbor at edge " + std::to_string(i);
     }
   }
-  if (orientation(image(face, 0, offset(face, 0)), image(face, 1, offset(face, 1)),
-                  image(face, 2, offset(face, 2))) != CGAL::LEFT_TURN) {
+  if (orientation(face) != CGAL::LEFT_TURN) {
     return name() + " does not turn left";
   }
   return "";

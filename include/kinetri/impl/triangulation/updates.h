@@ -41,7 +41,8 @@ class Kinetic_types<Traits>::Updates {
   /// Removes a vertex from the triangulation, which stays Delaunay at the instant of its
   /// predicates. The vertex stays, without faces. The points that its faces hid are hidden by
   /// others, or revealed. Precondition: edges are noted.
-  void take_out(Vertex_handle v);
+  /// In a periodic box the result may be false: then everything must be rebuilt.
+  bool take_out(Vertex_handle v);
   /// Inserts a vertex without faces at its position: it splits the triangle or edge that it is in.
   /// Inside the hull edges are flipped as in a static triangulation, before any certificate is
   /// made. `state` is that of the certificates of its edges. Precondition: edges are noted.
@@ -78,12 +79,16 @@ class Kinetic_types<Traits>::Updates {
   std::uint64_t number_of_changes() const { return changes_; }
 
  private:
+  class Face_journal;
+
+  bool take_out_in_plane(Vertex_handle v);
+  void put_in_in_plane(Vertex_handle v, const Location& location, Certificate_state state);
   void flip_link(Vertex_handle v);
   std::vector<Vertex_handle> take_hidden(std::span<const Face_handle> faces);
   void put_hidden(std::span<const Vertex_handle> hidden, std::span<const Face_handle> faces);
-  void note_edge(const Edge& edge, int change) { reporter_.note(Topology::ids_of(edge), change); }
+  void note_edge(const Edge& edge, int change) { reporter_.note(Topology::name_of(edge), change); }
   auto note() {
-    return [this](const Edge_ids& edge, int change) { reporter_.note(edge, change); };
+    return [this](const Edge_name& edge, int change) { reporter_.note(edge, change); };
   }
 
   Topology& topology_;

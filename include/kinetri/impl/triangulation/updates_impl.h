@@ -32,6 +32,7 @@ void Kinetic_types<Traits>::Updates::flip(const Edge_with_mirror& edge, Event_ki
     if (!Topology::is_chosen_side(edge.here)) std::swap(faces[0], faces[1]);
   }
   const auto make = [&] {
+    Schedule::forget_entry(edge);
     for (const Edge_with_mirror& side : outer) schedule_.unschedule(side);
     std::vector<Vertex_handle> hidden;
     if constexpr (is_weighted) hidden = take_hidden(faces);
@@ -45,15 +46,88 @@ void Kinetic_types<Traits>::Updates::flip(const Edge_with_mirror& edge, Event_ki
     if constexpr (is_weighted) put_hidden(hidden, faces);
   };
   if (reporter_.has_listeners()) {
-    reporter_.report(flip_event(kind, Topology::flipped_edges(edge)), make);
+    reporter_.report(flip_event(kind, topology_.flipped_edges(edge)), make);
   } else {
     make();
     reporter_.count_event(kind);
   }
 }
 
+// The faces that a change of the torus has changed or created, whose edges are scheduled anew.
+// Their edges leave the queue, and are noted, before the first of their faces changes.
 template <class Traits>
-void Kinetic_types<Traits>::Updates::take_out(Vertex_handle v) {
+class Kinetic_types<Traits>::Updates::Face_journal {
+ public:
+  explicit Face_journal(Updates& updates) : updates_(updates) {}
+
+  void before_change(Face_handle face) {
+    if (is_known(face)) return;
+    for (int i = 0; i < 3; ++i) {
+      const Edge_with_mirror edge = updates_.topology_.with_mirror(Edge(face, i));
+      if (is_known(edge.there.first)) continue;
+      updates_.note_edge(edge.here, -1);
+      updates_.schedule_.unschedule(edge);
+      Topology::set_event(edge, no_event);
+    }
+    created(face);
+  }
+  void created(Face_handle face) {
+    faces_.push_back(face);
+    face->tds_data().mark_in_conflict();
+  }
+  void deleted(Face_handle face) { std::erase(faces_, face); }
+
+  void schedule() {
+    std::vector<Edge_with_mirror> edges;
+    for (const Face_handle face : faces_) {
+      face->tds_data().clear();
+      for (int i = 0; i < 3; ++i) {
+        if (face->event(i) == Topology::listed) continue;
+        const Edge_with_mirror& edge =
+            edges.emplace_back(updates_.topology_.with_mirror(Edge(face, i)));
+        updates_.note_edge(edge.here, 1);
+        Topology::set_event(edge, Topology::listed);
+      }
+    }
+    updates_.schedule_.schedule(edges, updates_.schedule_.current_time());
+  }
+
+ private:
+  static bool is_known(Face_handle face) { return face->tds_data().is_in_conflict(); }
+
+  Updates& updates_;
+  std::vector<Face_handle> faces_;
+};
+
+template <class Traits>
+bool Kinetic_types<Traits>::Updates::take_out(Vertex_handle v) {
+  if constexpr (is_periodic) {
+    ++changes_;
+    Face_journal journal(*this);
+    const bool is_out = triangulation_.remove_from_faces(v, journal);
+    journal.schedule();
+    return is_out;
+  } else {
+    return take_out_in_plane(v);
+  }
+}
+
+template <class Traits>
+void Kinetic_types<Traits>::Updates::put_in(Vertex_handle v, const Location& location,
+                                            Certificate_state state) {
+  if constexpr (is_periodic) {
+    ++changes_;
+    Face_journal journal(*this);
+    triangulation_.insert_in_faces(v, location, journal);
+    triangulation_.restore_delaunay(triangulation_.edges_opposite(v), journal);
+    journal.schedule();
+  } else {
+    put_in_in_plane(v, location, state);
+  }
+}
+
+template <class Traits>
+bool Kinetic_types<Traits>::Updates::take_out_in_plane(Vertex_handle v) {
   ++changes_;
   std::vector<Vertex_handle> hidden;
   if constexpr (is_weighted) {
@@ -62,7 +136,8 @@ void Kinetic_types<Traits>::Updates::take_out(Vertex_handle v) {
       triangulation_.take_from_face(v);
       reporter_.note_hidden(v->point().id(), false);
       reporter_.note_moved_hidden(v->point().id());
-      return triangulation_.show(v);
+      triangulation_.show(v);
+      return true;
     }
     for_each_face_at(triangulation_, v, [&](Face_handle face) {
       schedule_.unschedule_hidden_in(face);
@@ -88,12 +163,13 @@ void Kinetic_types<Traits>::Updates::take_out(Vertex_handle v) {
       }
     }
   }
+  return true;
 }
 
 // Edges at the hull that are violated fail at the present time.
 template <class Traits>
-void Kinetic_types<Traits>::Updates::put_in(Vertex_handle v, const Location& location,
-                                            Certificate_state state) {
+void Kinetic_types<Traits>::Updates::put_in_in_plane(Vertex_handle v, const Location& location,
+                                                     Certificate_state state) {
   const auto& [face, locus, i] = location;
   const bool is_on_edge = locus == Triangulation::EDGE;
   const bool is_inside_hull = !triangulation_.is_infinite(face) &&
@@ -244,7 +320,7 @@ template <class Change_vertices>
 void Kinetic_types<Traits>::Updates::rebuild(const Change_vertices& change_vertices,
                                              std::optional<Triangulation> rebuilt) {
   reporter_.start_noting();
-  const std::vector<Edge_ids> before = topology_.finite_edge_ids();
+  const std::vector<Edge_name> before = topology_.finite_edges();
   show_current_time();
   schedule_.defer();
   change_vertices();
@@ -257,15 +333,15 @@ void Kinetic_types<Traits>::Updates::rebuild(const Change_vertices& change_verti
     reporter_.note_moved_hidden(hidden);
   });
   topology_.set_weights_equal(Topology::have_equal_weights(points));
-  const std::vector<Edge_ids> after = topology_.finite_edge_ids();
-  const auto note_all = [this](const std::vector<Edge_ids>& edges, int change) {
-    for (const Edge_ids& edge : edges) reporter_.note(edge, change);
+  const std::vector<Edge_name> after = topology_.finite_edges();
+  const auto note_all = [this](const std::vector<Edge_name>& edges, int change) {
+    for (const Edge_name& edge : edges) reporter_.note(edge, change);
   };
   if (reporter_.has_observers()) {  // which are told of edges whose triangles may have changed
     note_all(before, -1);
     note_all(after, 1);
   } else {
-    std::vector<Edge_ids> changed;
+    std::vector<Edge_name> changed;
     std::ranges::set_difference(before, after, std::back_inserter(changed));
     note_all(std::exchange(changed, {}), -1);
     std::ranges::set_difference(after, before, std::back_inserter(changed));

@@ -1,0 +1,509 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Triangulations of points in periodic boxes, compared with brute force in integers, with the
+// triangulation of copies in the plane, and with CGAL's periodic triangulation at single times.
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Periodic_2_Delaunay_triangulation_2.h>
+#include <CGAL/Periodic_2_Delaunay_triangulation_traits_2.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "kinetri/events/event.h"
+#include "kinetri/kinetic/periodic_kinetic_traits_2.h"
+#include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
+#include "support/message_of.h"
+#include "support/multiplier.h"
+#include "support/precondition_error.h"
+#include "support/torus_reference.h"
+
+namespace kinetri::periodic_triangulation_2_test {
+namespace {
+
+using test::Face;
+using test::normal_form;
+using Traits = Periodic_kinetic_traits_2;
+using Kinetic = Kinetic_delaunay_triangulation_2<Traits>;
+using Time = Algebraic_number;
+__extension__ using Wide = __int128;
+
+unsigned times(unsigned number) {
+  return number * static_cast<unsigned>(test::multiplier());
+}
+
+Periodic_box_2 square(double side) {
+  return {{{side, 0}, {0, 0}, 0}, {{0, side}, {0, 0}, 0}};
+}
+Kinetic kinetic_of(const Periodic_box_2& box, const std::vector<Linear_motion_2>& motions) {
+  return Kinetic(motions, Time(0), Traits(box));
+}
+
+/// Sorted; offsets are against the points as they were given.
+std::vector<Face> faces_of(const Kinetic& kinetic) {
+  const auto& torus = kinetic.triangulation();
+  std::vector<Face> result;
+  for (const auto face : torus.finite_face_handles()) {
+    const auto image = [&](int i) -> test::Image {
+      return {face->vertex(i)->point().id(), face->offset(i).x, face->offset(i).y};
+    };
+    result.push_back(normal_form({image(0), image(1), image(2)}));
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+std::string audit(const Kinetic& kinetic) {
+  const Audit_report report = kinetic.audit(Audit_level::certificates);
+  return report.passed() ? "" : report.failures.front();
+}
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : generator_(seed) {}
+  int operator()(int least, int greatest) {
+    return least + static_cast<int>(generator_() % static_cast<unsigned>(greatest - least + 1));
+  }
+
+ private:
+  std::mt19937 generator_;
+};
+
+/// A box with small integers: at rest, sheared, growing, turning, shrinking.
+Periodic_box_2 random_box(Random& random, int range) {
+  const bool rests = random(0, 3) == 0;
+  for (;;) {
+    const auto vector = [&] {
+      const double x = random(-range, range);
+      const double y = random(-range, range);
+      const double rate = rests ? 0 : random(-1, 1);
+      return Linear_motion_2{{x, y}, {rate, rests ? 0.0 : random(-1, 1)}, 0};
+    };
+    const Linear_motion_2 a = vector();
+    const Linear_motion_2 b = vector();
+    const auto& [p, q] = std::pair(a.position, b.position);
+    if (p.x * q.y - p.y * q.x > 0) return {a, b};
+  }
+}
+
+std::vector<Linear_motion_2> random_motions(Random& random, int number, int range) {
+  std::vector<Linear_motion_2> result;
+  for (int i = 0; i < number; ++i) {
+    const auto coordinate = [&] { return static_cast<double>(random(-range, range)); };
+    const double x = coordinate();
+    const double y = coordinate();
+    const double vx = coordinate();
+    result.push_back({{x, y}, {vx, coordinate()}, 0});
+  }
+  return result;
+}
+
+/// The edges of a triangulation by its events alone.
+class Edge_log : public Event_observer {
+ public:
+  explicit Edge_log(const std::vector<Periodic_edge>& edges) : edges_(edges.begin(), edges.end()) {}
+
+  void after_event(const Event& event) override {
+    if (event.removed) {
+      EXPECT_EQ(edges_.erase({*event.removed, event.removed_offset}), 1u) << event.number;
+    }
+    if (event.added) {
+      EXPECT_TRUE(edges_.insert({*event.added, event.added_offset}).second) << event.number;
+    }
+  }
+  std::vector<Periodic_edge> edges() const { return {edges_.begin(), edges_.end()}; }
+
+ private:
+  std::set<Periodic_edge> edges_;
+};
+
+// ---- brute force ----
+
+/// The triangulation at a time, of small integer motions with the epoch 0, in integers.
+std::vector<Face> reference_at(const Kinetic& kinetic, const Rational& time) {
+  const auto p = static_cast<Wide>(numerator(time).convert_to<std::int64_t>());
+  const auto q = static_cast<Wide>(denominator(time).convert_to<std::int64_t>());
+  const auto place = [&](const Linear_motion_2& motion) -> test::Vector<Wide> {
+    const auto at = [&](double position, double velocity) {
+      return static_cast<Wide>(position) * q + static_cast<Wide>(velocity) * p;
+    };
+    return {at(motion.position.x, motion.velocity.x), at(motion.position.y, motion.velocity.y)};
+  };
+  const Periodic_box_2& box = kinetic.traits().box();
+  std::vector<test::Placed_point<Wide>> points;
+  for (Point_id id = 0; id < kinetic.next_id(); ++id) {
+    if (kinetic.contains(id) && !kinetic.is_hidden(id)) {
+      points.emplace_back(id, place(kinetic.motion(id)));
+    }
+  }
+  return test::reference<Wide>({place(box.first()), place(box.second())}, points);
+}
+
+/// Whether the triangulation is that of brute force between now and the next event. At a time at
+/// which four images are cocircular for that moment alone it may have other diagonals; so up to
+/// five times are tried.
+bool is_that_of_brute_force(Kinetic& kinetic) {
+  const Time& now = kinetic.current_time();
+  Time end = Time(Rational(now.upper() + 1));
+  if (const auto next = kinetic.next_event_time()) end = std::min(end, *next);
+  if (const auto collapse = kinetic.traits().box().collapse_after(now)) {
+    end = std::min(end, *collapse);
+  }
+  const std::vector<Face> faces = faces_of(kinetic);
+  for (int tries = 0; tries < 5; ++tries) {
+    const Rational time = simplest_between(now, end);
+    if (denominator(time) > 1'000'000) return true;  // too near, for integers of 128 bits
+    if (reference_at(kinetic, time) == faces) return true;
+    end = Time(time);
+  }
+  return false;
+}
+
+TEST(Periodic_triangulation_2, is_that_of_brute_force_after_each_event) {
+  std::size_t instants = 0;
+  std::size_t groups = 0;
+  for (unsigned seed = 1; seed <= times(24); ++seed) {
+    Random random(seed);
+    const int range = std::array{2, 4, 9}[seed % 3];
+    const Periodic_box_2 box = random_box(random, range);
+    Kinetic kinetic =
+        kinetic_of(box, random_motions(random, 1 + static_cast<int>(seed % 6), range));
+    Edge_log log(kinetic.periodic_edges());
+    kinetic.add_observer(log);
+    ASSERT_EQ(audit(kinetic), "") << "seed " << seed;
+    ASSERT_TRUE(is_that_of_brute_force(kinetic)) << "seed " << seed;
+    for (int steps = 0; steps < 12; ++steps) {
+      const std::size_t events = kinetic.step(Time(3));
+      if (events == 0) break;
+      ++instants;
+      if (events > 1) ++groups;
+      const std::size_t visible = kinetic.number_of_points() - kinetic.number_of_hidden_points();
+      ASSERT_EQ(kinetic.periodic_edges().size(), 3 * visible);
+      ASSERT_EQ(kinetic.periodic_edges(), log.edges()) << "seed " << seed;
+      ASSERT_EQ(audit(kinetic), "") << "seed " << seed << ", step " << steps;
+      ASSERT_TRUE(is_that_of_brute_force(kinetic)) << "seed " << seed << ", step " << steps;
+    }
+  }
+  EXPECT_GT(instants, 100u);
+  EXPECT_GT(groups, 20u);
+}
+
+TEST(Periodic_triangulation_2, is_that_of_a_start_at_the_same_time) {
+  std::size_t events = 0;
+  for (unsigned seed = 1; seed <= times(6); ++seed) {
+    Random random(seed);
+    const Periodic_box_2 box = {{{40, 0}, {0, 0}, 0}, {{3, 30}, {20, 0}, 0}};
+    const auto motions = random_motions(random, 40, 30);
+    Kinetic kinetic = kinetic_of(box, motions);
+    for (const double time : {0.25, 0.5, 1.0, 2.0}) {
+      events += kinetic.advance_to(Time(time));
+      const Kinetic other(motions, Time(time), Traits(box));
+      ASSERT_EQ(kinetic.periodic_edges(), other.periodic_edges()) << "seed " << seed;
+      ASSERT_EQ(faces_of(kinetic), faces_of(other)) << "seed " << seed;
+    }
+    ASSERT_EQ(audit(kinetic), "") << "seed " << seed;
+  }
+  EXPECT_GT(events, 1000u);
+}
+
+// ---- copies in the plane ----
+
+// Copies in three cells on each side of the middle one: the vectors of the box are its shortest.
+TEST(Periodic_triangulation_2, is_that_of_copies_in_the_plane) {
+  constexpr int cells = 3;
+  std::size_t events = 0;
+  for (unsigned seed = 1; seed <= times(3); ++seed) {
+    Random random(seed);
+    const double shear = random(0, 1);
+    const Periodic_box_2 box = {{{16, 0}, {1, 0}, 0}, {{0, 16}, {shear, random(0, 1) * 1.0}, 0}};
+    const auto motions = random_motions(random, 6, 15);
+    Kinetic kinetic = kinetic_of(box, motions);
+    // Copy (x, y) of point i has the number that `images` has in its place.
+    std::vector<test::Image> images;
+    std::vector<Linear_motion_2> copies;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      const auto wrapped = [&](int x, int y) {
+        const auto& [a, b] = std::pair(box.first(), box.second());
+        const auto at = [&](double p, double u, double v) { return p + x * u + y * v; };
+        return Linear_motion_2{{at(motions[i].position.x, a.position.x, b.position.x),
+                                at(motions[i].position.y, a.position.y, b.position.y)},
+                               {at(motions[i].velocity.x, a.velocity.x, b.velocity.x),
+                                at(motions[i].velocity.y, a.velocity.y, b.velocity.y)},
+                               0};
+      };
+      const int x = -static_cast<int>(std::floor(motions[i].position.x / 16));
+      const int y = -static_cast<int>(std::floor(motions[i].position.y / 16));
+      for (int dx = -cells; dx <= cells; ++dx) {
+        for (int dy = -cells; dy <= cells; ++dy) {
+          images.emplace_back(static_cast<Point_id>(i), x + dx, y + dy);
+          copies.push_back(wrapped(x + dx, y + dy));
+        }
+      }
+    }
+    Kinetic_delaunay_triangulation_2<> plane(copies);
+    constexpr std::size_t middle = (2 * cells + 1) * (2 * cells + 1) / 2;
+    for (int step = 0; step <= 16; ++step) {
+      const Time time(step / 16.0);
+      events += kinetic.advance_to(time);
+      plane.advance_to(time);
+      std::set<Face> faces;
+      for (const auto face : plane.triangulation().finite_face_handles()) {
+        const auto is_in_middle = [&](int i) {
+          return face->vertex(i)->point().id() % (2 * middle + 1) == middle;
+        };
+        if (!is_in_middle(0) && !is_in_middle(1) && !is_in_middle(2)) continue;
+        const auto image = [&](int i) { return images[face->vertex(i)->point().id()]; };
+        faces.insert(normal_form({image(0), image(1), image(2)}));
+      }
+      ASSERT_EQ(faces_of(kinetic), std::vector<Face>(faces.begin(), faces.end()))
+          << "seed " << seed << ", step " << step;
+    }
+  }
+  EXPECT_GT(events, 60u);
+}
+
+// ---- CGAL's periodic triangulation ----
+
+// All positions are multiples of 2^-20, exact in binary64.
+TEST(Periodic_triangulation_2, is_that_of_cgal_at_many_times_in_a_square) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Periodic = CGAL::Periodic_2_Delaunay_triangulation_2<
+      CGAL::Periodic_2_Delaunay_triangulation_traits_2<Kernel>>;
+  Random random(1);
+  const auto coordinate = [&] { return std::ldexp(random(0, (1 << 20) - 1), -20); };
+  std::vector<Linear_motion_2> motions;
+  for (int i = 0; i < 60; ++i) {
+    const double x = coordinate();
+    const double y = coordinate();
+    const double vx = std::ldexp(random(-1024, 1024), -10);
+    motions.push_back({{x, y}, {vx, std::ldexp(random(-1024, 1024), -10)}, 0});
+  }
+  Kinetic kinetic = kinetic_of(square(1), motions);
+  for (unsigned k = 0; k < times(20); ++k) {
+    const double time = k / 16.0;
+    kinetic.advance_to(Time(time));
+    std::map<Periodic::Point, test::Image> images;
+    Periodic expected;
+    for (Point_id id = 0; id < motions.size(); ++id) {
+      const auto at = [&](double p, double v) { return p + v * time; };
+      const double x = at(motions[id].position.x, motions[id].velocity.x);
+      const double y = at(motions[id].position.y, motions[id].velocity.y);
+      const Periodic::Point place(x - std::floor(x), y - std::floor(y));
+      images[place] = {id, -static_cast<std::int64_t>(std::floor(x)),
+                       -static_cast<std::int64_t>(std::floor(y))};
+      expected.insert(place);
+    }
+    ASSERT_EQ(images.size(), motions.size());
+    std::vector<Face> faces;
+    for (auto it = expected.periodic_triangles_begin(Periodic::UNIQUE);
+         it != expected.periodic_triangles_end(Periodic::UNIQUE); ++it) {
+      const auto image = [&](std::size_t i) -> test::Image {
+        const auto& [place, offset] = (*it)[i];
+        const auto& [id, x, y] = images.at(place);
+        return {id, x + offset.x(), y + offset.y()};
+      };
+      faces.push_back(normal_form({image(0), image(1), image(2)}));
+    }
+    std::ranges::sort(faces);
+    ASSERT_EQ(faces_of(kinetic), faces) << "time " << time;
+  }
+  EXPECT_GT(kinetic.counters().number_of_events(), 100u);
+}
+
+// ---- reversal, snapshots ----
+
+TEST(Periodic_triangulation_2, goes_back_and_forth) {
+  std::size_t undone = 0;
+  for (unsigned seed = 1; seed <= times(10); ++seed) {
+    Random random(seed);
+    const int range = std::array{2, 4, 30}[seed % 3];
+    Periodic_box_2 box = random_box(random, range);
+    while (box.collapse_after(Time(0)) && *box.collapse_after(Time(0)) <= Time(1.5)) {
+      box = random_box(random, range);
+    }
+    Kinetic kinetic = kinetic_of(box, random_motions(random, 8, range));
+    const std::vector<Face> faces = faces_of(kinetic);
+    kinetic.advance_to(Time(1));
+    const std::vector<Face> faces_at_1 = faces_of(kinetic);
+    undone += kinetic.reverse();
+    EXPECT_EQ(kinetic.traits().box(), mirrored(box));
+    ASSERT_EQ(audit(kinetic), "") << "seed " << seed;
+    Edge_log log(kinetic.periodic_edges());
+    kinetic.add_observer(log);
+    kinetic.advance_to(Time(0));
+    ASSERT_EQ(audit(kinetic), "") << "seed " << seed;
+    kinetic.reverse();
+    EXPECT_EQ(kinetic.periodic_edges(), log.edges()) << "seed " << seed;
+    EXPECT_EQ(faces_of(kinetic), faces) << "seed " << seed;
+    kinetic.advance_to(Time(1));
+    EXPECT_EQ(faces_of(kinetic), faces_at_1) << "seed " << seed;
+    kinetic.remove_observer(log);
+  }
+  EXPECT_GT(undone, 5u);
+}
+
+TEST(Periodic_triangulation_2, goes_on_from_a_snapshot) {
+  Random random(3);
+  const Periodic_box_2 box = {{{40, 0}, {0, 0}, 0}, {{3, 30}, {20, 0}, 0}};
+  Kinetic kinetic = kinetic_of(box, random_motions(random, 30, 30));
+  kinetic.advance_to(Time(0.5));
+  Kinetic other = Kinetic::restore(kinetic.snapshot(), kinetic.traits());
+  EXPECT_EQ(faces_of(other), faces_of(kinetic));
+  EXPECT_EQ(other.advance_to(Time(1)), kinetic.advance_to(Time(1)));
+  EXPECT_EQ(faces_of(other), faces_of(kinetic));
+  EXPECT_EQ(other.counters().number_of_events(), kinetic.counters().number_of_events());
+}
+
+// ---- changes of points ----
+
+TEST(Periodic_triangulation_2, follows_points_that_turn_jump_come_and_go) {
+  for (unsigned seed = 1; seed <= times(8); ++seed) {
+    Random random(seed);
+    const int range = std::array{3, 9, 30}[seed % 3];
+    const Periodic_box_2 box = {{{12, 1}, {1, 0}, 0}, {{-2, 11}, {2, 1}, 0}};
+    Kinetic kinetic = kinetic_of(box, random_motions(random, 6, range));
+    Edge_log log(kinetic.periodic_edges());
+    kinetic.add_observer(log);
+    for (int step = 0; step < 12; ++step) {
+      const auto motion = [&] { return random_motions(random, 1, range).front(); };
+      std::vector<Point_id> ids;
+      for (Point_id id = 0; id < kinetic.next_id(); ++id) {
+        if (kinetic.contains(id)) ids.push_back(id);
+      }
+      const auto some = [&] {
+        return ids[static_cast<std::size_t>(random(0, static_cast<int>(ids.size()) - 1))];
+      };
+      switch (random(0, 4)) {
+        case 0:
+          kinetic.insert(motion());
+          break;
+        case 1:
+          if (ids.size() > 1) kinetic.erase(some());
+          break;
+        case 2:
+          kinetic.set_motion(some(), motion());
+          break;
+        case 3: {  // turns where it is
+          const Point_id id = some();
+          const std::vector<Point_id> one = {id};
+          const std::vector<Vector_2> velocity = {{random(-3, 3) * 1.0, random(-3, 3) * 1.0}};
+          kinetic.set_velocities(one, velocity);
+          break;
+        }
+        default: {
+          std::vector<Linear_motion_2> motions;
+          for (std::size_t i = 0; i < ids.size(); ++i) motions.push_back(motion());
+          kinetic.set_motions(ids, motions);
+        }
+      }
+      ASSERT_EQ(audit(kinetic), "") << "seed " << seed << ", step " << step;
+      ASSERT_EQ(kinetic.periodic_edges(), log.edges()) << "seed " << seed << ", step " << step;
+      kinetic.advance_to(Time(Rational(step + 1) / 4));
+      ASSERT_EQ(audit(kinetic), "") << "seed " << seed << ", step " << step;
+      ASSERT_EQ(kinetic.periodic_edges(), log.edges()) << "seed " << seed << ", step " << step;
+    }
+    kinetic.remove_observer(log);
+  }
+}
+
+TEST(Periodic_triangulation_2, is_empty_without_points) {
+  Kinetic kinetic = kinetic_of(square(1), {});
+  EXPECT_EQ(audit(kinetic), "");
+  EXPECT_EQ(kinetic.next_event_time(), std::nullopt);
+  EXPECT_TRUE(kinetic.periodic_edges().empty());
+  const Point_id id = kinetic.insert({{0.5, 0.5}, {1, 0}, 0});
+  EXPECT_EQ(kinetic.periodic_edges().size(), 3u);
+  EXPECT_EQ(kinetic.finite_edge_ids(), std::vector<Edge_ids>(3, Edge_ids{0, 0}));
+  EXPECT_EQ(audit(kinetic), "");
+  kinetic.erase(id);
+  EXPECT_TRUE(kinetic.periodic_edges().empty());
+  EXPECT_EQ(audit(kinetic), "");
+  kinetic.insert({{0.25, 7.5}, {1, 0}, 0});
+  EXPECT_EQ(kinetic.advance_to(Time(100)), 0u);
+  EXPECT_EQ(audit(kinetic), "");
+}
+
+// ---- points that are images of each other ----
+
+TEST(Periodic_triangulation_2, hides_points_that_are_images_of_others) {
+  const Periodic_box_2 box = {{{4, 0}, {0, 0}, 0}, {{0, 4}, {1, 0}, 0}};
+  // Point 1 is point 0, moved by twice the second vector, which has a rate.
+  const std::vector<Linear_motion_2> motions = {
+      {{1, 1}, {0, 1}, 0}, {{1, 9}, {2, 1}, 0}, {{2, 3}, {0, 0}, 0}, {{1, 5}, {0, 1}, 0}};
+  Kinetic kinetic = kinetic_of(box, motions);
+  EXPECT_TRUE(kinetic.is_hidden(1));
+  EXPECT_FALSE(kinetic.is_hidden(3)) << "moves away from the image";
+  EXPECT_EQ(kinetic.coincident_points(0), std::vector<Point_id>{1});
+  EXPECT_EQ(kinetic.periodic_edges().size(), 9u);
+  EXPECT_EQ(audit(kinetic), "");
+  kinetic.advance_to(Time(2));
+  EXPECT_EQ(audit(kinetic), "");
+  kinetic.set_motion(0, {{0, 0}, {0, 0}, 0});
+  EXPECT_FALSE(kinetic.is_hidden(1));
+  EXPECT_EQ(audit(kinetic), "");
+
+  const auto refused = [&] { Kinetic(motions, Time(0), Traits(box), Coincident_points::refuse); };
+  EXPECT_NE(test::message_of<Coincident_trajectories_error>(refused).find("0"), std::string::npos);
+  EXPECT_THROW(refused(), Coincident_trajectories_error);
+}
+
+// ---- boxes that collapse ----
+
+TEST(Periodic_triangulation_2, ends_before_its_box_loses_its_area) {
+  const Periodic_box_2 box = {{{4, 0}, {-1, 0}, 0}, {{0, 4}, {0, 0}, 0}};
+  Kinetic kinetic = kinetic_of(box, {{{1, 1}, {3, 1}, 0}, {{2, 3}, {-1, 2}, 0}});
+  EXPECT_GT(kinetic.advance_to(Time(3)), 0u);
+  EXPECT_EQ(test::message_of<Periodic_box_error>([&] { kinetic.advance_to(Time(4)); }),
+            "the periodic box has no area at time 4; stop before that time, or change the rates of "
+            "the lattice vectors");
+  EXPECT_EQ(kinetic.current_time(), Time(3));
+  for (int steps = 0; steps < 20 && kinetic.step() > 0; ++steps) {
+    ASSERT_LT(kinetic.current_time(), Time(4));
+  }
+  EXPECT_EQ(audit(kinetic), "");
+  // A point at rest in a box that shrinks in one direction only has finitely many events.
+  Kinetic alone = kinetic_of(box, {{{1, 1}, {0, 0}, 0}});
+  while (alone.step() > 0) ASSERT_LT(alone.current_time(), Time(4));
+  EXPECT_EQ(alone.next_event_time(), std::nullopt);
+  EXPECT_FALSE(alone.has_event_before(Time(5)));
+  EXPECT_THROW(kinetic_of({{{4, 0}, {-1, 0}, 4}, {{0, 4}, {0, 0}, 0}}, {}).advance_to(Time(9)),
+               Periodic_box_error);
+  const Periodic_box_2 later = {{{-1, 0}, {1, 0}, 0}, {{0, 4}, {0, 0}, 0}};
+  EXPECT_EQ(test::message_of<Periodic_box_error>([&] { kinetic_of(later, {}); }),
+            "the periodic box has a negative area at time 0; the second lattice vector is to the "
+            "right of the first: swap the two");
+}
+
+TEST(Periodic_triangulation_2, refuses_positions_beyond_2_to_the_31_boxes) {
+  EXPECT_EQ(test::message_of<Periodic_box_error>([] {
+              kinetic_of(square(1), {{{0, 0}, {0, 0}, 0}, {{1e10, 0}, {0, 0}, 0}});
+            }),
+            "point 1 is 2^31 or more lattice vectors away from the periodic box, or from other "
+            "points; give the position of an image that is closer");
+  Kinetic kinetic = kinetic_of(square(1), {{{0, 0}, {0, 0}, 0}, {{1e9 + 0.25, 0.25}, {0, 0}, 0}});
+  EXPECT_EQ(audit(kinetic), "");
+}
+
+// As the lattice becomes flat, its short vectors have greater and greater offsets.
+TEST(Periodic_triangulation_2, stays_within_an_event_after_an_offset_that_is_too_great) {
+  const Periodic_box_2 box = {{{1, 0}, {0, 0}, 0}, {{std::sqrt(0.5), 1}, {0, -1}, 0}};
+  Kinetic kinetic = kinetic_of(box, {{{0, 0}, {0, 0}, 0}});
+  const std::string message = test::message_of<Error>([&] {
+    while (kinetic.step() > 0) {
+    }
+  });
+  EXPECT_NE(message.find("expected less than 2^31 of each"), std::string::npos) << message;
+  EXPECT_PRECONDITION_ERROR(kinetic.step(),
+                            "an exception has left the triangulation within an event; make another "
+                            "one, or restore a snapshot");
+}
+
+}  // namespace
+}  // namespace kinetri::periodic_triangulation_2_test
