@@ -125,14 +125,8 @@ class Kinetic_types<Traits>::Certification {
   };
 
   Certificate_points points_in_plane(const Edge_with_mirror& edge) const;
-  /// The points around an edge that has just been flipped.
-  struct Around_flip {
-    std::array<Corner, 4> corners = {};
-    std::array<Corner, 4> beyond = {};
-  };
-
-  static bool find_around(const Edge_with_mirror& edge, const Outer_edges& outer,
-                          const Triangulation& triangulation, Around_flip& around);
+  template <class Use>
+  bool use_around(const Edge_with_mirror& edge, const Outer_edges& outer, const Use& use) const;
   template <class Now, class Put>
   bool certify_together(const Edge_with_mirror& edge, const Outer_edges& outer,
                         const Double_interval& bounds, const Now& now,

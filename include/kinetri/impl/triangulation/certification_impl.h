@@ -19,8 +19,14 @@ template <class Traits>
 auto Kinetic_types<Traits>::Certification::points(const Edge_with_mirror& edge) const
     -> Certificate_points {
   if constexpr (is_periodic) {
-    const auto [apex, right, opposite, left] = triangulation_.quadrilateral(edge.here);
-    return {Entry_kind::flip, {right, left, apex, opposite}};
+    // Against an end of the edge, which has an edge to all others.
+    const auto& [face, i] = edge.here;
+    const auto& [neighbor, j] = edge.there;
+    const int left = Triangulation::cw(i);
+    return {Entry_kind::flip,
+            {triangulation_.corner(face, Triangulation::ccw(i), left),
+             triangulation_.corner(face, left, left), triangulation_.corner(face, i, left),
+             triangulation_.corner(neighbor, j, Triangulation::ccw(j))}};
   } else {
     return points_in_plane(edge);
   }
@@ -158,40 +164,57 @@ inline void Kinetic_types<Traits>::Certification::certify_after_flip(
   certify(outer, now(), Certificate_state::any, counters, put);
 }
 
-// Returns false if a point is infinite or, in a periodic box, an offset too great.
+// Calls use(around) with the points around an edge that has been flipped. Does nothing and returns
+// false if a point is infinite or, in a periodic box, an offset too great.
 template <class Traits>
-inline bool Kinetic_types<Traits>::Certification::find_around(const Edge_with_mirror& edge,
-                                                              const Outer_edges& outer,
-                                                              const Triangulation& triangulation,
-                                                              Around_flip& around) {
+template <class Use>
+inline bool Kinetic_types<Traits>::Certification::use_around(const Edge_with_mirror& edge,
+                                                             const Outer_edges& outer,
+                                                             const Use& use) const {
   const auto& [face, i] = edge.here;
   const auto& [neighbor, j] = edge.there;
+  const int left = Triangulation::cw(i);
+  const int right = Triangulation::ccw(i);
   KINETRI_ASSERT(face->neighbor(i) == neighbor && neighbor->neighbor(j) == face,
                  "CGAL's flip turns the edge in its faces by one index");
+  const auto beyond = [&](std::size_t k) {
+    return outer[k].here.first->vertex(outer[k].here.second);
+  };
   if constexpr (is_periodic) {
     // Against an end of the edge, which has an edge to all corners.
-    const auto [apex, right, opposite, left] = triangulation.quadrilateral(edge.here);
-    around.corners = {left, apex, right, opposite};
+    const int left_beyond = Triangulation::ccw(j);
+    std::array<Lattice_offset_2, 4> offsets;
     for (std::size_t k = 0; k < 4; ++k) {
-      const int from = k < 2 ? Triangulation::cw(i) : Triangulation::ccw(j);
-      const auto offset = Triangulation::offset_beyond(outer[k].there, from);
+      const auto offset = Triangulation::offset_beyond(outer[k].there, k < 2 ? left : left_beyond);
       if (!offset) return false;
-      const Vertex_handle beyond = outer[k].here.first->vertex(outer[k].here.second);
-      around.beyond[k] = triangulation.geom_traits().image(beyond->point(), *offset);
+      offsets[k] = *offset;
     }
+    const auto image_beyond = [&](std::size_t k) {
+      return traits_.image(beyond(k)->point(), offsets[k]);
+    };
+    const std::array<Image_2, 8> images = {triangulation_.corner(face, left, left),
+                                           triangulation_.corner(face, i, left),
+                                           triangulation_.corner(face, right, left),
+                                           triangulation_.corner(neighbor, j, left_beyond),
+                                           image_beyond(0),
+                                           image_beyond(1),
+                                           image_beyond(2),
+                                           image_beyond(3)};
+    use({{&images[0], &images[1], &images[2], &images[3]},
+         {&images[4], &images[5], &images[6], &images[7]}});
     return true;
   } else {
-    const std::array<Vertex_handle, 4> corners = {
-        face->vertex(Triangulation::cw(i)), face->vertex(i), face->vertex(Triangulation::ccw(i)),
-        neighbor->vertex(j)};
+    const std::array<Vertex_handle, 4> corners = {face->vertex(left), face->vertex(i),
+                                                  face->vertex(right), neighbor->vertex(j)};
     bool are_finite = true;
+    Flip_neighborhood<Point_2> around;
     for (std::size_t k = 0; k < 4; ++k) {
-      const Vertex_handle beyond = outer[k].here.first->vertex(outer[k].here.second);
       around.corners[k] = &corners[k]->point();
-      around.beyond[k] = &beyond->point();
-      are_finite = are_finite && !triangulation.is_infinite(corners[k]) &&
-                   !triangulation.is_infinite(beyond);
+      around.beyond[k] = &beyond(k)->point();
+      are_finite = are_finite && !triangulation_.is_infinite(corners[k]) &&
+                   !triangulation_.is_infinite(beyond(k));
     }
+    if (are_finite) use(around);
     return are_finite;
   }
 }
@@ -203,32 +226,21 @@ inline bool Kinetic_types<Traits>::Certification::certify_together(
     const Edge_with_mirror& edge, const Outer_edges& outer, const Double_interval& bounds,
     const Now& now, Certificate_counters& counters, const Put& put) const {
   if constexpr (BatchKineticTraits_2<Traits>) {
-    Around_flip found;
-    if (!find_around(edge, outer, triangulation_, found)) return false;
-    Flip_neighborhood<Image_2> around;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if constexpr (is_periodic) {
-        around.corners[k] = &found.corners[k];
-        around.beyond[k] = &found.beyond[k];
-      } else {
-        around.corners[k] = found.corners[k];
-        around.beyond[k] = found.beyond[k];
+    return use_around(edge, outer, [&](const Flip_neighborhood<Image_2>& around) {
+      auto certificates = traits_.certificates_after_flip(around, bounds);
+      for (std::size_t k = 0; k < certificates.size(); ++k) {
+        const Edge_with_mirror& e = k < 4 ? outer[k] : edge;
+        Certificate& known = certificates[k];
+        if (known.kind == Certificate::Kind::unknown) {
+          const auto [p, q, r, s] = around.certificate(k);
+          known = traits_.in_circle_certificate(
+              *p, *q, *r, *s, now(), k < 4 ? Certificate_state::any : Certificate_state::vanishes);
+        }
+        counters.count(known);
+        const Entry_kind kind = first_failure(e, Entry_kind::flip, known, now, counters);
+        put(e, kind, std::move(known));
       }
-    }
-    auto certificates = traits_.certificates_after_flip(around, bounds);
-    for (std::size_t k = 0; k < certificates.size(); ++k) {
-      const Edge_with_mirror& e = k < 4 ? outer[k] : edge;
-      Certificate& known = certificates[k];
-      if (known.kind == Certificate::Kind::unknown) {
-        const auto [p, q, r, s] = around.certificate(k);
-        known = traits_.in_circle_certificate(
-            *p, *q, *r, *s, now(), k < 4 ? Certificate_state::any : Certificate_state::vanishes);
-      }
-      counters.count(known);
-      const Entry_kind kind = first_failure(e, Entry_kind::flip, known, now, counters);
-      put(e, kind, std::move(known));
-    }
-    return true;
+    });
   }
   return false;
 }

@@ -172,7 +172,7 @@ class Kinetic_types<Traits>::Schedule {
   }
   /// The same for a certificate that fails then.
   void set_current_time(const Certificate_points& failed, const Double_interval& bounds) {
-    pending_time_ = {failed, bounds};
+    pending_time_.emplace(failed, bounds);
   }
 
   // ---- the queue ----
