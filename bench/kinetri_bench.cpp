@@ -62,6 +62,7 @@ const std::map<std::string, Mode> modes = {
     {"frames", {measure_frames, "frame rates above which the kinetic triangulation is faster"}},
     {"lattice-row",
      {measure_lattice_row, "time per event of a lattice in which one row moves, against uniform"}},
+    {"periodic", {measure_periodic, "time per event in a periodic box, against the plane", 1}},
     {"paper-table", {measure_paper_table, "events scheduled, executed, discarded: eager and lazy"}},
     {"weights",
      {measure_weights, "time per event of the regular triangulation, beside the Delaunay one", 1}},

@@ -2,9 +2,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
+#include "kinetri/kinetic/periodic_kinetic_traits_2.h"
 #include "kinetri/kinetri.h"
 #include "measurements.h"
 
@@ -205,6 +208,35 @@ json measure_lattice_row(const Setup& setup) {
   const double of_lattice = seconds_per_event(lattice);
   const double of_scenario = seconds_per_event(setup.motions());
   return {{"seconds_per_event", of_lattice}, {"event_over_event", ratio(of_lattice, of_scenario)}};
+}
+
+json measure_periodic(const Setup& setup) {
+  const std::vector<Linear_motion_2> motions = setup.motions();
+  double side = 0;
+  for (const Linear_motion_2& m : motions) {
+    side = std::max({side, m.position.x, m.position.y});
+  }
+  const Periodic_kinetic_traits_2 box({{{side, 0}, {0, 0}, 0}, {{0, side}, {0, 0}, 0}});
+  const auto run = [&](const auto& traits) {
+    using Traits = std::remove_cvref_t<decltype(traits)>;
+    const Stopwatch start;
+    Kinetic_triangulation_2<Traits> triangulation(motions, Algebraic_number(), traits);
+    const double start_seconds = start.seconds();
+    const Stopwatch watch;
+    const auto events = static_cast<double>(triangulation.advance_to(setup.until));
+    return std::array{start_seconds / static_cast<double>(motions.size()), events,
+                      ratio(watch.seconds(), events)};
+  };
+  return median_round([&]() -> json {
+    const auto [start, events, event] = run(box);
+    const auto [start_in_plane, events_in_plane, event_in_plane] = run(Linear_kinetic_traits_2());
+    return {{"events", events},
+            {"events_in_plane", events_in_plane},
+            {"seconds_per_event", event},
+            {"event_over_event_in_plane", ratio(event, event_in_plane)},
+            {"start_seconds_per_point", start},
+            {"start_over_start_in_plane", ratio(start, start_in_plane)}};
+  });
 }
 
 json measure_paper_table(const Setup& setup) {

@@ -88,6 +88,10 @@ nlohmann::json measure_paper_table(const Setup& setup);
 /// are simultaneous. And the setup's own scenario, run to time 1, to compare with.
 nlohmann::json measure_lattice_row(const Setup& setup);
 
+/// In a periodic box, the smallest square with the points, and in the plane: seconds of an event,
+/// and of the start for each point.
+nlohmann::json measure_periodic(const Setup& setup);
+
 /// The frame rates above which the exact triangulation takes less time than a static rebuild for
 /// each frame, and than moving each vertex of a static triangulation for each frame.
 nlohmann::json measure_frames(const Setup& setup);

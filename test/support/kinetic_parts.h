@@ -62,7 +62,7 @@ struct Topology_part {
   }
 
   std::set<Edge_ids> edges() const {
-    const std::vector<Edge_ids> ids = topology.finite_edge_ids();
+    const std::vector<Edge_ids> ids = topology.finite_edges();
     return {ids.begin(), ids.end()};
   }
   /// The edge between two points, or between one and the infinite vertex (no_point).

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "kinetri/events/event.h"
+#include "kinetri/impl/triangulation/kinetic_core_impl.h"
 #include "kinetri/kinetic/periodic_kinetic_traits_2.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 #include "support/message_of.h"
@@ -410,6 +411,76 @@ TEST(Periodic_triangulation_2, follows_points_that_turn_jump_come_and_go) {
       ASSERT_EQ(kinetic.periodic_edges(), log.edges()) << "seed " << seed << ", step " << step;
     }
     kinetic.remove_observer(log);
+  }
+}
+
+// ---- steps ----
+
+TEST(Periodic_triangulation_2, follows_points_that_are_moved_step_by_step) {
+  for (unsigned seed = 1; seed <= times(6); ++seed) {
+    Random random(seed);
+    const int n = std::array{1, 5, 300}[seed % 3];
+    const Periodic_box_2 box = {{{12, 1}, {1, 0}, 0}, {{-2, 11}, {2, 1}, 0}};
+    const bool is_lattice = random(0, 1) == 0;
+    const auto place = [&]() -> Vector_2 {
+      if (is_lattice) return {random(-12, 12) * 1.0, random(-12, 12) * 1.0};
+      return {random(-12000, 12000) / 1000.0, random(-12000, 12000) / 1000.0};
+    };
+    std::vector<Vector_2> places;
+    std::vector<Linear_motion_2> motions;
+    for (int i = 0; i < n; ++i) {
+      places.push_back(place());
+      motions.push_back({places.back(), {0, 0}, 0});
+    }
+    Kinetic kinetic = kinetic_of(box, motions);
+    Edge_log log(kinetic.periodic_edges());
+    kinetic.add_observer(log);
+    for (int step = 1; step <= 8; ++step) {
+      const double length = std::array{0.01, 0.1, 1.0}[static_cast<std::size_t>(step) % 3];
+      for (Vector_2& p : places) {
+        if (random(0, 20) == 0) p = place();  // jumps, to others too
+        if (is_lattice && random(0, 2) > 0) continue;
+        p = {p.x + length * random(-100, 100) / 100, p.y + length * random(-100, 100) / 100};
+      }
+      kinetic.set_positions(places);
+      ASSERT_EQ(audit(kinetic), "") << "seed " << seed << ", step " << step;
+      ASSERT_EQ(kinetic.periodic_edges(), log.edges()) << "seed " << seed << ", step " << step;
+      kinetic.advance_to(Time(step / 4.0));
+      ASSERT_EQ(kinetic.periodic_edges(), log.edges()) << "seed " << seed << ", step " << step;
+    }
+    ASSERT_EQ(audit(kinetic), "") << "seed " << seed;
+    kinetic.remove_observer(log);
+  }
+}
+
+TEST(Periodic_triangulation_2, is_repaired_after_small_steps_and_constructed_after_great_ones) {
+  using Types = detail::Kinetic_types<Traits>;
+  Random random(1);
+  const auto coordinate = [&] { return random(-10000, 10000) / 1000.0; };
+  std::vector<Linear_motion_2> motions;
+  for (int i = 0; i < 400; ++i) {
+    const double x = coordinate();
+    motions.push_back({{x, coordinate()}, {0, 0}, 0});
+  }
+  for (const double length : {0.05, 0.1, 20.0}) {
+    detail::Kinetic_core<Traits> core(Traits(square(20)), Time(0));
+    std::vector<Types::Point_2> points;
+    std::vector<Types::Change> changes;
+    for (Point_id id = 0; id < motions.size(); ++id) {
+      points.emplace_back(motions[id], id);
+      Linear_motion_2 moved = motions[id];
+      moved.position.x += length * random(-100, 100) / 100;
+      moved.position.y += length * random(-100, 100) / 100;
+      changes.push_back({id, moved});
+    }
+    core.start_with(points, points.size());
+    core.reporter.start_noting();
+    Types::Torus_repair repair(core.topology, core.schedule, core.reporter, core.updates);
+    EXPECT_EQ(repair.move(changes), length < 1) << "length " << length;
+    if (length > 1) continue;
+    std::vector<Linear_motion_2> after;
+    for (const Types::Change& change : changes) after.push_back(*change.motion);
+    EXPECT_EQ(core.topology.finite_edges(), kinetic_of(square(20), after).periodic_edges());
   }
 }
 

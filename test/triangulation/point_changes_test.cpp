@@ -28,7 +28,7 @@ struct Point_changes : testing::Test {
   }
 
   Edge_set edges() const {
-    const auto ids = core.topology.finite_edge_ids();
+    const auto ids = core.topology.finite_edges();
     return {ids.begin(), ids.end()};
   }
   /// Makes the changes as one event each. Compares the edges that it says have changed.

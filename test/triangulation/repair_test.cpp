@@ -60,7 +60,7 @@ TEST(Repair, of_small_steps_pays_and_ends_with_the_edges_of_the_new_positions) {
     const Motions after = shifted(before, 0.06, random);
     Moved moved(before, after);
     ASSERT_TRUE(moved.is_repaired);
-    EXPECT_EQ(moved.core.topology.finite_edge_ids(), edges_of(after));
+    EXPECT_EQ(moved.core.topology.finite_edges(), edges_of(after));
     const Changed_edges changed = moved.core.reporter.report_edges();
     EXPECT_EQ(changed.removed.size() + edges_of(after).size(),
               changed.added.size() + edges_of(before).size());
@@ -80,7 +80,7 @@ TEST(Repair, of_long_steps_takes_points_out_where_flips_do_not_help) {
     Moved moved(before, after);
     ASSERT_TRUE(moved.is_repaired);
     EXPECT_TRUE(moved.core.topology.triangulation().tds().is_valid());
-    EXPECT_EQ(moved.core.topology.finite_edge_ids(), edges_of(after));
+    EXPECT_EQ(moved.core.topology.finite_edges(), edges_of(after));
   }
 }
 
@@ -93,7 +93,7 @@ TEST(Repair, takes_out_a_point_that_jumps_and_inserts_it_again) {
     after.front().position = place;
     Moved moved(before, after);
     ASSERT_TRUE(moved.is_repaired);
-    EXPECT_EQ(moved.core.topology.finite_edge_ids(), edges_of(after));
+    EXPECT_EQ(moved.core.topology.finite_edges(), edges_of(after));
   }
 }
 

@@ -104,6 +104,7 @@ struct Kinetic_types {
   class Decisions;
   class Updates;
   class Repair;
+  class Torus_repair;
   class Hidden_events;
   class Event_loop;
   class Point_changes;

@@ -11,6 +11,7 @@
 
 #include "kinetri/impl/triangulation/event_loop.h"
 #include "kinetri/impl/triangulation/repair.h"
+#include "kinetri/impl/triangulation/torus_repair.h"
 #include "kinetri/impl/triangulation/updates.h"
 
 namespace kinetri::detail {
@@ -95,6 +96,7 @@ class Kinetic_types<Traits>::Point_changes {
   Changed_edges set_twins(const Vertex_changes& planned);
   void make(Vertex_changes& planned);
   void move(Vertex_changes& planned);
+  bool repair(std::span<const Change> changes);
   void set_point(const Change& change);
   void change_in_place(std::span<const Change> changes);
   bool take_out(std::span<const Jump> jumps);

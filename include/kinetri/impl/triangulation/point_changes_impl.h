@@ -184,7 +184,7 @@ bool Kinetic_types<Traits>::Point_changes::should_schedule_all(std::size_t point
 // coincident points are refused, that would find them too late.
 template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::move_at_once(std::span<const Change> changes) const {
-  if constexpr (!HasRoundedPlace<Motion> || is_periodic) return false;
+  if constexpr (!HasRoundedPlace<Motion>) return false;
   const auto stays = [&](const Change& change) {
     return change.motion && topology_.has_vertex(change.point);
   };
@@ -450,10 +450,9 @@ void Kinetic_types<Traits>::Point_changes::make(Vertex_changes& planned) {
 // with others.
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::move(Vertex_changes& planned) {
-  if constexpr (HasRoundedPlace<Motion> && !is_periodic) {
+  if constexpr (HasRoundedPlace<Motion>) {
     updates_.show_current_time();
-    Repair repair(topology_, reporter_, schedule_.current_time());
-    if (repair.move(planned.changes)) return schedule_.defer();
+    if (repair(planned.changes)) return schedule_.defer();
     std::vector<Point_2> points = topology_.points();
     std::vector<Edge_ids> coincident;
     Triangulation rebuilt = updates_.build_now(points, coincident);
@@ -475,6 +474,15 @@ void Kinetic_types<Traits>::Point_changes::move(Vertex_changes& planned) {
       for (const Joined& joined : planned.joined) set_point({joined.point.id(), std::nullopt});
     };
     updates_.rebuild(remove_joined, std::move(rebuilt));
+  }
+}
+
+template <class Traits>
+bool Kinetic_types<Traits>::Point_changes::repair(std::span<const Change> changes) {
+  if constexpr (is_periodic) {
+    return Torus_repair(topology_, schedule_, reporter_, updates_).move(changes);
+  } else {
+    return Repair(topology_, reporter_, schedule_.current_time()).move(changes);
   }
 }
 

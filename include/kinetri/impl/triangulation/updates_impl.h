@@ -66,7 +66,7 @@ class Kinetic_types<Traits>::Updates::Face_journal {
       const Edge_with_mirror edge = updates_.topology_.with_mirror(Edge(face, i));
       if (is_known(edge.there.first)) continue;
       updates_.note_edge(edge.here, -1);
-      updates_.schedule_.unschedule(edge);
+      if (!updates_.schedule_.is_deferred()) updates_.schedule_.unschedule(edge);
       Topology::set_event(edge, no_event);
     }
     created(face);
@@ -89,6 +89,7 @@ class Kinetic_types<Traits>::Updates::Face_journal {
         Topology::set_event(edge, Topology::listed);
       }
     }
+    if (updates_.schedule_.is_deferred()) return;
     updates_.schedule_.schedule(edges, updates_.schedule_.current_time());
   }
 
