@@ -73,7 +73,7 @@ TEST(Flip, exchanges_the_diagonal_and_keeps_the_edges_around_it) {
   Part part(square);
   const Edge_set before = part.edges();
   const Part::Edge_with_mirror edge = part.edge(4, 5);
-  const auto [removed, added] = Topology::flipped_edges(edge);
+  const auto [removed, added] = part.topology.flipped_edges(edge);
   EXPECT_EQ(removed, (Edge_ids{4, 5}));
   auto outer = part.topology.outer_edges(edge);
   Edge_set outer_before;
