@@ -13,8 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double present = 0.1;
-
 double squared_distance(const Static_kernel::Point_2& p, const Static_kernel::Point_2& q) {
   return (p.x() - q.x()) * (p.x() - q.x()) + (p.y() - q.y()) * (p.y() - q.y());
 }

@@ -16,7 +16,7 @@ using nlohmann::json;
 using Kind = Certificate::Kind;
 
 // The mean distance of neighbors is 10.
-constexpr double range = 5;
+constexpr double contact_range = 5;
 
 // Two points that are neighbors at time 0, and the next two, for comparisons.
 struct Neighbors {
@@ -108,41 +108,42 @@ json certificates(const Traits& traits, const Edges& edges) {
   std::vector<Neighbors> within;
   std::vector<Neighbors> entering;
   for (Neighbors n : all) {
-    const Certificate certificate = traits.apart_certificate(*n.p, *n.q, range, n.from);
+    const Certificate certificate = traits.apart_certificate(*n.p, *n.q, contact_range, n.from);
     if (certificate.kind != Kind::fails) continue;
     if (certificate.failure && *certificate.failure == n.from) {
       within.push_back(n);
     } else if (!certificate.failure) {
-      n.from = traits.contact_failure(*n.p, *n.q, range, certificate.bounds);
+      n.from = traits.contact_failure(*n.p, *n.q, contact_range, certificate.bounds);
       entering.push_back(std::move(n));
     }
   }
   const Algebraic_number zero;
-  json result = {{"in_circle", nanoseconds(edges.quadrilaterals,
-                                           [&](const Quadrilateral& q) {
-                                             const auto& [a, b, c, d] = q.corners;
-                                             return traits.in_circle_certificate(
-                                                 *a, *b, *c, *d, zero, Certificate_state::any);
-                                           })},
-                 {"contact", nanoseconds(all,
-                                         [&](const Neighbors& n) {
-                                           return traits.contact_certificate(*n.p, *n.q, range,
-                                                                             n.from);
-                                         })},
-                 {"apart", nanoseconds(all,
-                                       [&](const Neighbors& n) {
-                                         return traits.apart_certificate(*n.p, *n.q, range, n.from);
-                                       })},
-                 {"near", nanoseconds(within,
-                                      [&](const Neighbors& n) {
-                                        return traits.near_certificate(*n.p, *n.q, range, n.from);
-                                      })},
-                 {"closer", nanoseconds(all, [&](const Neighbors& n) {
-                    return traits.closer_certificate(*n.p, *n.q, *n.r, *n.s, n.from);
-                  })}};
+  json result = {
+      {"in_circle", nanoseconds(edges.quadrilaterals,
+                                [&](const Quadrilateral& q) {
+                                  const auto& [a, b, c, d] = q.corners;
+                                  return traits.in_circle_certificate(*a, *b, *c, *d, zero,
+                                                                      Certificate_state::any);
+                                })},
+      {"contact", nanoseconds(all,
+                              [&](const Neighbors& n) {
+                                return traits.contact_certificate(*n.p, *n.q, contact_range,
+                                                                  n.from);
+                              })},
+      {"apart", nanoseconds(all,
+                            [&](const Neighbors& n) {
+                              return traits.apart_certificate(*n.p, *n.q, contact_range, n.from);
+                            })},
+      {"near", nanoseconds(within,
+                           [&](const Neighbors& n) {
+                             return traits.near_certificate(*n.p, *n.q, contact_range, n.from);
+                           })},
+      {"closer", nanoseconds(all, [&](const Neighbors& n) {
+         return traits.closer_certificate(*n.p, *n.q, *n.r, *n.s, n.from);
+       })}};
   if (!entering.empty()) {
     const Stopwatch watch;
-    for (const Neighbors& n : entering) traits.near_certificate(*n.p, *n.q, range, n.from);
+    for (const Neighbors& n : entering) traits.near_certificate(*n.p, *n.q, contact_range, n.from);
     result["near_from_entry"] = {
         {"ns", 1e9 * watch.seconds() / static_cast<double>(entering.size())},
         {"number", entering.size()}};

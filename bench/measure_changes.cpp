@@ -9,8 +9,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double present = 0.1;
-
 // The changes of a round: random points, and motions for them.
 struct Changes {
   std::vector<Point_id> ids;

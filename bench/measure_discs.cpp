@@ -136,10 +136,10 @@ template <class Simulation>
 Replay replay(const Bench_discs& discs,
               const std::vector<typename Contact_recorder<Simulation>::Contact>& contacts,
               double until) {
-  using Kinetic = typename Simulation::Triangulation;
-  Kinetic triangulation(motions_of<typename Simulation::Motion>(discs));
+  using Triangulation = typename Simulation::Triangulation;
+  Triangulation triangulation(motions_of<typename Simulation::Motion>(discs));
   Replay result;
-  std::vector<typename Kinetic::Change> changes;
+  std::vector<typename Triangulation::Change> changes;
   const Stopwatch watch;
   double last = watch.seconds();
   const auto lap = [&](double& seconds) {

@@ -17,7 +17,6 @@ constexpr double shares[] = {0, 0.01, 0.1, 0.5,
                              1};              // of the points whose velocities change at a step
 constexpr double lengths[] = {0.01, 0.1, 1};  // of a step, in distances of neighbors
 constexpr double jumps[] = {0.01, 0.1, 0.3};  // of all points, in distances of neighbors
-constexpr double neighbor_distance = 10;      // there are 100 points in 100 x 100
 constexpr int measured_steps = 2;
 
 double mean_speed(const std::vector<Linear_motion_2>& motions) {

@@ -46,8 +46,6 @@ std::vector<Disc_motion_2> weighted(const std::vector<Linear_motion_2>& motions,
   return result;
 }
 
-constexpr double neighbor_distance = 10;  // there are 100 points in 100 x 100
-
 }  // namespace
 
 json measure_weights(const Setup& setup) {

@@ -22,6 +22,12 @@ namespace kinetri::bench {
 /// The static triangulation for comparisons.
 using Static_triangulation = CGAL::Delaunay_triangulation_2<Static_kernel>;
 
+/// The time of queries, and of changes of points.
+inline constexpr double present = 0.1;
+
+/// About the distance of neighbors: the scenario uniform has 100 points in 100 x 100.
+inline constexpr double neighbor_distance = 10;
+
 struct Setup {
   Scenario scenario = Scenario::uniform;
   Scenario_options options;
