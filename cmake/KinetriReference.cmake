@@ -6,6 +6,13 @@ find_program(KINETRI_DOXYGEN doxygen)
 mark_as_advanced(KINETRI_DOXYGEN)
 find_package(Python3 QUIET COMPONENTS Interpreter)
 if(Python3_FOUND)
+  # A program that only chooses a Python, such as those of pyenv, takes five times as long to start as that Python.
+  # Doxygen starts it for each file, and tests do.
+  execute_process(COMMAND ${Python3_EXECUTABLE} -c "import sys; print(sys.executable)"
+    OUTPUT_VARIABLE python3 OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(EXISTS "${python3}")
+    set(Python3_EXECUTABLE "${python3}")
+  endif()
   file(GLOB documents CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/*.md)
   foreach(folder IN ITEMS docs bench data examples viewer live)
     file(GLOB_RECURSE found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.md)
