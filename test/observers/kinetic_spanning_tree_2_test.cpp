@@ -131,15 +131,22 @@ void expect_right(const Make& make_simulation, double until) {
     look();
     if (testing::Test::HasFailure()) return;
   }
+  asked_simulation->advance_to(until);
+  look();
 
   const auto simulation = make_simulation();
   test::Motion_recorder<Traits> motions(*simulation);
   Kinetic_spanning_tree_2<Traits> tree(*simulation);
   Edges edges = tree.edges();
   const Algebraic_number start = simulation->current_time();
+  const Algebraic_number end(until);
   simulation->advance_to(until);
-  const auto pieces = motions.pieces();
+  const auto changes = tree.changes();
   const auto longest = tree.longest_edges();
+  const auto least_range = tree.least_connecting_range();
+  const auto greatest_range = tree.greatest_connecting_range();
+  simulation->advance_to(until + 1);  // to know the motions just after the end
+  const auto pieces = motions.pieces();
   ASSERT_FALSE(longest.empty());
   auto next_longest = longest.begin();
   EXPECT_EQ(next_longest->time, start);
@@ -159,9 +166,9 @@ void expect_right(const Make& make_simulation, double until) {
     least = std::min(least, expected.longest_length);
     greatest = std::max(greatest, expected.longest_length);
   };
-  for (const auto& [time, removed, added] : tree.changes()) {
-    if (time >= Algebraic_number(until)) break;
+  for (const auto& [time, removed, added] : changes) {
     EXPECT_LE(last, time);
+    EXPECT_LE(time, end);
     if (last < time) expect_tree(simplest_between(last, time), Time_side::after);
     const Edges before = tree_at(pieces, time, Time_side::before).edges;
     const Edges after = tree_at(pieces, time, Time_side::after).edges;
@@ -174,8 +181,11 @@ void expect_right(const Make& make_simulation, double until) {
     last = time;
     if (testing::Test::HasFailure()) return;
   }
+  if (last < end) {
+    expect_tree(end, Time_side::before);
+    expect_tree(end, Time_side::after);
+  }
   for (const auto& [time, edge, length] : longest) {
-    if (time >= Algebraic_number(until)) continue;
     EXPECT_EQ(edge, tree_at(pieces, time, Time_side::after).longest);
     if (time == start) continue;
     EXPECT_NE(edge, tree_at(pieces, time, Time_side::before).longest);
@@ -183,8 +193,7 @@ void expect_right(const Make& make_simulation, double until) {
 
   // The extremes of the range are reached, and are no less extreme than the range elsewhere.
   for (const bool is_greatest : {false, true}) {
-    const auto range =
-        is_greatest ? tree.greatest_connecting_range() : tree.least_connecting_range();
+    const auto& range = is_greatest ? greatest_range : least_range;
     ASSERT_EQ(range.has_value(), greatest > 0);
     if (!range) continue;
     const double found = range->range.to_double();
@@ -197,8 +206,7 @@ void expect_right(const Make& make_simulation, double until) {
     const double after = tree_at(pieces, range->time, Time_side::after).longest_length;
     EXPECT_LE(std::min(std::abs(before - found), std::abs(after - found)), 1e-9 * (1 + found));
   }
-  asked_simulation->advance_to(until);
-  EXPECT_EQ(asked.changes().size(), tree.changes().size());
+  EXPECT_EQ(asked.changes().size(), changes.size());
 }
 
 // ---- known by construction ----
@@ -261,6 +269,27 @@ TEST(Kinetic_spanning_tree_2, of_few_points_has_no_longest_edge) {
   EXPECT_EQ(longest[1].edge, (Edge_ids{0, 1}));
   EXPECT_EQ(longest[2].edge, std::nullopt);
   EXPECT_EQ(tree.least_connecting_range()->range, Algebraic_number(5.0));
+}
+
+// The ranges are 8 up to the time 2, then 2 up to the time 3, and 18 from then on.
+TEST(Kinetic_spanning_tree_2, has_extreme_ranges_just_before_and_just_after_a_change) {
+  Simulation_2<> simulation({{{0, 0}, {}, 0}, {{2, 0}, {}, 0}, {{10, 0}, {}, 0}}, {});
+  simulation.schedule_erase(2, 2);
+  simulation.schedule_insert(3, {{20, 0}, {}, 3});
+  Kinetic_spanning_tree_2 tree(simulation);
+  const auto expect_range = [](const std::optional<Connecting_range>& found, double range,
+                               const Edge_ids& edge, double time) {
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->range, Algebraic_number(range));
+    EXPECT_EQ(found->edge, edge);
+    EXPECT_EQ(found->time, Algebraic_number(time));
+  };
+  simulation.advance_to(2.0);
+  expect_range(tree.least_connecting_range(), 2, {0, 1}, 2);
+  expect_range(tree.greatest_connecting_range(), 8, {1, 2}, 0);
+  simulation.advance_to(3.0);
+  expect_range(tree.least_connecting_range(), 2, {0, 1}, 2);
+  expect_range(tree.greatest_connecting_range(), 18, {1, 3}, 3);
 }
 
 // ---- compared with Kruskal's algorithm ----

@@ -45,7 +45,8 @@ class Spanning_tree;
 ///
 /// Lengths are compared exactly, just after the time; edges of equal length throughout some time
 /// are in the order of their ids. So the tree is unique. It is a subset of the triangulation's
-/// edges (docs/MATH.md, section 15). All changes at one time are one change.
+/// edges (docs/MATH.md, section 15). All changes at one time are one change, unless this object is
+/// called in between. Answers are for just after the current time.
 ///
 /// Each edge outside of the tree has a certificate: a cycle of which it is the longest edge. Cost:
 /// for each edge whose certificate fails, certificates of the edges of triangles at it, or of those
@@ -87,7 +88,8 @@ class Kinetic_spanning_tree_2 {
   std::optional<Connecting_range> connecting_range();
   /// @{
   /// The least and the greatest such range from the start up to the current time, each at its first
-  /// time. All points are connected at some time if the range is at least the former, and at all
+  /// time. At a time of changes, the current one too, the ranges just before and just after it
+  /// count. All points are connected at some time if the range is at least the former, and at all
   /// times if it is at least the latter. None if there never were two points. Cost: interval
   /// arithmetic for each change of the longest edge or its motion, and exact arithmetic for the
   /// candidates that remain.
