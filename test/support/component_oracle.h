@@ -197,7 +197,9 @@ std::vector<Closed_interval> near_times(const Motion& p, const Motion& q, double
   return result;
 }
 
-/// Of a run, the times at which points exist, and those at which pairs are linked.
+/// Of a run that is observed from `start` on, the times at which points exist, and those at which
+/// pairs are linked. There need not be a point at the start. The last pieces end where the records
+/// end: what is asked is about times before that.
 class Component_oracle {
  public:
   struct Link {
@@ -206,7 +208,9 @@ class Component_oracle {
   };
 
   template <class Motion>
-  Component_oracle(const std::vector<Motion_piece<Motion>>& pieces, double range) {
+  Component_oracle(const std::vector<Motion_piece<Motion>>& pieces, const Algebraic_number& start,
+                   double range)
+      : start_(start) {
     for (const auto& piece : pieces) {
       auto& times = presence_[piece.id];
       const auto before = std::ranges::find(times, piece.from, &Closed_interval::end);
@@ -239,9 +243,9 @@ class Component_oracle {
 
   const std::vector<Link>& links() const { return links_; }
 
-  /// All times at which a point comes or goes, or a link begins or ends; sorted.
+  /// The start, and all times at which a point comes or goes, or a link begins or ends; sorted.
   std::vector<Algebraic_number> times() const {
-    std::vector<Algebraic_number> result;
+    std::vector<Algebraic_number> result = {start_};
     const auto add = [&](const Closed_interval& interval) {
       result.push_back(interval.begin);
       result.push_back(interval.end);
@@ -277,16 +281,20 @@ class Component_oracle {
     return result;
   }
 
-  /// The times at which two points are connected.
-  std::vector<Closed_interval> connected(Point_id a, Point_id b) const {
+  /// The times up to `until` at which two points are connected.
+  std::vector<Closed_interval> connected(Point_id a, Point_id b,
+                                         const Algebraic_number& until) const {
     std::vector<Closed_interval> result;
-    for (const Algebraic_number& t : times()) {
-      if (!partition(t, Time_side::at).are_joined(a, b)) continue;
-      if (partition(t, Time_side::before).are_joined(a, b)) {
-        result.back().end = t;
-      } else {
-        result.push_back({t, t});
+    for (const Algebraic_number& time : times()) {
+      const Algebraic_number& t = std::min(time, until);
+      if (partition(t, Time_side::at).are_joined(a, b)) {
+        if (partition(t, Time_side::before).are_joined(a, b)) {
+          result.back().end = t;
+        } else {
+          result.push_back({t, t});
+        }
       }
+      if (time >= until) break;
     }
     return result;
   }
@@ -309,6 +317,7 @@ class Component_oracle {
     return result;
   }
 
+  Algebraic_number start_;
   std::map<Point_id, std::vector<Closed_interval>> presence_;
   std::vector<Link> links_;
 };

@@ -17,7 +17,7 @@ namespace kinetri {
 
 /// The kinds of Component_event. Each but `start` changes the number of components by one.
 enum class Component_event_kind : std::uint8_t {
-  start,   ///< the components at the start; the first event only
+  start,   ///< the components when observation starts, 0 without points; the first event only
   merge,   ///< two components become one
   split,   ///< a component becomes two
   insert,  ///< a point is inserted, as a component of its own; merges follow
