@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The kinetic triangulation: a CGAL::Delaunay_triangulation_2 of moving points or, if they have
-// weights, a CGAL::Regular_triangulation_2, updated at each event. docs/ARCHITECTURE.md describes
+// weights, a CGAL::Regular_triangulation_2, updated at each event; or one of a flat torus. docs/ARCHITECTURE.md describes
 // its parts, and follows one event through them.
 #ifndef KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_H
 #define KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_H
@@ -29,6 +29,14 @@ namespace kinetri {
 /// WeightedKineticTraits_2, the regular triangulation of points with weights, in which points with
 /// empty power cells are hidden. Then read "regular" for "Delaunay" and "power circle" for "circle"
 /// below.
+///
+/// If the traits are PeriodicKineticTraits_2, it is the Delaunay triangulation of points in a
+/// periodic box, on the flat torus: n visible points have 3n edges and 2n faces, from n = 1 on, and
+/// there is no hull. Then read "image of a point" for "point" where positions are compared. Time
+/// ends when the box loses its area: `next_event_time` and `step` know only events before that, and
+/// `advance_to` throws Periodic_box_error from then on. An Error says that an edge would get an
+/// offset of 2^31 or more, as may happen just before the end; then only const functions may be
+/// called. One thread executes the events.
 ///
 /// The triangulation just after a time is a function of the motions and the time alone. If points
 /// are cocircular for a while, a perturbation of the lifting x^2 + y^2 by e1 x y + e2 x^2 + e3 y^2,
@@ -109,7 +117,9 @@ class Kinetic_triangulation_2 {
 
   /// The triangulation. Its predicates are those of the instant just after current_time(), so
   /// CGAL's queries (locate, nearest_vertex, dual, ...) answer for that instant. The reference
-  /// stays valid; later calls change the triangulation.
+  /// stays valid; later calls change the triangulation. In a periodic box it is no triangulation of
+  /// CGAL, which knows no edges with equal ends, but a detail::Torus_triangulation, whose faces
+  /// store the offsets of their corners.
   const Triangulation& triangulation() const { return core_.topology.triangulation(); }
 
   /// The traits: certificates, and the predicates at an instant.

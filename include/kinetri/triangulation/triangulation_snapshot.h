@@ -12,7 +12,8 @@
 
 namespace kinetri {
 
-/// A snapshot of Kinetic_triangulation_2: the points, and the time. They determine the
+/// A snapshot of Kinetic_triangulation_2: the points, and the time; not the traits, nor the periodic
+/// box that these may have. They determine the
 /// triangulation, even if points are cocircular (docs/MATH.md, section 4), and the queue, since
 /// failure times do not depend on when they were computed.
 template <KineticTraits_2 Traits>
