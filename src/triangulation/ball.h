@@ -17,6 +17,7 @@
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/impl/base/compiler.h"
 #include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/kinetic/image_motion_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
 
@@ -190,6 +191,16 @@ inline Ball_2 ball_place(const Polynomial_motion_2& motion, const Ball& t) {
   };
   return {place(&Vector_2::x), place(&Vector_2::y)};
 }
+inline Ball_2 ball_place(const Image_motion_2& image, const Ball& t) {
+  Ball_2 place = ball_place(image.motion, t);
+  const auto add = [&](double times, const Linear_motion_2& vector) {
+    const Ball_2 there = ball_place(vector, t);
+    place = {place.x + Ball(times) * there.x, place.y + Ball(times) * there.y};
+  };
+  if (image.offset.x != 0) add(image.offset.x, image.box->first());
+  if (image.offset.y != 0) add(image.offset.y, image.box->second());
+  return place;
+}
 /// Unknown for other motions.
 template <class Motion>
 Ball_2 ball_place(const Motion& /*motion*/, const Ball& /*t*/) {
@@ -231,6 +242,19 @@ inline Approximate_place approximate_place(const Polynomial_motion_2& motion, do
                        span * (size(motion.velocity) +
                                span * (size(motion.acceleration) + span * size(motion.jerk)));
   return {rounded_place(motion, t), 0x1p-47 * sizes + ball::tiny};
+}
+// The errors of the three places have room for the product and the two sums, as in place_error.
+inline Approximate_place approximate_place(const Image_motion_2& image, double t) {
+  Approximate_place result = approximate_place(image.motion, t);
+  const auto add = [&](double times, const Linear_motion_2& vector) {
+    const auto [there, error] = approximate_place(vector, t);
+    result.place.x += times * there.x;
+    result.place.y += times * there.y;
+    result.error += std::abs(times) * error;
+  };
+  if (image.offset.x != 0) add(image.offset.x, image.box->first());
+  if (image.offset.y != 0) add(image.offset.y, image.box->second());
+  return result;
 }
 /// Unknown for other motions.
 template <class Motion>

@@ -34,10 +34,10 @@ template <KineticTraits_2 Traits>
 class Ball_positions {
  public:
   using At_time = Triangulation_at_time<Traits>;
-  using Vertex_handle = typename At_time::Vertex_handle;
+  using Vertex = typename At_time::Vertex;
 
   struct Neighbor {
-    Vertex_handle vertex;
+    Vertex vertex;
     Ball_2 vector;  ///< from the point
     Ball squared_distance;
   };
@@ -46,31 +46,31 @@ class Ball_positions {
   explicit Ball_positions(const At_time& at) : at_(at), t_(ball_of(at.time())) {}
 
   const At_time& at() const { return at_; }
-  Ball_2 position(Vertex_handle v) const { return ball_place(center(v->point().motion()), t_); }
+  Ball_2 position(Vertex v) const { return ball_place(center(at_.point(v).motion()), t_); }
   /// Cheaper, with a bound of its error.
-  Approximate_place approximate(Vertex_handle v) const {
+  Approximate_place approximate(Vertex v) const {
     if (!is_known_well(t_)) return {};
-    return approximate_place(center(v->point().motion()), t_.high);
+    return approximate_place(center(at_.point(v).motion()), t_.high);
   }
-  Ball weight(Vertex_handle v) const { return ball_weight(v->point().motion(), t_); }
-  Vector_2 rounded_position(Vertex_handle v) const {
+  Ball weight(Vertex v) const { return ball_weight(at_.point(v).motion(), t_); }
+  Vector_2 rounded_position(Vertex v) const {
     const auto known = rounded(position(v));
-    return known ? *known : at_.rounded_position(v->point().trajectory());
+    return known ? *known : at_.rounded_position(at_.point(v).trajectory());
   }
 
   /// A neighbor of the point that is `here`.
-  Neighbor neighbor(const Ball_2& here, Vertex_handle u) const {
+  Neighbor neighbor(const Ball_2& here, Vertex u) const {
     const Ball_2 vector = position(u) - here;
     return {u, vector, squared_length(vector)};
   }
   /// Of two neighbors of `v`. Exact.
-  Comparison_result compare_distance(Vertex_handle v, const Neighbor& a, const Neighbor& b) const {
+  Comparison_result compare_distance(Vertex v, const Neighbor& a, const Neighbor& b) const {
     const auto order = compare(a.squared_distance, b.squared_distance);
     return order ? *order : at_.compare_distance(v, a.vertex, b.vertex);
   }
   /// The center, rounded, of the circle through `v`, whose position is `here`, and two neighbors;
   /// `center` is the vector to it, if known.
-  Vector_2 rounded_center(Vertex_handle v, const Ball_2& here, const Neighbor& a, const Neighbor& b,
+  Vector_2 rounded_center(Vertex v, const Ball_2& here, const Neighbor& a, const Neighbor& b,
                           const std::optional<Ball_2>& center) const {
     if (center) {
       if (const auto known = rounded(Ball_2{here.x + center->x, here.y + center->y})) return *known;

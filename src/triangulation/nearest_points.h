@@ -21,24 +21,25 @@ template <KineticTraits_2 Traits>
 class Nearest_points {
  public:
   using At_time = Triangulation_at_time<Traits>;
-  using Vertex_handle = typename At_time::Vertex_handle;
+  using Vertex = typename At_time::Vertex;
+  using Name = typename At_time::Name;
   using Triangulation = typename At_time::Triangulation;
   using Neighbor = typename Ball_positions<Traits>::Neighbor;
 
   /// The triangulation must outlive this object.
   explicit Nearest_points(const At_time& at) : at_(at), balls_(at) {}
 
-  /// The smallest id of the points nearest to that of `v`, other than that; none if there is no
-  /// other point.
+  /// The smallest name of the points nearest to that of `v`, other than that; none if there is no
+  /// other point. In a periodic box these are images, those of the point of `v` too.
   // The circle whose diameter joins `v` and a nearest point contains no others, except points that
   // coincide with one of the two; so a neighbor of `v` is at that position. If points coincide with
   // `v`, one of them is a neighbor.
-  std::optional<Point_id> nearest_to(Vertex_handle v) const {
+  std::optional<Name> nearest_to(const Vertex& v) const {
     std::vector<Neighbor> nearest;
     double limit = std::numeric_limits<double>::infinity();  // of the distance
     const Ball_2 here = balls_.position(v);
     const Approximate_place near_here = balls_.approximate(v);
-    at_.for_each_neighbor(v, [&](Vertex_handle u) {
+    at_.for_each_neighbor(v, [&](Vertex u) {
       if (are_apart(near_here, balls_.approximate(u), limit)) return;
       const Neighbor neighbor = balls_.neighbor(here, u);
       const auto order =
@@ -48,44 +49,47 @@ class Nearest_points {
       nearest.push_back(neighbor);
       limit = length_bound(neighbor.squared_distance);
     });
-    Point_id result = no_point;
-    const std::vector<Point_id>& hidden = at_.hidden_by(at_.id(v));
+    std::optional<Name> result;
+    const auto& hidden = at_.names_hidden_by(v);
     if (!hidden.empty()) result = hidden.front();
     if (!nearest.empty() && !nearest.front().squared_distance.is_nonzero() &&
         at_.coincide(v, nearest.front().vertex)) {
       // What another vertex hides has a greater id than the point of that vertex.
-      const std::vector<Point_id> there = at_.all_at(v);
-      return std::min(result, there[there[0] == at_.id(v) ? 1 : 0]);
+      const std::vector<Name> there = at_.all_at(v);
+      const Name& other = there[there[0] == at_.name(v) ? 1 : 0];
+      return result ? std::min(*result, other) : other;
     }
     if (!hidden.empty()) return result;
-    if (nearest.empty()) return std::nullopt;
-    for (const Neighbor& u : nearest) result = std::min(result, smallest_id_at(u.vertex));
+    for (const Neighbor& u : nearest) {
+      const Name there = smallest_name_at(u.vertex);
+      if (!result || there < *result) result = there;
+    }
     return result;
   }
 
-  /// The smallest id of the points at the position of `v`.
+  /// The smallest name of the points at the position of `v`.
   // If no neighbor coincides with `v`, no other vertex does.
-  Point_id smallest_id_at(Vertex_handle v) const {
+  Name smallest_name_at(const Vertex& v) const {
     const Approximate_place here = balls_.approximate(v);
     bool is_alone = true;
     at_.for_each_neighbor(
-        v, [&](Vertex_handle u) { is_alone = is_alone && are_apart(here, balls_.approximate(u)); });
-    return is_alone ? at_.id(v) : at_.all_at(v).front();
+        v, [&](Vertex u) { is_alone = is_alone && are_apart(here, balls_.approximate(u)); });
+    return is_alone ? at_.name(v) : at_.all_at(v).front();
   }
 
   /// Fills `result` with points nearest to `v`, nearest first, as long as there are points: all of
   /// `own`, which are points of the vertex, and those of other vertices.
   // Edges connect all points within or on a circle about `v` with `v`: so the next nearest point is
   // a neighbor of one that is known.
-  void find_nearest(Vertex_handle v, std::span<const Point_id> own, std::span<Point_id> result) {
+  void find_nearest(Vertex v, std::span<const Point_id> own, std::span<Point_id> result) {
     seen_.resize(at_.kinetic().next_id(), no_point);
     const Ball_2 here = balls_.position(v);
     std::vector<Neighbor> border;  // a heap: the nearest one is at the front
     const auto is_farther = [&](const Neighbor& a, const Neighbor& b) {
       return balls_.compare_distance(v, a, b) == CGAL::LARGER;
     };
-    const auto add_neighbors = [&](Vertex_handle known) {
-      at_.for_each_neighbor(known, [&](Vertex_handle u) {
+    const auto add_neighbors = [&](Vertex known) {
+      at_.for_each_neighbor(known, [&](Vertex u) {
         if (std::exchange(seen_[at_.id(u)], at_.id(v)) == at_.id(v)) return;
         border.push_back(balls_.neighbor(here, u));
         std::ranges::push_heap(border, is_farther);
@@ -96,7 +100,7 @@ class Nearest_points {
     std::vector<Point_id> equally_near(own.begin(), own.end());
     const auto take_nearest = [&] {
       std::ranges::pop_heap(border, is_farther);
-      const Vertex_handle u = border.back().vertex;
+      const Vertex u = border.back().vertex;
       border.pop_back();
       equally_near.push_back(at_.id(u));
       const std::vector<Point_id>& hidden = at_.hidden_by(at_.id(u));
@@ -130,8 +134,8 @@ class Nearest_points {
     Ball least;
     double limit = closest ? 0 : std::numeric_limits<double>::infinity();  // of the length
     for (const auto& [face, i] : at_.triangulation().finite_edges()) {
-      const Vertex_handle v = face->vertex(Triangulation::cw(i));
-      const Vertex_handle u = face->vertex(Triangulation::ccw(i));
+      const Vertex v = face->vertex(Triangulation::cw(i));
+      const Vertex u = face->vertex(Triangulation::ccw(i));
       if (are_apart(balls_.approximate(v), balls_.approximate(u), limit)) continue;
       const Edge_ids edge = edge_ids(at_.id(v), at_.id(u));
       const Ball length = balls_.neighbor(balls_.position(v), u).squared_distance;
@@ -145,7 +149,7 @@ class Nearest_points {
       limit = length_bound(least);
     }
     if (!closest || least.is_nonzero()) return closest;
-    const Vertex_handle first = at_.kinetic().vertex((*closest)[0]);
+    const Vertex first = at_.kinetic().vertex((*closest)[0]);
     if (!at_.coincide(first, at_.kinetic().vertex((*closest)[1]))) return closest;
     const std::vector<Point_id> there = at_.all_at(first);
     return there.size() < 2 ? *closest : std::min(*closest, Edge_ids{there[0], there[1]});
@@ -161,7 +165,7 @@ class Nearest_points {
     };
     const auto squared_length = [&](const Edge_ids& edge) -> Fraction {
       const Trajectory_2 d =
-          At_time::vector(at_.kinetic().vertex(edge[0]), at_.kinetic().vertex(edge[1]));
+          at_.vector(at_.kinetic().vertex(edge[0]), at_.kinetic().vertex(edge[1]));
       return {d.x * d.x + d.y * d.y, d.w * d.w};
     };
     const Fraction of_a = squared_length(a);

@@ -159,7 +159,7 @@ std::optional<Point_id> Kinetic_queries_2<Traits>::nearest_neighbor(Point_id id)
     HasNearestNeighbors<Traits> {
   const Vertex_handle v = vertex(id);
   const detail::Nearest_points<Traits> points(at());
-  return at().id(v) == id ? points.nearest_to(v) : points.smallest_id_at(v);
+  return at().id(v) == id ? points.nearest_to(v) : points.smallest_name_at(v);
 }
 
 template <KineticTraits_2 Traits>
@@ -172,7 +172,7 @@ std::vector<Point_id> Kinetic_queries_2<Traits>::nearest_neighbors() const requi
     if (const auto nearest = points.nearest_to(v)) result[at().id(v)] = *nearest;
     const std::vector<Point_id>& hidden = at().hidden_by(at().id(v));
     if (hidden.empty()) continue;
-    const Point_id least = points.smallest_id_at(v);
+    const Point_id least = points.smallest_name_at(v);
     for (const Point_id id : hidden) result[id] = least;
   }
   return result;

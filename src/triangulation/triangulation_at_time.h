@@ -1,22 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A kinetic triangulation at one time, for queries: exact predicates at the time and just beside
-// it, and connected sets of vertices.
+// it, and connected sets of vertices. A triangulation of points in a periodic box is, for queries,
+// that of all their images in the plane.
 #ifndef KINETRI_SRC_TRIANGULATION_TRIANGULATION_AT_TIME_H
 #define KINETRI_SRC_TRIANGULATION_TRIANGULATION_AT_TIME_H
 
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <unordered_set>
+#include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "algebra/rounded_quotient.h"
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/impl/triangulation/queried_triangulation.h"
+#include "triangulation/whole_vectors.h"
 
 namespace kinetri::detail {
+
+/// An image of a vertex or of a face of the torus: moved by an offset, which is that of corner 0 of
+/// a face.
+template <class Handle>
+struct Image_of {
+  Handle handle = {};
+  Lattice_offset_2 offset = {};
+
+  friend bool operator==(const Image_of& a, const Image_of& b) {
+    return a.handle == b.handle && a.offset == b.offset;
+  }
+  friend bool operator<(const Image_of& a, const Image_of& b) {
+    return a.handle != b.handle ? a.handle < b.handle : a.offset < b.offset;
+  }
+};
 
 /// Precondition: the time is neither before the present one nor after the next event, and the
 /// triangulation does not change. So it is embedded just beside the time. Predicates are exact, at
@@ -27,12 +45,22 @@ class Triangulation_at_time {
   using Types = Kinetic_types<Traits>;
   using Kinetic = Queried_triangulation<Traits>;
   using Triangulation = typename Types::Triangulation;
-  using Vertex_handle = typename Types::Vertex_handle;
   using Point_2 = typename Types::Point_2;
   using Time = typename Types::Time;
   using Instantaneous_traits = typename Types::Instantaneous_traits;
 
   static constexpr bool is_weighted = Types::is_weighted;
+  static constexpr bool is_periodic = Types::is_periodic;
+
+  /// @{
+  /// In a periodic box: an image.
+  using Vertex = std::conditional_t<is_periodic, Image_of<typename Types::Vertex_handle>,
+                                    typename Types::Vertex_handle>;
+  using Face = std::conditional_t<is_periodic, Image_of<typename Types::Face_handle>,
+                                  typename Types::Face_handle>;
+  using Name = std::conditional_t<is_periodic, Periodic_image, Point_id>;
+  using Place = typename Types::Image_2;  ///< what predicates take
+  /// @}
 
   Triangulation_at_time(std::unique_ptr<const Kinetic> kinetic, const Time& time)
       : kinetic_(std::move(kinetic)),
@@ -45,16 +73,65 @@ class Triangulation_at_time {
   const Kinetic& kinetic() const { return *kinetic_; }
   const Triangulation& triangulation() const { return triangulation_; }
   const Time& time() const { return time_; }
-  static Point_id id(Vertex_handle v) { return v->point().id(); }
+  static Point_id id(const Vertex& v) { return handle(v)->point().id(); }
+  static Name name(const Vertex& v) {
+    if constexpr (is_periodic) {
+      return {id(v), v.offset};
+    } else {
+      return id(v);
+    }
+  }
+  /// The vertex at the position of the point or image. Precondition: there is that point.
+  Vertex vertex(const Name& of) const {
+    if constexpr (is_periodic) {
+      const auto shown = kinetic_->vertex(of.id);
+      if (shown->point().id() == of.id) return {shown, of.offset};
+      return {shown, sum(of.offset, offset_of_hidden(of.id, shown))};
+    } else {
+      return kinetic_->vertex(of);
+    }
+  }
   /// The points that the point hides since they coincide with it for a while, by id. They have no
   /// vertices.
   const std::vector<Point_id>& hidden_by(Point_id shown) const {
     return kinetic_->hidden_by(shown);
   }
+  /// The same; in a periodic box the images at that of the vertex.
+  decltype(auto) names_hidden_by(const Vertex& v) const {
+    if constexpr (is_periodic) {
+      std::vector<Name> result;
+      for (const Point_id hidden : kinetic_->hidden_by(id(v))) {
+        result.push_back({hidden, sum(v.offset, reversed(offset_of_hidden(hidden, v.handle)))});
+      }
+      return result;
+    } else {
+      return kinetic_->hidden_by(id(v));
+    }
+  }
 
   // ---- predicates ----
 
+  const Instantaneous_traits& predicates() const { return at_; }
   const Instantaneous_traits& beside() const { return beside_; }
+
+  /// @{
+  /// The argument of a predicate.
+  static const Place& point(const Place& p) { return p; }
+  decltype(auto) point(const Vertex& v) const {
+    if constexpr (is_periodic) {
+      return at_.image(v.handle->point(), v.offset);
+    } else {
+      return v->point();
+    }
+  }
+  Place place(const Point_2& p) const {
+    if constexpr (is_periodic) {
+      return at_.image(p, {});
+    } else {
+      return p;
+    }
+  }
+  /// @}
 
   CGAL::Orientation orientation(const auto& p, const auto& q, const auto& r) const {
     return at_.orientation_2_object()(point(p), point(q), point(r));
@@ -88,10 +165,11 @@ class Triangulation_at_time {
   Comparison_result compare_distance(const auto& p, const auto& q, const auto& r) const {
     return at_.compare_distance_2_object()(point(p), point(q), point(r));
   }
-  /// Whether the first vertex is nearer to p than the second, or equally near with a smaller id.
-  bool is_nearer(const auto& p, Vertex_handle a, Vertex_handle b) const {
+  /// Whether the first vertex is nearer to p than the second, or equally near with a smaller
+  /// name.
+  bool is_nearer(const auto& p, const Vertex& a, const Vertex& b) const {
     const auto order = compare_distance(p, a, b);
-    return order != CGAL::EQUAL ? order == CGAL::SMALLER : id(a) < id(b);
+    return order != CGAL::EQUAL ? order == CGAL::SMALLER : name(a) < name(b);
   }
   /// @{
   /// The same as compare_distance, at the time and beside it; with weights of the power of the
@@ -107,22 +185,23 @@ class Triangulation_at_time {
   // ---- positions ----
 
   /// The center of the circle, or power circle, through three points.
-  Trajectory_2 center(Vertex_handle v, Vertex_handle a, Vertex_handle b) const {
+  Trajectory_2 center(const Vertex& v, const Vertex& a, const Vertex& b) const {
     if constexpr (is_weighted) {
-      return at_.construct_weighted_circumcenter_2_object()(v->point(), a->point(), b->point())
+      return at_.construct_weighted_circumcenter_2_object()(point(v), point(a), point(b))
           .trajectory();
     } else {
-      return at_.construct_circumcenter_2_object()(v->point(), a->point(), b->point()).trajectory();
+      return at_.construct_circumcenter_2_object()(point(v), point(a), point(b)).trajectory();
     }
   }
-  static Trajectory_2 vector(Vertex_handle from, Vertex_handle to) {
-    const Trajectory_2 here = from->point().trajectory();
-    const Trajectory_2 there = to->point().trajectory();
+  static Trajectory_2 vector(const Trajectory_2& here, const Trajectory_2& there) {
     return {there.x * here.w - here.x * there.w, there.y * here.w - here.y * there.w,
             here.w * there.w};
   }
+  Trajectory_2 vector(const Vertex& from, const Vertex& to) const {
+    return vector(point(from).trajectory(), point(to).trajectory());
+  }
   /// The vector from one point to another, turned to the left or to the right.
-  static Trajectory_2 turned_vector(Vertex_handle from, Vertex_handle to, bool to_left) {
+  Trajectory_2 turned_vector(const Vertex& from, const Vertex& to, bool to_left) const {
     const Trajectory_2 d = vector(from, to);
     return {to_left ? -d.y : d.y, to_left ? d.x : -d.x, d.w};
   }
@@ -135,23 +214,65 @@ class Triangulation_at_time {
 
   /// Calls `function` with each finite neighbor, counterclockwise.
   template <class Function>
-  void for_each_neighbor(Vertex_handle v, Function function) const {
-    detail::for_each_neighbor(triangulation(), v, function);
+  void for_each_neighbor(const Vertex& v, Function function) const {
+    if constexpr (is_periodic) {
+      for_each_face_at(triangulation(), v.handle, [&](auto face, int i) {
+        const int j = Triangulation::ccw(i);
+        function(Vertex{face->vertex(j), sum(v.offset, Triangulation::offset(face, i, j))});
+      });
+    } else {
+      detail::for_each_neighbor(triangulation(), v, function);
+    }
+  }
+
+  Vertex corner(const Face& face, int i) const {
+    if constexpr (is_periodic) {
+      return {face.handle->vertex(i), sum(face.offset, face.handle->offset(i))};
+    } else {
+      return face->vertex(i);
+    }
+  }
+  Face neighbor(const Face& face, int i) const {
+    if constexpr (is_periodic) {
+      const auto [there, j] = Triangulation::mirror({face.handle, i});
+      // The corner that is ccw(i) here.
+      const int shared = Triangulation::cw(j);
+      return {there, sum(corner(face, Triangulation::ccw(i)).offset,
+                         Triangulation::offset(there, shared, 0))};
+    } else {
+      return face->neighbor(i);
+    }
+  }
+  /// Some face at the vertex.
+  Face face_at(const Vertex& v) const {
+    if constexpr (is_periodic) {
+      const auto face = v.handle->face();
+      return {face, sum(v.offset, Triangulation::offset(face, face->index(v.handle), 0))};
+    } else {
+      return v->face();
+    }
+  }
+  bool is_infinite(const Face& face) const {
+    if constexpr (is_periodic) {
+      return false;
+    } else {
+      return triangulation().is_infinite(face);
+    }
   }
 
   /// Calls `function` with each hidden vertex of the faces at `v`; below dimension 2 with all.
   template <class Function>
-  void for_each_hidden_near(Vertex_handle v, Function function) const {
+  void for_each_hidden_near(const Vertex& v, Function function) const {
     if constexpr (is_weighted) {
       const Triangulation& all = triangulation();
       if (all.number_of_hidden_vertices() == 0) return;
       if (all.dimension() == 2) {
         return for_each_face_at(all, v, [&](auto face) {
-          for (const Vertex_handle h : face->vertex_list()) function(h);
+          for (const Vertex& h : face->vertex_list()) function(h);
         });
       }
       for (auto h = all.hidden_vertices_begin(); h != all.hidden_vertices_end(); ++h) {
-        function(Vertex_handle(h));
+        function(Vertex(h));
       }
     }
   }
@@ -159,29 +280,29 @@ class Triangulation_at_time {
   /// The vertices that edges connect with `v` within the set of vertices for which belongs(u), then
   /// the hidden vertices of the set in faces at those, perhaps several times.
   template <class Belongs>
-  std::vector<Vertex_handle> connected(Vertex_handle v, Belongs belongs) const {
-    std::vector<Vertex_handle> result = {v};
-    std::unordered_set<Point_id> seen = {id(v)};
+  std::vector<Vertex> connected(const Vertex& v, Belongs belongs) const {
+    std::vector<Vertex> result = {v};
+    std::set<Name> seen = {name(v)};
     for (std::size_t i = 0; i < result.size(); ++i) {
-      for_each_neighbor(result[i], [&](Vertex_handle u) {
-        if (seen.insert(id(u)).second && belongs(u)) result.push_back(u);
+      for_each_neighbor(Vertex(result[i]), [&](const Vertex& u) {
+        if (seen.insert(name(u)).second && belongs(u)) result.push_back(u);
       });
     }
     const std::size_t visible = result.size();
     for (std::size_t i = 0; i < visible; ++i) {
-      for_each_hidden_near(result[i], [&](Vertex_handle h) {
+      for_each_hidden_near(Vertex(result[i]), [&](const Vertex& h) {
         if (belongs(h)) result.push_back(h);
       });
     }
     return result;
   }
 
-  /// The ids of all vertices that are like `v` (are_alike), in ascending order, `v` included. Edges
-  /// connect those with a cell beside the time, if the common cell has an area.
-  std::vector<Point_id> all_at(Vertex_handle v) const {
-    std::vector<Point_id> result;
-    for (const Vertex_handle u : connected(v, [&](Vertex_handle w) { return are_alike(w, v); })) {
-      result.push_back(id(u));
+  /// The names of all vertices that are like `v` (are_alike), in ascending order, `v` included.
+  /// Edges connect those with a cell beside the time, if the common cell has an area.
+  std::vector<Name> all_at(const Vertex& v) const {
+    std::vector<Name> result;
+    for (const Vertex& u : connected(v, [&](const Vertex& w) { return are_alike(w, v); })) {
+      result.push_back(name(u));
     }
     std::ranges::sort(result);
     result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -189,8 +310,32 @@ class Triangulation_at_time {
   }
 
   /// A visible vertex, probably near the position. Precondition: there is a point.
-  Vertex_handle visible_near(const Point_2& position) const {
-    const Vertex_handle v = kinetic_->vertex_near(position);
+  Vertex visible_near(const Place& position) const {
+    if constexpr (is_periodic) {
+      const auto v = kinetic_->vertex_near(Point_2(position.motion().motion));
+      const Wrapping wrapping(at_.box(), time_.to_double());
+      return {v, whole_vectors(at_, v->point(), position, wrapping.basis())};
+    } else {
+      return visible_in_plane_near(position);
+    }
+  }
+
+ private:
+  static typename Types::Vertex_handle handle(const Vertex& v) {
+    if constexpr (is_periodic) {
+      return v.handle;
+    } else {
+      return v;
+    }
+  }
+
+  // The position of a hidden point is that of an image of the point that hides it: the offset.
+  Lattice_offset_2 offset_of_hidden(Point_id hidden, typename Types::Vertex_handle shown) const {
+    return whole_vectors(at_, shown->point(), place(kinetic_->point(hidden)));
+  }
+
+  Vertex visible_in_plane_near(const Point_2& position) const {
+    const Vertex v = kinetic_->vertex_near(position);
     if constexpr (is_weighted) {
       if (v->is_hidden()) {
         return triangulation().dimension() < 1 ? triangulation().finite_vertex()
@@ -200,10 +345,6 @@ class Triangulation_at_time {
     return v;
   }
 
- private:
-  static const Point_2& point(const Point_2& p) { return p; }
-  static const Point_2& point(Vertex_handle v) { return v->point(); }
-
   CGAL::Oriented_side weight_side(const auto& p, const auto& q) const {
     if constexpr (is_weighted) {
       return at_.power_side_of_oriented_power_circle_2_object()(point(p), point(q));
@@ -211,8 +352,8 @@ class Triangulation_at_time {
       return CGAL::ON_ORIENTED_BOUNDARY;
     }
   }
-  static Comparison_result compare_power(const Instantaneous_traits& instant, const Point_2& p,
-                                         const Point_2& q, const Point_2& r) {
+  static Comparison_result compare_power(const Instantaneous_traits& instant, const Place& p,
+                                         const Place& q, const Place& r) {
     if constexpr (is_weighted) {
       return instant.compare_power_distance_2_object()(p, q, r);
     } else {

@@ -24,7 +24,7 @@ template <KineticTraits_2 Traits>
 class Voronoi_areas {
  public:
   using At_time = Triangulation_at_time<Traits>;
-  using Vertex_handle = typename At_time::Vertex_handle;
+  using Vertex_handle = typename At_time::Vertex;
 
   /// The triangulation must outlive this object.
   explicit Voronoi_areas(const At_time& at)
@@ -221,7 +221,7 @@ class Voronoi_areas {
   // The vector from `v` to `u`, scaled by a power of two so that it is neither huge nor tiny, and
   // the exponent. Precondition: the two do not coincide.
   Scaled_vector scaled_vector(Vertex_handle v, Vertex_handle u) const {
-    Trajectory_2 d = At_time::vector(v, u);
+    Trajectory_2 d = at_.vector(v, u);
     constexpr double huge = 0x1p500;
     constexpr int step = 600;
     const Integer factor = Integer(1) << step;

@@ -9,7 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <unordered_set>
+#include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -24,20 +25,31 @@ template <KineticTraits_2 Traits>
 class Voronoi_sides {
  public:
   using At_time = Triangulation_at_time<Traits>;
-  using Vertex_handle = typename At_time::Vertex_handle;
+  using Vertex = typename At_time::Vertex;
+  using Name = typename At_time::Name;
 
   /// The triangulation must outlive this object.
-  Voronoi_sides(const At_time& at, Vertex_handle v) : at_(at), v_(v) { find(); }
+  Voronoi_sides(const At_time& at, Vertex v) : at_(at), v_(v) { find(); }
+
+  /// The points across the sides.
+  const std::vector<Vertex>& across() const { return sides_.across; }
+  /// The corners of a bounded cell: at(a, b) of each, as in cell().
+  template <class Center>
+  auto corners(Center center_at) const {
+    std::vector<std::invoke_result_t<Center, Vertex, Vertex>> result;
+    for (const auto& [a, b] : sides_.corners) result.push_back(center_at(a, b));
+    return result;
+  }
 
   /// The cell. `center_at(a, b)` gives the position of at.center(v, a, b), and `position` that on a
   /// trajectory.
   template <class Position, class Center, class Evaluate>
   Voronoi_cell_2<Position> cell(Center center_at, Evaluate position) const {
-    const auto& [across, corners, is_bounded, is_empty] = sides_;
+    const auto& [across, unused, is_bounded, is_empty] = sides_;
     Voronoi_cell_2<Position> result;
     result.is_empty = is_empty;
-    for (const Vertex_handle u : across) result.neighbors.push_back(at_.id(u));
-    for (const auto& [a, b] : corners) result.vertices.push_back(center_at(a, b));
+    for (const Vertex u : across) result.neighbors.push_back(at_.id(u));
+    result.vertices = this->corners(center_at);
     if (is_bounded || across.empty()) return result;
     // The first side comes from infinity, and the last one goes there.
     result.rays = {position(at_.turned_vector(v_, across.front(), false)),
@@ -47,8 +59,8 @@ class Voronoi_sides {
 
  private:
   struct Sides {
-    std::vector<Vertex_handle> across = {};
-    std::vector<std::array<Vertex_handle, 2>> corners = {};
+    std::vector<Vertex> across = {};
+    std::vector<std::array<Vertex, 2>> corners = {};
     bool is_bounded = false;
     bool is_empty = false;
   };
@@ -56,8 +68,8 @@ class Voronoi_sides {
   // points whose half planes end it at its right and its left end, seen from the point; none at
   // infinity.
   struct Part_of_line {
-    Vertex_handle right;
-    Vertex_handle left;
+    Vertex right;
+    Vertex left;
     bool is_one_position = false;
   };
   static constexpr bool is_weighted = At_time::is_weighted;
@@ -66,7 +78,7 @@ class Voronoi_sides {
   // on its boundary, negative inside. With weights: `w`, lifted, is below the line of the other
   // two. Precondition: the three points are collinear, and `u` and `w` do not coincide with the
   // point.
-  Sign beyond_line(Vertex_handle u, Vertex_handle w) const {
+  Sign beyond_line(Vertex u, Vertex w) const {
     if constexpr (is_weighted) {
       return at_.side_of_segment(v_, u, w);
     } else {
@@ -76,7 +88,7 @@ class Voronoi_sides {
   }
 
   // Whether `w` has, along the bisector with `u`, the same distance (power) as the point and `u`.
-  bool is_on_line(Vertex_handle u, Vertex_handle w) const {
+  bool is_on_line(Vertex u, Vertex w) const {
     if (at_.coincide(w, v_)) return at_.are_alike(w, v_);
     return at_.orientation(v_, u, w) == CGAL::COLLINEAR && beyond_line(u, w) == CGAL::ZERO;
   }
@@ -87,36 +99,36 @@ class Voronoi_sides {
   // distance (power) as the point in the whole intersection. Then the intersection is the cell: at
   // its inner positions one of these points is nearest, since no neighbor is nearer.
   void find() {
-    std::vector<Vertex_handle> candidates = first_candidates();
-    std::unordered_set<Point_id> seen = {at_.id(v_)};
-    std::unordered_set<Point_id> expanded = {at_.id(v_)};
-    for (const Vertex_handle u : candidates) seen.insert(at_.id(u));
+    std::vector<Vertex> candidates = first_candidates();
+    std::set<Name> seen = {at_.name(v_)};
+    std::set<Name> expanded = {at_.name(v_)};
+    for (const Vertex u : candidates) seen.insert(at_.name(u));
     for (;;) {
       sides_ = intersection(candidates);
       const std::size_t before = candidates.size();
       for (std::size_t i = 0; i < before && !sides_.is_empty; ++i) {
-        const Vertex_handle u = candidates[i];
-        if (expanded.contains(at_.id(u)) || !is_on_all_sides(u)) continue;
-        expanded.insert(at_.id(u));
-        at_.for_each_neighbor(u, [&](Vertex_handle w) {
-          if (seen.insert(at_.id(w)).second) candidates.push_back(w);
+        const Vertex u = candidates[i];
+        if (expanded.contains(at_.name(u)) || !is_on_all_sides(u)) continue;
+        expanded.insert(at_.name(u));
+        at_.for_each_neighbor(u, [&](Vertex w) {
+          if (seen.insert(at_.name(w)).second) candidates.push_back(w);
         });
       }
       if (candidates.size() == before) break;
     }
     auto& [across, corners, is_bounded, is_empty] = sides_;
-    for (Vertex_handle& u : across) u = named_across(u);
+    for (Vertex& u : across) u = named_across(u);
     if (!is_bounded || across.empty()) return;
     const auto first = std::ranges::min_element(
-        across, [&](Vertex_handle a, Vertex_handle b) { return at_.is_nearer(v_, a, b); });
+        across, [&](Vertex a, Vertex b) { return at_.is_nearer(v_, a, b); });
     std::rotate(corners.begin(), corners.begin() + (first - across.begin()), corners.end());
     std::rotate(across.begin(), first, across.end());
   }
 
   // The neighbors; for a hidden point the vertices of the triangle, or edge, that hides it: since
   // it is not below that, it is nowhere nearer than all of these.
-  std::vector<Vertex_handle> first_candidates() const {
-    std::vector<Vertex_handle> result;
+  std::vector<Vertex> first_candidates() const {
+    std::vector<Vertex> result;
     if constexpr (is_weighted) {
       if (v_->is_hidden()) {
         const int dimension = at_.triangulation().dimension();
@@ -125,12 +137,12 @@ class Voronoi_sides {
         return result;
       }
     }
-    at_.for_each_neighbor(v_, [&](Vertex_handle u) { result.push_back(u); });
+    at_.for_each_neighbor(v_, [&](Vertex u) { result.push_back(u); });
     return result;
   }
 
   // Whether `u` has the same distance (power) as the point in the whole intersection.
-  bool is_on_all_sides(Vertex_handle u) const {
+  bool is_on_all_sides(Vertex u) const {
     if (at_.are_alike(u, v_)) return true;
     if constexpr (is_weighted) {
       const auto& [across, corners, is_bounded, is_empty] = sides_;
@@ -147,23 +159,23 @@ class Voronoi_sides {
   // The neighbor across the side of `u`: of the points with the same bisector in the same direction
   // the farthest, then that of the smallest id. At a position just beyond the side, it is nearer
   // than the others.
-  Vertex_handle named_across(Vertex_handle u) const {
-    if constexpr (!is_weighted) return at_.kinetic().vertex(at_.all_at(u).front());
-    Vertex_handle result = u;
-    for (const Vertex_handle w :
-         at_.connected(u, [&](Vertex_handle other) { return is_on_line(u, other); })) {
+  Vertex named_across(Vertex u) const {
+    if constexpr (!is_weighted) return at_.vertex(at_.all_at(u).front());
+    Vertex result = u;
+    for (const Vertex w : at_.connected(u, [&](Vertex other) { return is_on_line(u, other); })) {
       if (at_.coincide(w, v_) || at_.is_strictly_between(u, v_, w)) continue;
       const auto order = at_.compare_distance(v_, w, result);
-      if (order == CGAL::LARGER || (order == CGAL::EQUAL && at_.id(w) < at_.id(result))) result = w;
+      if (order == CGAL::LARGER || (order == CGAL::EQUAL && at_.name(w) < at_.name(result)))
+        result = w;
     }
     return result;
   }
 
   // ---- the intersection of half planes ----
 
-  Sides intersection(const std::vector<Vertex_handle>& candidates) const {
-    std::vector<Vertex_handle> elsewhere;
-    for (const Vertex_handle u : candidates) {
+  Sides intersection(const std::vector<Vertex>& candidates) const {
+    std::vector<Vertex> elsewhere;
+    for (const Vertex u : candidates) {
       if (!at_.coincide(u, v_)) {
         elsewhere.push_back(u);
       } else if (at_.is_lighter(v_, u)) {
@@ -172,28 +184,26 @@ class Voronoi_sides {
     }
     if (elsewhere.empty()) return {};
     // The position of a point without weight is inside all half planes, on the boundary of none.
-    const bool is_inside = !is_weighted || std::ranges::all_of(elsewhere, [&](Vertex_handle u) {
+    const bool is_inside = !is_weighted || std::ranges::all_of(elsewhere, [&](Vertex u) {
       return at_.compare_power(v_, v_, u) == CGAL::SMALLER;
     });
-    std::vector<Vertex_handle> sorted = by_direction(elsewhere);
+    std::vector<Vertex> sorted = by_direction(elsewhere);
     return is_inside ? sides_around(std::move(sorted)) : sides_of_lines(sorted);
   }
 
   // Sorted counterclockwise from the nearest one on; of those in one direction only that with the
   // least half plane, then the nearest, then the smallest id.
-  std::vector<Vertex_handle> by_direction(const std::vector<Vertex_handle>& candidates) const {
-    const auto is_nearer = [&](Vertex_handle a, Vertex_handle b) {
-      return at_.is_nearer(v_, a, b);
-    };
-    const Vertex_handle nearest = *std::ranges::min_element(candidates, is_nearer);
+  std::vector<Vertex> by_direction(const std::vector<Vertex>& candidates) const {
+    const auto is_nearer = [&](Vertex a, Vertex b) { return at_.is_nearer(v_, a, b); };
+    const Vertex nearest = *std::ranges::min_element(candidates, is_nearer);
     // From the direction of the nearest one on, the first half turn, or the second.
-    const auto half = [&](Vertex_handle u) {
+    const auto half = [&](Vertex u) {
       const auto side = at_.orientation(v_, nearest, u);
       if (side != CGAL::COLLINEAR) return side == CGAL::LEFT_TURN ? 0 : 1;
       return at_.is_strictly_between(nearest, v_, u) ? 1 : 0;
     };
-    std::vector<std::pair<int, Vertex_handle>> sorted;
-    for (const Vertex_handle u : candidates) sorted.emplace_back(half(u), u);
+    std::vector<std::pair<int, Vertex>> sorted;
+    for (const Vertex u : candidates) sorted.emplace_back(half(u), u);
     std::ranges::sort(sorted, [&](const auto& a, const auto& b) {
       if (a.first != b.first) return a.first < b.first;
       const auto side = at_.orientation(v_, a.second, b.second);
@@ -206,7 +216,7 @@ class Voronoi_sides {
           return a.first == b.first && at_.orientation(v_, a.second, b.second) == CGAL::COLLINEAR;
         });
     sorted.erase(repeated, sorted.end());
-    std::vector<Vertex_handle> result;
+    std::vector<Vertex> result;
     for (const auto& [unused, u] : sorted) result.push_back(u);
     return result;
   }
@@ -216,14 +226,14 @@ class Voronoi_sides {
   // if it is not inside the oriented circle through the point and the other two (if these are pi or
   // more apart, it always is: each is less than pi from the next). It begins with one that has a
   // side: the first one after a gap of at least pi, or else, without weights, the nearest.
-  Sides sides_around(std::vector<Vertex_handle> candidates) const {
+  Sides sides_around(std::vector<Vertex> candidates) const {
     Sides result;
     result.is_bounded = true;
     const auto rotate_to = [&](std::size_t i) {
       std::rotate(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(i),
                   candidates.end());
     };
-    const auto is_left_turn = [&](Vertex_handle a, Vertex_handle b) {
+    const auto is_left_turn = [&](Vertex a, Vertex b) {
       return at_.orientation(v_, a, b) == CGAL::LEFT_TURN;
     };
     for (std::size_t i = 0; i < candidates.size() && result.is_bounded; ++i) {
@@ -241,11 +251,11 @@ class Voronoi_sides {
       rotate_to(first);
     }
     if (result.is_bounded) candidates.push_back(candidates.front());
-    const auto is_redundant = [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
+    const auto is_redundant = [&](Vertex a, Vertex b, Vertex c) {
       return at_.side_of_circle(v_, a, c, b) != CGAL::ON_POSITIVE_SIDE;
     };
     auto& across = result.across;
-    for (const Vertex_handle u : candidates) {
+    for (const Vertex u : candidates) {
       while (across.size() > 1 && is_redundant(*(across.end() - 2), across.back(), u)) {
         across.pop_back();
       }
@@ -253,7 +263,7 @@ class Voronoi_sides {
     }
     if (result.is_bounded) across.pop_back();
     for (std::size_t i = 0; i < across.size(); ++i) {
-      const Vertex_handle next = across[(i + 1) % across.size()];
+      const Vertex next = across[(i + 1) % across.size()];
       // False at infinity, and between the two sides of a strip.
       if (is_left_turn(across[i], next)) result.corners.push_back({across[i], next});
     }
@@ -262,10 +272,10 @@ class Voronoi_sides {
 
   // The intersection in general: of the boundary of each half plane the part that is in all others.
   // Precondition: the candidates are sorted by direction, and there is one.
-  Sides sides_of_lines(const std::vector<Vertex_handle>& candidates) const {
-    std::vector<std::pair<Vertex_handle, Part_of_line>> parts;
-    std::optional<std::array<Vertex_handle, 2>> position;
-    for (const Vertex_handle u : candidates) {
+  Sides sides_of_lines(const std::vector<Vertex>& candidates) const {
+    std::vector<std::pair<Vertex, Part_of_line>> parts;
+    std::optional<std::array<Vertex, 2>> position;
+    for (const Vertex u : candidates) {
       const auto part = part_of_line(u, candidates);
       if (part && part->is_one_position) position = {u, part->left};
       if (part && !part->is_one_position) parts.emplace_back(u, *part);
@@ -277,15 +287,15 @@ class Voronoi_sides {
       result.is_empty = !position;
       return result;
     }
-    const auto from_infinity = std::ranges::find_if(
-        parts, [](const auto& part) { return part.second.right == Vertex_handle(); });
+    const auto from_infinity =
+        std::ranges::find_if(parts, [](const auto& part) { return part.second.right == Vertex(); });
     if (from_infinity != parts.end()) {
       result.is_bounded = false;
       std::rotate(parts.begin(), from_infinity, parts.end());
     }
     for (const auto& [u, part] : parts) {
       result.across.push_back(u);
-      if (part.left != Vertex_handle()) result.corners.push_back({u, part.left});
+      if (part.left != Vertex()) result.corners.push_back({u, part.left});
     }
     return result;
   }
@@ -293,25 +303,22 @@ class Voronoi_sides {
   // The part of the bisector with `u` that is in the half planes of the others, if there is one. A
   // half plane to the left bounds it on the left. Of two such half planes, the second one is
   // tighter if the end of the first one is outside of it, which an in-circle test decides.
-  std::optional<Part_of_line> part_of_line(Vertex_handle u,
-                                           const std::vector<Vertex_handle>& others) const {
-    const auto determinant = [&](Vertex_handle a, Vertex_handle b) {
-      return at_.side_of_circle(u, a, b, v_);
-    };
+  std::optional<Part_of_line> part_of_line(Vertex u, const std::vector<Vertex>& others) const {
+    const auto determinant = [&](Vertex a, Vertex b) { return at_.side_of_circle(u, a, b, v_); };
     Part_of_line result;
     auto& [right, left, is_one_position] = result;
-    for (const Vertex_handle w : others) {
+    for (const Vertex w : others) {
       if (w == u) continue;
       const auto turn = at_.orientation(v_, u, w);
       if (turn == CGAL::COLLINEAR) {
         if (beyond_line(u, w) == CGAL::POSITIVE) return std::nullopt;
       } else if (turn == CGAL::LEFT_TURN) {
-        if (left == Vertex_handle() || determinant(left, w) == CGAL::ON_NEGATIVE_SIDE) left = w;
+        if (left == Vertex() || determinant(left, w) == CGAL::ON_NEGATIVE_SIDE) left = w;
       } else {
-        if (right == Vertex_handle() || determinant(right, w) == CGAL::ON_POSITIVE_SIDE) right = w;
+        if (right == Vertex() || determinant(right, w) == CGAL::ON_POSITIVE_SIDE) right = w;
       }
     }
-    if (left == Vertex_handle() || right == Vertex_handle()) return result;
+    if (left == Vertex() || right == Vertex()) return result;
     const auto order = determinant(left, right);
     if (order == CGAL::ON_NEGATIVE_SIDE) return std::nullopt;
     is_one_position = order == CGAL::ON_ORIENTED_BOUNDARY;
@@ -319,7 +326,7 @@ class Voronoi_sides {
   }
 
   const At_time& at_;
-  Vertex_handle v_;
+  Vertex v_;
   Sides sides_;
 };
 

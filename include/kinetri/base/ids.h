@@ -28,6 +28,15 @@ struct Lattice_offset_2 {
   friend auto operator<=>(const Lattice_offset_2&, const Lattice_offset_2&) = default;
 };
 
+/// An image of a point in a periodic box: its position is that of the point plus `offset.x` times
+/// the first and `offset.y` times the second lattice vector.
+struct Periodic_image {
+  Point_id id = no_point;        ///< the point
+  Lattice_offset_2 offset = {};  ///< of the image against the position of the point as given
+
+  friend auto operator<=>(const Periodic_image&, const Periodic_image&) = default;
+};
+
 }  // namespace kinetri
 
 #endif  // KINETRI_BASE_IDS_H

@@ -36,7 +36,12 @@ class Basic_periodic_instantaneous_traits_2
 
   using Base::instant;
   /// @{
-  /// The predicate, of images.
+  /// The predicate, or the construction, of images.
+  using Base::collinear_are_strictly_ordered_along_line_2_object;
+  using Base::compare_distance_2_object;
+  using Base::compare_x_2_object;
+  using Base::compare_y_2_object;
+  using Base::construct_circumcenter_2_object;
   using Base::orientation_2_object;
   using Base::side_of_oriented_circle_2_object;
   using typename Base::Orientation_2;

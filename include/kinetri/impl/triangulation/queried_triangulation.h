@@ -44,6 +44,7 @@ class Queried_triangulation : public Kinetic_types<Traits> {
   virtual bool contains(Point_id id) const = 0;
   virtual bool is_hidden(Point_id id) const = 0;
   virtual Vertex_handle vertex(Point_id id) const = 0;
+  virtual const Point_2& point(Point_id id) const = 0;
   virtual bool has_event_before(const Time& time) const = 0;
   /// @}
   virtual Predicates predicates(const Instant& instant) const = 0;
@@ -75,6 +76,7 @@ class Queried final : public Queried_triangulation<Traits> {
   bool contains(Point_id id) const override { return kinetic_.contains(id); }
   bool is_hidden(Point_id id) const override { return kinetic_.is_hidden(id); }
   Vertex_handle vertex(Point_id id) const override { return kinetic_.vertex(id); }
+  const Point_2& point(Point_id id) const override { return kinetic_.point(id); }
   bool has_event_before(const Time& time) const override { return kinetic_.has_event_before(time); }
   Predicates predicates(const Instant& instant) const override {
     return kinetic_.traits().instantaneous_traits(instant);

@@ -267,7 +267,7 @@ auto Kinetic_types<Traits>::Topology::vertex_near(const Point_2& point, double t
     const auto place_of = [&](const Point_2& p) {
       const Vector_2 place = rounded_place(p.motion(), time);
       if constexpr (is_periodic) {
-        return Wrapping(triangulation_.geom_traits().box(), time).image(place, p.id()).place;
+        return Wrapping(triangulation_.geom_traits().box(), time).place_of_image(place);
       } else {
         return place;
       }

@@ -60,6 +60,11 @@ class Wrapping {
   /// The offsets of the two vectors.
   const std::array<Lattice_offset_2, 2>& basis() const { return basis_; }
 
+  /// The place that image() has, of a position any number of vectors away.
+  Vector_2 place_of_image(const Vector_2& position) const {
+    const Vector_2 there = multiples(position);
+    return {there.x - std::floor(there.x), there.y - std::floor(there.y)};
+  }
   /// The image of the position of a point.
   Image image(const Vector_2& position, Point_id id) const {
     const Vector_2 there = multiples(position);
