@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <sstream>
 
 #include "kinetic/certificate_formulas.h"
@@ -155,6 +156,57 @@ TEST(Image_motion_2, has_the_trajectory_of_another_image_or_not) {
   EXPECT_TRUE(same_trajectory(image, Image_motion_2{{{5, -2}, {-1, 0}, 0}, {1, 1}, &box}));
   EXPECT_FALSE(same_trajectory(image, Image_motion_2{{{5, -2}, {0, 0}, 0}, {1, 1}, &box}));
   EXPECT_FALSE(same_trajectory(image, Image_motion_2{{{1, 2}, {0, 0}, 0}, {2, 1}, &box}));
+}
+
+// The position, in multiples of the lattice vectors, decides: that of an image in the box is from 0
+// to less than 1.
+TEST(Image_motion_2, that_is_wrapped_is_in_the_box) {
+  std::size_t on_sides = 0;
+  std::mt19937 random(6);
+  const auto integer = [&](int range) {
+    return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * range + 1)) -
+                               range);
+  };
+  for (int i = 0; i < 300 * test::multiplier(); ++i) {
+    const Periodic_box_2 box({{5 + integer(1), integer(2)}, {integer(1), integer(1)}, 1},
+                             {{integer(2), 5 + integer(1)}, {integer(1), 0}, 0});
+    const Linear_motion_2 motion = {{integer(20), integer(20)}, {integer(3), integer(3)}, 0};
+    const Rational t(static_cast<int>(integer(2)), 1 + i % 3);
+    if (box.area(t) <= 0) continue;
+    const Image_motion_2 image = wrapped(motion, box, Algebraic_number(t));
+    EXPECT_EQ(image.motion, motion);
+    const Exact_position_2 p = Moving_image_2(image).position(t);
+    const Exact_position_2 a = Moving_point_2(box.first()).position(t);
+    const Exact_position_2 b = Moving_point_2(box.second()).position(t);
+    const Rational area = a.x * b.y - a.y * b.x;
+    const Rational of_first = (p.x * b.y - p.y * b.x) / area;
+    const Rational of_second = (a.x * p.y - a.y * p.x) / area;
+    EXPECT_TRUE(0 <= of_first && of_first < 1) << of_first;
+    EXPECT_TRUE(0 <= of_second && of_second < 1) << of_second;
+    if (of_first == 0 || of_second == 0) ++on_sides;
+    const Vector_2 rounded = rounded_position(image, Algebraic_number(t));
+    EXPECT_EQ(rounded.x, p.x.convert_to<double>());
+    EXPECT_EQ(rounded.y, p.y.convert_to<double>());
+    const Vector_2 unmoved = rounded_position({motion, {}, nullptr}, Algebraic_number(t));
+    const Exact_position_2 place = Moving_point_2(motion).position(t);
+    EXPECT_EQ(unmoved, (Vector_2{place.x.convert_to<double>(), place.y.convert_to<double>()}));
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(on_sides, 30u);
+}
+
+TEST(Image_motion_2, is_wrapped_at_irrational_times_and_next_to_a_side) {
+  const Periodic_box_2 box({{2, 0}, {0, 0}, 0}, {{0, 2}, {0, 0}, 0});
+  const Algebraic_number root_of_2({-2, 0, 1}, 1, 2);
+  const Image_motion_2 image = wrapped({{0, 0}, {3, -1}, 0}, box, root_of_2);
+  EXPECT_EQ(image.offset, (Lattice_offset_2{-2, 1}));
+  EXPECT_EQ(rounded_position(image, root_of_2),
+            (Vector_2{0.24264068711928514, 0.5857864376269049}));
+  // The quotient is rounded to an integer.
+  const double below = std::nextafter(2.0, 0.0);
+  EXPECT_EQ(wrapped({{-1e-30, below}, {0, 0}, 0}, box, 0.0).offset, (Lattice_offset_2{1, 0}));
+  EXPECT_EQ(wrapped({{2 - 1e-300, 2}, {0, 0}, 0}, box, 0.0).offset, (Lattice_offset_2{-1, -1}));
+  EXPECT_THROW(wrapped({{1e10, 0}, {0, 0}, 0}, box, 0.0), Periodic_box_error);
 }
 
 TEST(Moving_image_2, prints_its_offset) {

@@ -78,6 +78,18 @@ inline double place_error(const Image_motion_2& image, double t, const Double_in
 /// Precondition: the numbers of the motion are finite.
 Trajectory_2 trajectory(const Image_motion_2& image);
 
+/// The position at time t, each coordinate rounded to the nearest binary64 number, ties to even.
+/// Cost: some operations on integers, more if t is irrational; few in binary64 if the offset is
+/// zero and t a binary64 number.
+Vector_2 rounded_position(const Image_motion_2& image, const Algebraic_number& t);
+
+/// The image that is in the parallelogram of the box at time t: its position is a sum of multiples
+/// of the lattice vectors, each from 0 to less than 1, exactly. Throws Periodic_box_error if its
+/// offset is 2^31 or more. Precondition: the area of the box is positive at t. Cost: as of
+/// rounded_position; a few times as much for an image on a side of the parallelogram.
+Image_motion_2 wrapped(const Linear_motion_2& motion, const Periodic_box_2& box,
+                       const Algebraic_number& t);
+
 extern template class Basic_moving_point_2<Image_motion_2>;
 extern template std::ostream& operator<<(std::ostream& out, const Moving_image_2& point);
 
