@@ -10,6 +10,7 @@ Arrays in, arrays out::
     kd.edges(), kd.triangles(), kd.nearest_neighbors()
 
 - `KineticDelaunay`: points on straight lines, or with acceleration and jerk
+- `Box`: a periodic box for these points, which may shear or grow
 - `KineticRegular`: discs of any size, growing ones too, and points with weights
 - `Simulation`: walls, and discs that collide
 - `Tracks`: recorded tracks
@@ -23,6 +24,7 @@ Positions and times are not rounded, and every decision is exact. Returned array
 """
 from ._answers import Watch
 from ._arrays import NO_POINT
+from ._box import Box
 from ._kinetri import Contact, Event, Time, __version__
 from ._moving import (AuditReport, KineticDelaunay, KineticRegular, Location, MovingPoints,
                       NearestNeighbors, Simulation, VoronoiCell)
@@ -32,9 +34,9 @@ from ._snapshot import Snapshot
 from ._types import ResponseName
 from .errors import (CoincidentTrajectoriesError, ContactError, ContactOverflowError, EndlessContactsError,
                      Error, InputError, InternalError, NegativeRadiusError, OutputError,
-                     OutsideBoxError, OverlappingDiscsError, PackingError, PreconditionError,
-                     SnapshotError, WorkerError)
-from .events import event_colors, event_dtype, event_kinds, to_dataframe
+                     OutsideBoxError, OverlappingDiscsError, PackingError, PeriodicBoxError,
+                     PreconditionError, SnapshotError, WorkerError)
+from .events import event_colors, event_dtype, event_kinds, periodic_event_dtype, to_dataframe
 from .pieces import run_in_pieces
 from .scenarios import packing, read_points, scenario
 from .sturm import RealRoot, SturmSequence, sturm_sequence
@@ -42,11 +44,11 @@ from .sweeps import parameter_list, result_table, sweep
 from .tracks import Tracks
 
 __all__ = [
-    "AuditReport", "CoincidentTrajectoriesError", "Contact", "ContactError", "ContactOverflowError",
+    "AuditReport", "Box", "CoincidentTrajectoriesError", "Contact", "ContactError", "ContactOverflowError",
     "EndlessContactsError", "Error", "Event", "InputError", "InternalError", "KineticDelaunay",
     "KineticRegular", "Location", "MovingPoints", "NO_POINT", "NearestNeighbors", "NegativeRadiusError", "OutputError",
-    "OutsideBoxError", "OverlappingDiscsError", "PackingError", "Page", "PreconditionError", "RealRoot", "Response",
+    "OutsideBoxError", "OverlappingDiscsError", "PackingError", "Page", "PeriodicBoxError", "PreconditionError", "RealRoot", "Response",
     "ResponseName", "Simulation", "Snapshot", "SnapshotError", "SturmSequence", "Time", "Tracks", "VoronoiCell",
     "Watch", "WorkerError", "__version__", "event_colors", "event_dtype", "event_kinds", "packing", "parameter_list",
-    "read_points", "respond", "result_table", "run_in_pieces", "scenario", "sturm_sequence", "sweep", "to_dataframe",
+    "periodic_event_dtype", "read_points", "respond", "result_table", "run_in_pieces", "scenario", "sturm_sequence", "sweep", "to_dataframe",
 ]

@@ -388,6 +388,8 @@ class RunAnswers:
         import pandas as pd
 
         limits = cell_limits(walkable, cutoff)
+        if self._engine.box() is not None:
+            raise PreconditionError("areas of cells are not possible in a periodic box")
         frames = _arrays.float_array("times", times, (None,))
         if np.any(np.diff(frames) < 0):
             i = int(np.argmax(np.diff(frames) < 0)) + 1

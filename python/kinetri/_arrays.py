@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ._types import ArrayLike, Box, Floats, Ids
+from ._types import ArrayLike, Floats, Ids, Walls
 from .errors import PreconditionError
 
 #: The id that stands for no point.
@@ -211,10 +211,13 @@ def one_number(name: str, value: Any) -> float:
     return float(float_array(name, [value], (1,))[0])
 
 
-def box_tuple(name: str, value: ArrayLike | None) -> Box | None:
+def box_tuple(name: str, value: ArrayLike | None) -> Walls | None:
     """A box (xmin, ymin, xmax, ymax), or None."""
     if value is None:
         return None
+    if hasattr(value, "collapse_time"):
+        raise PreconditionError(f"{name} is {value!r}, a periodic box, which is for a KineticDelaunay; expected walls: "
+                                "(xmin, ymin, xmax, ymax)")
     xmin, ymin, xmax, ymax = float_array(name, value, (4,)).tolist()
     if not (xmin < xmax and ymin < ymax):
         raise PreconditionError(

@@ -12,12 +12,13 @@ import numpy.typing as npt
 from . import _arrays, _coincidence, _kinetri
 from ._answers import RunAnswers, cell_limits
 from ._arrays import NO_POINT
+from ._box import Box, box_of
 from ._kinetri import Time
 from ._page import Page
 from ._progress import progress_bar
 from ._response import Collisions, engine_response
 from ._snapshot import Snapshot
-from ._types import ArrayLike, Box, Events, Floats, Ids, IdsLike, Path, Progress, TimeLike
+from ._types import ArrayLike, Events, Floats, Ids, IdsLike, Lattice, Offsets, Path, Progress, TimeLike, Walls
 from .errors import PreconditionError, SnapshotError
 from .events import table_of, take
 
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 _Points = TypeVar("_Points", bound="MovingPoints")
+_Delaunay = TypeVar("_Delaunay", bound="KineticDelaunay")
 _Simulation = TypeVar("_Simulation", bound="Simulation")
 
 
@@ -148,7 +150,7 @@ def _motions(positions: ArrayLike, velocities: ArrayLike | None, acceleration: A
 def _triangulation(positions: ArrayLike, velocities: ArrayLike | None, acceleration: ArrayLike | None,
                    jerk: ArrayLike | None, start: TimeLike, epoch: float | None = None,
                    sizes: tuple[ArrayLike | None, ArrayLike | None, ArrayLike | None] | None = None,
-                   *, coincident: str) -> _kinetri.Engine:
+                   *, coincident: str, lattice: Lattice | None = None) -> _kinetri.Engine:
     """The engine of a triangulation: a regular one if there are sizes (radius, growth, weight).
 
     The epoch of the motions is the start by default.
@@ -158,7 +160,8 @@ def _triangulation(positions: ArrayLike, velocities: ArrayLike | None, accelerat
     motions, _ = _motions(positions, velocities, acceleration, jerk, *(sizes or (None, None, None)),
                           float(start) if epoch is None else epoch)
     is_polynomial = acceleration is not None or jerk is not None
-    return _kinetri.make_triangulation(motions, is_polynomial, sizes is not None, start, refuses_coincident)
+    return _kinetri.make_triangulation(motions, is_polynomial, sizes is not None, start, refuses_coincident,
+                                       lattice)
 
 
 class MovingPoints(RunAnswers):
@@ -266,7 +269,8 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         array of uint32, shape (m, 2)
-            The ids of the ends, the smaller first; sorted.
+            The ids of the ends, the smaller first; sorted. In a periodic box a pair has a row for each of its edges,
+            and an edge may go from a point to its own image: see `KineticDelaunay.edge_offsets`.
         """
         return self._engine.edges()
 
@@ -277,7 +281,7 @@ class MovingPoints(RunAnswers):
         -------
         array of uint32, shape (k, 3)
             The ids of the corners, counterclockwise, the least first; sorted. Empty if all points are
-            collinear.
+            collinear. In a periodic box ids may repeat: see `KineticDelaunay.triangle_offsets`.
         """
         return self._engine.triangles()
 
@@ -335,7 +339,7 @@ class MovingPoints(RunAnswers):
     def threads(self) -> int:
         """int: the maximum number of threads while time advances; 0, the default: as many as are available.
 
-        The results are the same for any number, up to 1024. Several threads are used if there are about 50 000
+        The results are the same for any number, up to 1024. In a periodic box it is 1. Several threads are used if there are about 50 000
         points or more, of which at most one in 1000 is hidden, many events are due, and `collisions` is neither
         a function nor "log" nor "remove". Copies, and objects that are loaded or restored, begin with 0.
         """
@@ -403,7 +407,8 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         structured array of `event_dtype`, shape (events,)
-            With the fields kind, time, time_lo, time_hi, removed, added, points. An exception has the events
+            With the fields kind, time, time_lo, time_hi, removed, added, points. In a periodic box of
+            `periodic_event_dtype`, also with removed_offset and added_offset. An exception has the events
             before it as its attribute `events`.
 
         Raises
@@ -419,7 +424,7 @@ class MovingPoints(RunAnswers):
         >>> events["kind"], events["time"], events["removed"], events["added"]
         (array(['flip'], dtype='<U12'), array([2.5]), array([[0, 1]], dtype=uint32), array([[2, 3]], dtype=uint32))
         """
-        table = table_of(kinds)
+        table = table_of(kinds, self._engine.box() is not None)
         try:
             self._advance(until, table, progress)
         except BaseException as error:
@@ -709,7 +714,8 @@ class MovingPoints(RunAnswers):
         -------
         array of uint32, shape (degree,)
             Counterclockwise: for an inner point from the smallest id on, for a hull point from one hull
-            neighbor to the other. Of a point that coincides with others for a while: if it is hidden, the point that
+            neighbor to the other. In a periodic box one for each end of an edge at the point: ids may repeat, and may
+            be that of the point itself (`KineticDelaunay.neighbor_offsets`). Of a point that coincides with others for a while: if it is hidden, the point that
             hides it; else at the end also those that it hides, ascending.
 
         Raises
@@ -969,7 +975,7 @@ class MovingPoints(RunAnswers):
     def save(self, path: Path) -> None:
         """Writes the state to a checkpoint file atomically.
 
-        The program reads it: ``kinetri resume PATH --until T``.
+        The program reads it: ``kinetri resume PATH --until T``. Not possible in a periodic box; then pickle the object.
 
         Parameters
         ----------
@@ -1015,7 +1021,7 @@ class MovingPoints(RunAnswers):
 
     @classmethod
     def _restored(cls: type[_Points], state: bytes, attributes: dict[str, Any]) -> _Points:
-        return cls._around(_kinetri.restore(state, False, None), **attributes)
+        raise NotImplementedError
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Snapshot.restore, (self.snapshot(),)
@@ -1097,11 +1103,20 @@ class KineticDelaunay(MovingPoints):
     coincident : {'hide', 'refuse'}
         What happens to points that coincide for a while, now or after a change: the one with the least id hides the
         others (see `MovingPoints`), or they are an error. Copies, snapshots and files keep it.
+    box : Box, optional
+        A periodic box; or what `Box` takes as its first argument: two lengths, two lattice vectors, a box of freud, a
+        cell or an Atoms of ASE. Points may be, and go, anywhere: only their positions modulo the lattice matter. There
+        is no hull, and n points have 3n edges and 2n triangles, from one point on. What is not possible in a
+        periodic box raises a PreconditionError that says so: acceleration, several threads, hulls, cells and areas,
+        queries for positions, nearest neighbors, questions about runs, pages, checkpoint files.
 
     Raises
     ------
     PreconditionError
-        If a number is not finite, a shape is wrong, or `coincident` is another word.
+        If a number is not finite, a shape is wrong, `box` is something else, or `coincident` is another word.
+    PeriodicBoxError
+        If the area of the box is not positive at `start`. `advance_to` raises it, and nothing happens, if the area
+        would become zero before the time or at it; `step` executes only events before that.
     CoincidentTrajectoriesError
         If two points coincide for a while, and `coincident` is 'refuse'.
 
@@ -1113,11 +1128,19 @@ class KineticDelaunay(MovingPoints):
     >>> events = kd.record(until=0.1)
     >>> kd.time == 0.1, kd.positions().shape, kd.triangles().shape[1], bool(kd.audit("delaunay"))
     (True, (1000, 2), 3, True)
+
+    One point in a periodic box under shear:
+
+    >>> kd = kinetri.KineticDelaunay([[0, 0]], [[0, 0]], box=kinetri.Box.shear(1, 1, 1))
+    >>> kd.edges().tolist(), kd.edge_offsets().tolist()
+    ([[0, 0], [0, 0], [0, 0]], [[0, 1], [1, -1], [1, 0]])
     """
 
     def __init__(self, positions: ArrayLike, velocities: ArrayLike, *, acceleration: ArrayLike | None = None,
-                 jerk: ArrayLike | None = None, start: TimeLike = 0.0, coincident: str = "hide") -> None:
-        self._engine = _triangulation(positions, velocities, acceleration, jerk, start, coincident=coincident)
+                 jerk: ArrayLike | None = None, start: TimeLike = 0.0, coincident: str = "hide",
+                 box: Any = None) -> None:
+        self._engine = _triangulation(positions, velocities, acceleration, jerk, start, coincident=coincident,
+                                      lattice=None if box is None else box_of(box)._numbers)
 
     @classmethod
     def _at(cls, positions: Floats, velocities: Floats, acceleration: Floats | None, jerk: Floats | None,
@@ -1125,6 +1148,110 @@ class KineticDelaunay(MovingPoints):
         """A triangulation of the points at the time `start`, with motions of another epoch."""
         return cls._around(
             _triangulation(positions, velocities, acceleration, jerk, start, epoch, coincident=coincident))
+
+    # ---- periodic boxes ----
+
+    @property
+    def box(self) -> Box | None:
+        """Box or None: the periodic box. After `reverse` it is the mirrored one."""
+        lattice = self._engine.box()
+        return None if lattice is None else Box._of(lattice)
+
+    def positions(self, *, wrapped: bool = False) -> Floats:
+        """The positions now; in a periodic box also those of the images in the box.
+
+        Parameters
+        ----------
+        wrapped : bool
+            Whether to give, for each point, the position of its image in the parallelogram of the box: the sum of
+            multiples of the two lattice vectors of the present time, each from 0 to less than 1. Only in a box.
+
+        Returns
+        -------
+        array of float64, shape (n, 2)
+            By id, each coordinate rounded to the nearest float64; NaN if there is no point. Which image is in the
+            box is decided exactly, before rounding. By default points are where their motions have taken them:
+            offsets are against these positions.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no box.
+        PeriodicBoxError
+            If a point is 2^31 or more lattice vectors away from the box.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[9, 1], [2, -1]], [[0, 0], [0, 0]], box=(4, 4))
+        >>> kd.positions(wrapped=True).tolist()
+        [[1.0, 1.0], [2.0, 3.0]]
+        """
+        return self._engine.wrapped_positions() if wrapped else self._engine.positions()
+
+    def edge_offsets(self) -> Offsets:
+        """In a periodic box, which image of the second end of each edge is meant.
+
+        Returns
+        -------
+        array of int32, shape (m, 2)
+            In the order of `edges()`: how often each lattice vector is added to the position of the second end, as
+            `positions()` gives it. An edge from a point to its own image has the greater of its two offsets.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no box.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[0, 0], [3, 1]], [[0, 0], [0, 0]], box=(4, 4))
+        >>> (a, b), offsets, places = kd.edges().T, kd.edge_offsets(), kd.positions()
+        >>> vectors = places[b] + offsets @ kd.box.vectors_at(kd.time) - places[a]
+        >>> len(vectors), vectors[0].tolist()
+        (6, [0.0, 4.0])
+        """
+        return self._engine.edge_offsets()
+
+    def triangle_offsets(self) -> Offsets:
+        """In a periodic box, which images the corners of each triangle are.
+
+        Returns
+        -------
+        array of int32, shape (k, 3, 2)
+            In the order of `triangles()`: the offset of each corner against the first one, (0, 0) for that, as in
+            `edge_offsets`.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no box.
+        """
+        return self._engine.triangle_offsets().reshape(-1, 3, 2)
+
+    def neighbor_offsets(self, id: int) -> Offsets:
+        """In a periodic box, which images of its neighbors have an edge to a point.
+
+        Parameters
+        ----------
+        id : int
+            The point.
+
+        Returns
+        -------
+        array of int32, shape (degree, 2)
+            In the order of `neighbors(id)`, as in `edge_offsets`. That of a point that coincides with it for a while
+            is the offset of the image in the same place.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no box, or no such point.
+        """
+        return self._engine.neighbor_offsets(_arrays.one_id("id", id))
+
+    # ---- time ----
 
     def next_event_time(self) -> _kinetri.Time | None:
         """The exact time of the next event.
@@ -1148,6 +1275,22 @@ class KineticDelaunay(MovingPoints):
             The number of events of the present time, which are reversed at once.
         """
         return self._engine.reverse()
+
+    # ---- state ----
+
+    def _snapshot(self, response: str) -> Snapshot:
+        snapshot = super()._snapshot(response)
+        box = self.box
+        if box is not None:
+            snapshot.state = box._line() + snapshot.state
+        return snapshot
+
+    @classmethod
+    def _restored(cls: type[_Delaunay], state: bytes, attributes: dict[str, Any]) -> _Delaunay:
+        lattice, points = Box._and_rest(state)
+        return cls._around(_kinetri.restore(points, False, None, lattice), **attributes)
+
+    # ---- changes ----
 
     def set_motions(self, ids: IdsLike, positions: ArrayLike, velocities: ArrayLike, *,
                     acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None) -> None:
@@ -1352,7 +1495,7 @@ class Simulation(MovingPoints):
         return radius * radius
 
     @property
-    def box(self) -> Box | None:
+    def box(self) -> Walls | None:
         """(xmin, ymin, xmax, ymax) or None: the walls."""
         return self._engine.box_and_radius()[0]
 
@@ -1577,4 +1720,4 @@ class Simulation(MovingPoints):
     @classmethod
     def _restored(cls: type[_Simulation], state: bytes, attributes: dict[str, Any]) -> _Simulation:
         response = engine_response(attributes["collisions"])
-        return cls._around(_kinetri.restore(state, True, response), **attributes)
+        return cls._around(_kinetri.restore(state, True, response, None), **attributes)

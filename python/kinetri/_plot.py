@@ -6,6 +6,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from ._box import Box
+from ._moving import KineticDelaunay
 from ._types import Floats, Ids
 
 
@@ -18,6 +20,14 @@ class Drawn(Protocol):
     def coincident_points(self, id: int) -> Ids: ...
 
 
+def _in_box(points: KineticDelaunay, box: Box) -> tuple[Floats, Floats]:
+    """The positions of images in a periodic box, and the ends of edges: each begins at such an image."""
+    places, wrapped = points.positions(), points.positions(wrapped=True)
+    a, b = points.edges().T
+    vectors = places[b] + points.edge_offsets() @ box.vectors_at(points.time) - places[a]
+    return wrapped, np.stack([wrapped[a], wrapped[a] + vectors], axis=1)
+
+
 def draw(points: Drawn, ax: Any, ids: bool, style: dict[str, Any]) -> Any:
     """Draws edges, discs and points on the axes, and returns these."""
     import matplotlib.pyplot as plt
@@ -25,10 +35,14 @@ def draw(points: Drawn, ax: Any, ids: bool, style: dict[str, Any]) -> Any:
 
     if ax is None:
         ax = plt.gca()
-    places = points.positions()
-    there = ~np.isnan(places[:, 0])
     style = {"color": "0.55", "linewidth": 0.8, "zorder": 1, **style}
-    ax.add_collection(LineCollection(places[points.edges()], **style))
+    if isinstance(points, KineticDelaunay) and points.box is not None:
+        places, lines = _in_box(points, points.box)
+    else:
+        places = points.positions()
+        lines = places[points.edges()]
+    there = ~np.isnan(places[:, 0])
+    ax.add_collection(LineCollection(lines, **style))
     radii = np.abs(points.radii()[there])
     if np.any(radii > 0):
         ax.add_collection(EllipseCollection(

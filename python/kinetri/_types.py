@@ -17,13 +17,17 @@ if TYPE_CHECKING:
 ArrayLike = npt.ArrayLike
 Floats = npt.NDArray[np.float64]
 Ids = npt.NDArray[np.uint32]
+#: How often each lattice vector of a periodic box is added.
+Offsets = npt.NDArray[np.int32]
 #: Points: ids, a slice of the ids, or a mask with one bool for each id.
 IdsLike = Union[npt.ArrayLike, slice]
 #: Rows of `event_dtype`.
 Events = npt.NDArray[np.void]
 Vector = Union[Sequence[float], Floats]
 #: xmin, ymin, xmax, ymax
-Box = tuple[float, float, float, float]
+Walls = tuple[float, float, float, float]
+#: Of a periodic box: two vectors, the two rates, and the epoch.
+Lattice = tuple[float, float, float, float, float, float, float, float, float]
 Path = Union[str, "os.PathLike[str]"]
 TimeLike = Union[float, Fraction, "np.integer[Any]", "np.floating[Any]", "Time"]
 #: Whether to show a progress bar, or a function of the present time.

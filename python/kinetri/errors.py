@@ -115,6 +115,10 @@ class OutsideBoxError(Error, ValueError):
     id: int
 
 
+class PeriodicBoxError(Error, ValueError):
+    """The area of a periodic box is not positive, or not at a time; or an image is too many lattice vectors away."""
+
+
 class PackingError(Error):
     """A packing does not reach the requested share."""
 

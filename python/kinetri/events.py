@@ -35,11 +35,18 @@ event_colors = _kinetri.event_colors
 #:     coincides with another for a while, the second is that other, which hides, or hid, the first.
 event_dtype: np.dtype[np.void] = np.dtype(_kinetri.event_fields)
 
+#: The fields of an array of events in a periodic box: those of `event_dtype`, and two more.
+#:
+#: removed_offset, added_offset : two int32
+#:     Which image of the second end of the removed edge, and of the added one, is meant: how often each lattice
+#:     vector is added to it; 0 if there is no edge.
+periodic_event_dtype: np.dtype[np.void] = np.dtype(_kinetri.periodic_event_fields)
 
-def table_of(kinds: str | Iterable[str] | None) -> _kinetri.EventTable:
-    """A table that stores the events of these kinds; by default all."""
+
+def table_of(kinds: str | Iterable[str] | None, is_periodic: bool) -> _kinetri.EventTable | _kinetri.PeriodicEventTable:
+    """A table that stores the events of these kinds, by default all, with offsets if there is a periodic box."""
     if kinds is None:
-        return _kinetri.EventTable([True] * len(event_kinds))
+        return _empty_table([True] * len(event_kinds), is_periodic)
     expected = "one or more of " + ", ".join(map(repr, event_kinds))
     try:
         named = [kinds] if isinstance(kinds, str) else list(kinds)
@@ -48,12 +55,16 @@ def table_of(kinds: str | Iterable[str] | None) -> _kinetri.EventTable:
     for kind in named:
         if kind not in event_kinds:
             raise PreconditionError(f"kinds has {kind!r}, which is not a kind of event; expected {expected}")
-    return _kinetri.EventTable([kind in named for kind in event_kinds])
+    return _empty_table([kind in named for kind in event_kinds], is_periodic)
 
 
-def take(table: _kinetri.EventTable) -> Events:
-    """The rows of an EventTable, without a copy. The table is empty then."""
-    return table.take(event_dtype)
+def _empty_table(kept: list[bool], is_periodic: bool) -> _kinetri.EventTable | _kinetri.PeriodicEventTable:
+    return _kinetri.PeriodicEventTable(kept) if is_periodic else _kinetri.EventTable(kept)
+
+
+def take(table: _kinetri.EventTable | _kinetri.PeriodicEventTable) -> Events:
+    """The rows of a table, without a copy. The table is empty then."""
+    return table.take(periodic_event_dtype if isinstance(table, _kinetri.PeriodicEventTable) else event_dtype)
 
 
 def to_dataframe(events: Events) -> pd.DataFrame:
@@ -61,7 +72,7 @@ def to_dataframe(events: Events) -> pd.DataFrame:
 
     Parameters
     ----------
-    events : array of `event_dtype`
+    events : array of `event_dtype` or `periodic_event_dtype`
         As `record` gives them.
 
     Returns
@@ -69,7 +80,7 @@ def to_dataframe(events: Events) -> pd.DataFrame:
     pandas.DataFrame
         The columns of the program's event log but event and instant: kind, time, time_lo, time_hi,
         removed_a, removed_b, added_a, added_b, point_a, point_b. Ids are of the type UInt32, with <NA> where
-        there is none.
+        there is none. In a periodic box also removed_k, removed_l, added_k, added_l of the type Int32: the offsets.
 
     Examples
     --------
@@ -87,4 +98,9 @@ def to_dataframe(events: Events) -> pd.DataFrame:
         for i, name in enumerate(names):
             ids = events[field][:, i]
             columns[name] = pd.arrays.IntegerArray(ids.copy(), ids == NO_POINT)
+    if events.dtype == periodic_event_dtype:
+        for edge in ("removed", "added"):
+            for i, name in enumerate("kl"):
+                columns[f"{edge}_{name}"] = pd.arrays.IntegerArray(
+                    events[f"{edge}_offset"][:, i].copy(), events[edge][:, 0] == NO_POINT)
     return pd.DataFrame(columns)

@@ -27,6 +27,8 @@ namespace {
 using Numbers = std::optional<Array<double>>;
 using Ids = Array<Point_id>;
 using Box = std::array<double, 4>;
+/// A periodic box: the two lattice vectors, their rates, and the epoch of both.
+using Lattice = std::array<double, 9>;
 
 /// The columns of motions, and the arrays that own them.
 class Motions {
@@ -65,6 +67,20 @@ std::optional<Algebraic_number> limit(const py::object& until) {
 
 const Algebraic_number* pointer(const std::optional<Algebraic_number>& time) {
   return time ? &*time : nullptr;
+}
+
+std::optional<Periodic_box_2> periodic_box(const std::optional<Lattice>& lattice) {
+  if (!lattice) return std::nullopt;
+  const auto& [ax, ay, bx, by, ax_rate, ay_rate, bx_rate, by_rate, epoch] = *lattice;
+  return Periodic_box_2({{ax, ay}, {ax_rate, ay_rate}, epoch},
+                        {{bx, by}, {bx_rate, by_rate}, epoch});
+}
+
+std::optional<Lattice> lattice_of(const std::optional<Periodic_box_2>& box) {
+  if (!box) return std::nullopt;
+  const auto& [a, a_rate, epoch] = box->first();
+  const auto& [b, b_rate, same_epoch] = box->second();
+  return Lattice{a.x, a.y, b.x, b.y, a_rate.x, a_rate.y, b_rate.x, b_rate.y, epoch};
 }
 
 Coincident_points coincident_points(bool are_refused) {
@@ -139,12 +155,13 @@ py::tuple make_moving_tracks(const Array<double>& times, const Array<double>& pl
 }
 
 std::shared_ptr<Moving> restored(const Checkpoint& checkpoint, bool is_simulation,
-                                 const py::object& collisions) {
+                                 const py::object& collisions,
+                                 const std::optional<Lattice>& lattice) {
   const Interrupt_flag flag = new_flag();
   const Collision_response response = response_of(collisions, flag);
   auto engine = without_gil([&] {
     return restore(checkpoint, is_simulation ? Engine_kind::simulation : Engine_kind::triangulation,
-                   response);
+                   response, periodic_box(lattice));
   });
   return std::make_shared<Moving>(std::move(engine), flag);
 }
@@ -355,6 +372,45 @@ void bind_present(py::class_<Moving, std::shared_ptr<Moving>>& type) {
                            [](auto radii) { return array_of<double>(std::move(radii)); }));
 }
 
+template <class Range>
+std::vector<Lattice_offset_2> offsets(const Range& edges_or_images) {
+  std::vector<Lattice_offset_2> result;
+  for (const auto& one : edges_or_images) result.push_back(one.offset);
+  return result;
+}
+
+// Three of each.
+std::vector<Lattice_offset_2> offsets(const std::vector<Periodic_triangle>& triangles) {
+  std::vector<Lattice_offset_2> result;
+  for (const Periodic_triangle& triangle : triangles) {
+    for (const Image& corner : triangle) result.push_back(corner.offset);
+  }
+  return result;
+}
+
+py::array_t<std::int32_t> array_of_offsets(std::vector<Lattice_offset_2> offsets) {
+  return array_of<std::int32_t>(std::move(offsets), 2);
+}
+
+void bind_box(py::class_<Moving, std::shared_ptr<Moving>>& type) {
+  type.def("box", answer([](Engine& e) { return lattice_of(e.box()); },
+                         [](const std::optional<Lattice>& lattice) { return lattice; }))
+      .def("edge_offsets",
+           answer([](Engine& e) { return offsets(e.periodic_edges()); }, array_of_offsets))
+      .def("triangle_offsets",
+           answer([](Engine& e) { return offsets(e.periodic_triangles()); }, array_of_offsets))
+      .def("neighbor_offsets",
+           [](Moving& moving, Point_id id) {
+             return array_of_offsets(moving.with_engine([&](Engine& e) {
+               check_contains(e, {&id, 1});
+               return offsets(e.periodic_neighbors(id));
+             }));
+           })
+      .def("wrapped_positions",
+           answer([](Engine& e) { return e.wrapped_positions(); },
+                  [](auto places) { return array_of<double>(std::move(places), 2); }));
+}
+
 void bind_time_and_changes(py::class_<Moving, std::shared_ptr<Moving>>& type) {
   type.def("advance",
            [](Moving& moving, const py::object& until, Event_observer* observer,
@@ -516,6 +572,11 @@ void bind_answers(py::class_<Moving, std::shared_ptr<Moving>>& type) {
       .def("save",
            [](Moving& moving, const std::string& path, const std::string& response) {
              moving.with_engine([&](Engine& e) {
+               if (e.box()) {
+                 throw Precondition_error(
+                     "files of states are not possible in a periodic box; expected a snapshot, "
+                     "which can be pickled");
+               }
                Checkpoint checkpoint = e.snapshot();
                checkpoint.response = response;
                write_checkpoint_file(path, checkpoint);
@@ -554,14 +615,16 @@ void bind_engine(py::module_& module) {
            py::arg("weights") = py::none(), py::arg("epoch") = 0.0);
   py::class_<Moving, std::shared_ptr<Moving>> engine(module, "Engine");
   bind_present(engine);
+  bind_box(engine);
   bind_time_and_changes(engine);
   bind_answers(engine);
   module.def("make_triangulation", [](const Motions& motions, bool is_polynomial, bool has_weight,
-                                      const py::object& start, bool refuses_coincident) {
+                                      const py::object& start, bool refuses_coincident,
+                                      const std::optional<Lattice>& lattice) {
     const Algebraic_number time = time_of(start);
     return std::make_shared<Moving>(without_gil([&] {
       return make_triangulation(motions.columns(), {is_polynomial, has_weight}, time,
-                                coincident_points(refuses_coincident));
+                                coincident_points(refuses_coincident), periodic_box(lattice));
     }));
   });
   module.def("make_simulation", make_moving_simulation);
@@ -582,16 +645,17 @@ void bind_engine(py::module_& module) {
            py::arg("limits") = nullptr, py::arg("tolerance") = 0.0)
       .def("table", &Moving_watch::table);
   module.def("make_tracks", make_moving_tracks);
-  module.def("restore",
-             [](const py::bytes& state, bool is_simulation, const py::object& collisions) {
-               std::istringstream in{std::string(state)};
-               return restored(read_checkpoint(in, "snapshot"), is_simulation, collisions);
-             });
+  module.def("restore", [](const py::bytes& state, bool is_simulation, const py::object& collisions,
+                           const std::optional<Lattice>& lattice) {
+    std::istringstream in{std::string(state)};
+    return restored(read_checkpoint(in, "snapshot"), is_simulation, collisions, lattice);
+  });
   module.def("load", [](const std::string& path, bool is_simulation, const py::object& collisions) {
     const Checkpoint checkpoint = read_checkpoint_file(path);
     const bool takes_name = py::isinstance<py::ellipsis>(collisions);
     const py::object response = takes_name ? py::object(py::str(checkpoint.response)) : collisions;
-    return py::make_tuple(restored(checkpoint, is_simulation, response), checkpoint.response);
+    return py::make_tuple(restored(checkpoint, is_simulation, response, std::nullopt),
+                          checkpoint.response);
   });
 }
 

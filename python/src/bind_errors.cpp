@@ -12,6 +12,7 @@
 #include "bindings.h"
 #include "kinetri/base/error.h"
 #include "kinetri/io/output_error.h"
+#include "kinetri/kinetic/periodic_box_2.h"
 #include "kinetri/simulation/packing.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "parameter_names.h"
@@ -71,6 +72,8 @@ void translate(std::exception_ptr thrown) {
           attribute("time", error.time()));
   } catch (const Outside_box_error& error) {
     raise("OutsideBoxError", error, attribute("id", error.point()));
+  } catch (const Periodic_box_error& error) {
+    raise("PeriodicBoxError", error);
   } catch (const Packing_error& error) {
     raise("PackingError", error);
   } catch (const Snapshot_error& error) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine.h"
 
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
+#include "kinetri/base/error.h"
+#include "kinetri/kinetic/periodic_kinetic_traits_2.h"
 #include "make_engine.h"
 
 namespace kinetri::python {
@@ -41,9 +44,18 @@ Polynomial_disc_motion_2 Motion_columns::operator[](std::size_t i) const {
 
 std::unique_ptr<Engine> make_triangulation(const Motion_columns& motions, const Motion_kind& kind,
                                            const Algebraic_number& start,
-                                           Coincident_points coincident) {
+                                           Coincident_points coincident,
+                                           const std::optional<Periodic_box_2>& box) {
+  if (box) {
+    if (kind.is_polynomial || kind.has_weight) {
+      throw Precondition_error(
+          "acceleration, jerk and radii are not possible in a periodic box; expected points on "
+          "straight lines");
+    }
+    return make_engine(motions, start, coincident, Periodic_kinetic_traits_2(*box));
+  }
   return with_traits(kind, [&]<class Traits>(std::type_identity<Traits>) {
-    return make_engine<Traits>(motions, start, coincident);
+    return make_engine(motions, start, coincident, Traits());
   });
 }
 
@@ -56,7 +68,12 @@ std::unique_ptr<Engine> make_simulation(const Motion_columns& motions, const Mot
 }
 
 std::unique_ptr<Engine> restore(const Checkpoint& checkpoint, Engine_kind kind,
-                                Collision_response response) {
+                                Collision_response response,
+                                const std::optional<Periodic_box_2>& box) {
+  if (box) {
+    return make_periodic_engine(
+        std::get<Simulation_snapshot<Linear_kinetic_traits_2>>(checkpoint.simulation), *box);
+  }
   return std::visit(
       [&](const auto& snapshot) { return make_engine(snapshot, kind, std::move(response)); },
       checkpoint.simulation);

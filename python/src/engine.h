@@ -21,6 +21,7 @@
 #include "kinetri/io/checkpoint_file.h"
 #include "kinetri/kinetic/certificate_counters.h"
 #include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/kinetic/periodic_box_2.h"
 #include "kinetri/observers/cell_areas.h"
 #include "kinetri/simulation/recording.h"
 #include "kinetri/simulation/simulation_options.h"
@@ -57,6 +58,18 @@ struct Motion_kind {
   friend bool operator==(const Motion_kind&, const Motion_kind&) = default;
 };
 
+/// An image of a point in a periodic box, and its offset against the point.
+struct Image {
+  Point_id id = no_point;
+  Lattice_offset_2 offset = {};
+
+  friend auto operator<=>(const Image&, const Image&) = default;
+};
+
+/// The corners of a triangle in a periodic box, counterclockwise; offsets are against the first
+/// one. It is the corner that makes the triangle the least; so it has the least id.
+using Periodic_triangle = std::array<Image, 3>;
+
 /// Counters since the start.
 struct Statistics {
   std::array<std::uint64_t, event_kinds> events = {};  ///< by Event_kind
@@ -66,8 +79,8 @@ struct Statistics {
 };
 
 /// The triangulation or simulation. Functions throw what those of Kinetic_triangulation_2 and
-/// Simulation_2 throw; what a triangulation or this kind of motion cannot do throws
-/// Precondition_error.
+/// Simulation_2 throw; what a triangulation, this kind of motion, or points in a periodic box
+/// cannot do throws Precondition_error.
 class Engine {
  public:
   using Time = Algebraic_number;
@@ -92,6 +105,17 @@ class Engine {
   virtual std::vector<Point_id> hull() const = 0;
   virtual std::vector<Point_id> hidden_points() const = 0;
   virtual std::vector<Point_id> coincident_points(Point_id id) const = 0;
+
+  // ---- the present in a periodic box ----
+  virtual std::optional<Periodic_box_2> box() const = 0;
+  /// In the order of edges().
+  virtual std::vector<Periodic_edge> periodic_edges() const = 0;
+  /// In the order of triangles().
+  virtual std::vector<Periodic_triangle> periodic_triangles() const = 0;
+  /// In the order of neighbors(id). Offsets are against the image of the point `id` itself.
+  virtual std::vector<Image> periodic_neighbors(Point_id id) const = 0;
+  /// As positions(), but of the images in the box.
+  virtual std::vector<double> wrapped_positions() const = 0;
 
   // ---- time ----
   virtual std::optional<Time> next_event_time() = 0;
@@ -150,6 +174,7 @@ class Engine {
   virtual Statistics statistics() const = 0;
   /// The default ones for a triangulation.
   virtual Simulation_options options() const = 0;
+  /// In a periodic box that of the points alone.
   virtual Checkpoint snapshot() const = 0;
 };
 
@@ -159,10 +184,12 @@ enum class Engine_kind {
   simulation,     ///< Simulation_2
 };
 
-/// A triangulation of motions of that kind. Columns that the kind does not have must be zero.
+/// A triangulation of motions of that kind. Columns that the kind does not have must be zero. In a
+/// periodic box points neither accelerate nor have weights.
 std::unique_ptr<Engine> make_triangulation(const Motion_columns& motions, const Motion_kind& kind,
                                            const Algebraic_number& start,
-                                           Coincident_points coincident);
+                                           Coincident_points coincident,
+                                           const std::optional<Periodic_box_2>& box);
 
 /// A simulation of motions of that kind.
 std::unique_ptr<Engine> make_simulation(const Motion_columns& motions, const Motion_kind& kind,
@@ -170,9 +197,11 @@ std::unique_ptr<Engine> make_simulation(const Motion_columns& motions, const Mot
                                         const Simulation_options& options);
 
 /// The triangulation or simulation of a checkpoint. Throws Snapshot_error if `kind` is a
-/// triangulation, but the state has a box, a response or scheduled changes.
+/// triangulation, but the state has a box, a response or scheduled changes. The checkpoint of a
+/// triangulation in a periodic box is that of its points, without `box`.
 std::unique_ptr<Engine> restore(const Checkpoint& checkpoint, Engine_kind kind,
-                                Collision_response response);
+                                Collision_response response,
+                                const std::optional<Periodic_box_2>& box);
 
 /// A simulation of tracks; discs if there are radii.
 std::unique_ptr<Engine> make_tracks_simulation(std::span<const std::vector<Observation_2>> tracks,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -16,6 +17,10 @@
 
 #include "engine.h"
 #include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/incident.h"
+#include "kinetri/impl/triangulation/torus_triangulation_impl.h"
+#include "kinetri/kinetic/image_motion_2.h"
+#include "kinetri/kinetic/kinetic_traits_2.h"
 #include "kinetri/observers/proximity_graphs.h"
 #include "kinetri/simulation/simulation_2.h"
 
@@ -70,6 +75,7 @@ class Engine_of final : public Engine {
   using Kinetic = Kinetic_triangulation_2<Traits>;
 
   static constexpr bool is_simulation = !std::is_same_v<Core<Traits>, Kinetic>;
+  static constexpr bool is_periodic = PeriodicKineticTraits_2<Traits>;
 
   explicit Engine_of(std::unique_ptr<Core<Traits>> core) : core_(std::move(core)) {
     core_->set_threads(threads_);
@@ -99,6 +105,28 @@ class Engine_of final : public Engine {
     return kinetic().coincident_points(id);
   }
 
+  // ---- the present in a periodic box ----
+
+  std::optional<Periodic_box_2> box() const override {
+    if constexpr (is_periodic) {
+      return kinetic().traits().box();
+    } else {
+      return std::nullopt;
+    }
+  }
+  std::vector<Periodic_edge> periodic_edges() const override {
+    if constexpr (is_periodic) return kinetic().periodic_edges();
+    refuse_without_box();
+  }
+  std::vector<Periodic_triangle> periodic_triangles() const override;
+  std::vector<Image> periodic_neighbors(Point_id id) const override;
+  std::vector<double> wrapped_positions() const override {
+    if constexpr (is_periodic) {
+      return positions_of([this](Point_id id) { return wrapped_motion(id); });
+    }
+    refuse_without_box();
+  }
+
   // ---- time ----
 
   std::optional<Time> next_event_time() override;
@@ -110,6 +138,7 @@ class Engine_of final : public Engine {
   }
   std::size_t threads() const override { return threads_; }
   void set_threads(std::size_t most) override {
+    if (is_periodic && most > 1) refuse_in_box("several threads");
     threads_ = most;
     core_->set_threads(most);
   }
@@ -125,6 +154,7 @@ class Engine_of final : public Engine {
   Point_id insert(const Motion_columns& motions, std::span<const double> masses) override;
   void erase(std::span<const Point_id> ids) override;
   void set_motions(std::span<const Point_id> ids, const Motion_columns& motions) override {
+    check_motions(motions);
     core_->set_motions(ids, motions_of<Motion>(motions));
   }
   void set_velocities(std::span<const Point_id> ids, std::span<const double> velocities) override;
@@ -152,53 +182,71 @@ class Engine_of final : public Engine {
   void add_observer(Event_observer& observer) override { core_->add_observer(observer); }
   void remove_observer(Event_observer& observer) override { core_->remove_observer(observer); }
   std::unique_ptr<Event_observer> recorder(double until, std::size_t most_rows) override {
-    return std::make_unique<Recorder<Traits>>(kinetic(), until, most_rows);
+    if constexpr (!is_periodic) {
+      return std::make_unique<Recorder<Traits>>(kinetic(), until, most_rows);
+    }
+    refuse_in_box("the pages of runs");
   }
   Recording recording(const Event_observer& recorder) const override {
-    return dynamic_cast<const Recorder<Traits>&>(recorder).recording();
+    if constexpr (!is_periodic) return dynamic_cast<const Recorder<Traits>&>(recorder).recording();
+    refuse_in_box("the pages of runs");
   }
 
   std::unique_ptr<Watch> watch(const Question& question) override {
-    return python::watch(*core_, question);
+    if constexpr (!is_periodic) return python::watch(*core_, question);
+    refuse_in_box("questions about a run, such as " + question.about);
   }
 
   // ---- answers ----
 
   std::optional<Point_id> nearest_vertex(const Vector_2& place) const override {
-    return queries().nearest_vertex(place);
+    if constexpr (!is_periodic) return queries().nearest_vertex(place);
+    refuse_in_box("queries for the nearest point");
   }
-  Location_2 locate(const Vector_2& place) const override { return queries().locate(place); }
-  std::vector<Point_id> neighbors(Point_id id) const override { return queries().neighbors(id); }
+  Location_2 locate(const Vector_2& place) const override {
+    if constexpr (!is_periodic) return queries().locate(place);
+    refuse_in_box("queries for the triangle at a position");
+  }
+  std::vector<Point_id> neighbors(Point_id id) const override;
   Voronoi_cell_2<Vector_2> voronoi_cell(Point_id id) const override {
-    return queries().rounded_voronoi_cell(id);
+    if constexpr (!is_periodic) return queries().rounded_voronoi_cell(id);
+    refuse_in_box("Voronoi cells");
   }
   std::vector<double> voronoi_areas(std::span<const Vector_2> polygon) const override {
-    return queries().rounded_voronoi_areas(polygon);
+    if constexpr (!is_periodic) return queries().rounded_voronoi_areas(polygon);
+    refuse_in_box("areas of cells");
   }
   std::vector<Cell_area> cell_areas(const Cell_limits& limits) const override {
-    return kinetri::cell_areas(kinetic(), limits);
+    if constexpr (!is_periodic) return kinetri::cell_areas(kinetic(), limits);
+    refuse_in_box("areas of cells");
   }
   std::vector<Edge_ids> gabriel_edges() const override {
-    if constexpr (HasNearestNeighbors<Traits>) return kinetri::gabriel_edges(kinetic());
+    if constexpr (knows_distances) return kinetri::gabriel_edges(kinetic());
     refuse_distances();
   }
   std::vector<Edge_ids> relative_neighbor_edges() const override {
-    if constexpr (HasNearestNeighbors<Traits>) return kinetri::relative_neighbor_edges(kinetic());
+    if constexpr (knows_distances) return kinetri::relative_neighbor_edges(kinetic());
     refuse_distances();
   }
   std::vector<Point_id> nearest_neighbors() const override {
-    if constexpr (HasNearestNeighbors<Traits>) return queries().nearest_neighbors();
+    if constexpr (knows_distances) return queries().nearest_neighbors();
     refuse_distances();
   }
   std::vector<Point_id> nearest_neighbors(std::size_t k) const override {
-    if constexpr (HasNearestNeighbors<Traits>) return queries().nearest_neighbors(k);
+    if constexpr (knows_distances) return queries().nearest_neighbors(k);
     refuse_distances();
   }
   std::optional<Edge_ids> closest_pair() const override {
-    if constexpr (HasNearestNeighbors<Traits>) return queries().closest_pair();
+    if constexpr (knows_distances) return queries().closest_pair();
     refuse_distances();
   }
-  std::vector<double> positions() const override { return queries().rounded_positions(); }
+  std::vector<double> positions() const override {
+    if constexpr (is_periodic) {
+      return positions_of([this](Point_id id) { return Image_motion_2{kinetic().motion(id)}; });
+    } else {
+      return queries().rounded_positions();
+    }
+  }
   std::vector<double> velocities() const override;
   std::vector<double> radii() const override;
 
@@ -223,40 +271,74 @@ class Engine_of final : public Engine {
       return *core_;
     }
   }
+  template <class Triangulation>
+  static std::vector<Point_id> hull_of(const Triangulation& triangulation);
   Kinetic_queries_2<Traits> queries() const { return Kinetic_queries_2<Traits>(kinetic()); }
+  Image_motion_2 wrapped_motion(Point_id id) const {
+    return wrapped(kinetic().motion(id), kinetic().traits().box(), current_time());
+  }
+  /// By id, NaN if there is no point: x and y of the image that `image` gives.
+  template <class Image_of_point>
+  std::vector<double> positions_of(const Image_of_point& image) const;
+  static void check_motions(const Motion_columns& motions) {
+    if (is_periodic && (motions.accelerations != nullptr || motions.jerks != nullptr)) {
+      refuse_in_box("acceleration and jerk");
+    }
+  }
+
   [[noreturn]] static void refuse(const char* message) { throw Precondition_error(message); }
+  [[noreturn]] static void refuse_in_box(const std::string& what) {
+    throw Precondition_error(what + (what.back() == 's' ? " are" : " is") +
+                             " not possible in a periodic box");
+  }
+  [[noreturn]] static void refuse_without_box() {
+    refuse("offsets are of images in a periodic box; expected a KineticDelaunay with a box");
+  }
   [[noreturn]] static void refuse_schedule() {
     refuse("a triangulation has no scheduled changes; expected a Simulation");
   }
+  static constexpr bool knows_distances = HasNearestNeighbors<Traits> && !is_periodic;
   [[noreturn]] static void refuse_distances() {
+    if (is_periodic) refuse_in_box("nearest neighbors and their graphs");
     refuse(
         "the edges of a regular triangulation do not know which points are nearest to each "
         "other; expected points without radii of their own");
   }
 
   const std::unique_ptr<Core<Traits>> core_;
-  std::size_t threads_ = 0;
+  std::size_t threads_ = is_periodic ? 1 : 0;
 };
 
 // ---- the present ----
 
 template <template <class> class Core, class Traits>
 std::vector<Triangle_ids> Engine_of<Core, Traits>::triangles() const {
-  const auto& triangulation = kinetic().triangulation();
   std::vector<Triangle_ids> result;
-  if (triangulation.dimension() < 2) return result;
-  result.reserve(2 * kinetic().number_of_points());
-  for (const auto& face : triangulation.finite_face_handles()) {
-    result.push_back(triangle_ids(face->vertex(0)->point().id(), face->vertex(1)->point().id(),
-                                  face->vertex(2)->point().id()));
+  if constexpr (is_periodic) {
+    for (const auto& [a, b, c] : periodic_triangles()) result.push_back({a.id, b.id, c.id});
+    return result;
+  } else {
+    const auto& triangulation = kinetic().triangulation();
+    if (triangulation.dimension() < 2) return result;
+    result.reserve(2 * kinetic().number_of_points());
+    for (const auto& face : triangulation.finite_face_handles()) {
+      result.push_back(triangle_ids(face->vertex(0)->point().id(), face->vertex(1)->point().id(),
+                                    face->vertex(2)->point().id()));
+    }
+    std::ranges::sort(result);
+    return result;
   }
-  std::ranges::sort(result);
-  return result;
 }
 
 template <template <class> class Core, class Traits>
 std::vector<Point_id> Engine_of<Core, Traits>::hull() const {
-  const auto& triangulation = kinetic().triangulation();
+  if constexpr (!is_periodic) return hull_of(kinetic().triangulation());
+  refuse_in_box("a convex hull");
+}
+
+template <template <class> class Core, class Traits>
+template <class Triangulation>
+std::vector<Point_id> Engine_of<Core, Traits>::hull_of(const Triangulation& triangulation) {
   std::vector<Point_id> result;
   if (triangulation.dimension() == 2) {
     // Around the infinite vertex the hull is seen from outside: clockwise.
@@ -296,6 +378,73 @@ std::vector<Point_id> Engine_of<Core, Traits>::hidden_points() const {
   return result;
 }
 
+// ---- the present in a periodic box ----
+
+template <template <class> class Core, class Traits>
+std::vector<Periodic_triangle> Engine_of<Core, Traits>::periodic_triangles() const {
+  std::vector<Periodic_triangle> result;
+  if constexpr (is_periodic) {
+    const auto& triangulation = kinetic().triangulation();
+    result.reserve(2 * kinetic().number_of_points());
+    for (const auto& face : triangulation.finite_face_handles()) {
+      const auto corners_from = [&](int first) {
+        const auto corner = [&](int i) -> Image {
+          return {face->vertex(i)->point().id(), triangulation.offset(face, first, i)};
+        };
+        return Periodic_triangle{corner(first), corner((first + 1) % 3), corner((first + 2) % 3)};
+      };
+      result.push_back(std::min({corners_from(0), corners_from(1), corners_from(2)}));
+    }
+    std::ranges::sort(result);
+    return result;
+  }
+  refuse_without_box();
+}
+
+template <template <class> class Core, class Traits>
+std::vector<Image> Engine_of<Core, Traits>::periodic_neighbors(Point_id id) const {
+  std::vector<Image> result;
+  if constexpr (is_periodic) {
+    // The image of a point that is at the position of the point `id`.
+    const auto coincident = [&](Point_id other) -> Image {
+      const Lattice_offset_2 here = wrapped_motion(id).offset;
+      const Lattice_offset_2 there = wrapped_motion(other).offset;
+      const auto offset =
+          detail::to_offset(std::int64_t{there.x} - here.x, std::int64_t{there.y} - here.y);
+      if (offset) return {other, *offset};
+      throw Periodic_box_error("points " + std::to_string(id) + " and " + std::to_string(other) +
+                               " are 2^31 or more lattice vectors apart; give the position of an "
+                               "image that is closer");
+    };
+    if (kinetic().is_hidden(id)) return {coincident(kinetic().vertex(id)->point().id())};
+    const auto& triangulation = kinetic().triangulation();
+    detail::for_each_face_at(triangulation, kinetic().vertex(id), [&](const auto& face, int i) {
+      const int next = triangulation.ccw(i);
+      result.push_back({face->vertex(next)->point().id(), triangulation.offset(face, i, next)});
+    });
+    std::ranges::rotate(result, std::ranges::min_element(result));
+    for (const Point_id other : coincident_points(id)) result.push_back(coincident(other));
+    return result;
+  }
+  refuse_without_box();
+}
+
+template <template <class> class Core, class Traits>
+template <class Image_of_point>
+std::vector<double> Engine_of<Core, Traits>::positions_of(const Image_of_point& image) const {
+  std::vector<double> result(2 * static_cast<std::size_t>(next_id()),
+                             std::numeric_limits<double>::quiet_NaN());
+  for (Point_id id = 0; id < next_id(); ++id) {
+    if (!contains(id)) continue;
+    const Vector_2 position = rounded_position(image(id), current_time());
+    result[2 * std::size_t{id}] = position.x;
+    result[2 * std::size_t{id} + 1] = position.y;
+  }
+  return result;
+}
+
+// ---- time ----
+
 template <template <class> class Core, class Traits>
 std::optional<Algebraic_number> Engine_of<Core, Traits>::next_event_time() {
   if constexpr (!is_simulation) return core_->next_event_time();
@@ -309,6 +458,7 @@ std::optional<Algebraic_number> Engine_of<Core, Traits>::next_event_time() {
 template <template <class> class Core, class Traits>
 Point_id Engine_of<Core, Traits>::insert(const Motion_columns& motions,
                                          std::span<const double> masses) {
+  check_motions(motions);
   const std::vector<Motion> inserted = motions_of<Motion>(motions);
   if constexpr (is_simulation) {
     // If an insertion fails, the earlier ones are undone.
@@ -384,6 +534,17 @@ void Engine_of<Core, Traits>::set_masses(std::span<const Point_id> ids,
 // ---- answers ----
 
 template <template <class> class Core, class Traits>
+std::vector<Point_id> Engine_of<Core, Traits>::neighbors(Point_id id) const {
+  if constexpr (is_periodic) {
+    std::vector<Point_id> result;
+    for (const Image& image : periodic_neighbors(id)) result.push_back(image.id);
+    return result;
+  } else {
+    return queries().neighbors(id);
+  }
+}
+
+template <template <class> class Core, class Traits>
 std::vector<double> Engine_of<Core, Traits>::velocities() const {
   const double now = current_time().to_double();
   std::vector<double> result(2 * static_cast<std::size_t>(next_id()),
@@ -429,6 +590,12 @@ Checkpoint Engine_of<Core, Traits>::snapshot() const {
   Checkpoint result;
   if constexpr (is_simulation) {
     result.simulation = core_->snapshot();
+  } else if constexpr (is_periodic) {
+    const auto [time, motions, counters, certificates] = core_->snapshot();
+    Simulation_snapshot<Linear_kinetic_traits_2> snapshot;
+    snapshot.triangulation = {time, motions, counters, certificates};
+    snapshot.options.coincident = core_->coincident();
+    result.simulation = std::move(snapshot);
   } else {
     Simulation_snapshot<Traits> snapshot;
     snapshot.triangulation = core_->snapshot();

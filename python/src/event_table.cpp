@@ -2,6 +2,7 @@
 #include "event_table.h"
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <string_view>
 #include <tuple>
@@ -17,14 +18,15 @@ Kind_text row_text(Event_kind kind) {
   return result;
 }
 
-void Event_table::after_event(const Event& event) {
+template <class Row>
+void Event_table<Row>::after_event(const Event& event) {
   if (!kinds_[static_cast<std::size_t>(event.kind)]) return;
   Event_row row;
   row.kind = row_text(event.kind);
   if (time_ && *time_ == event.time) {
-    row.time = rows_.back().time;
-    row.time_lo = rows_.back().time_lo;
-    row.time_hi = rows_.back().time_hi;
+    row.time = last_.time;
+    row.time_lo = last_.time_lo;
+    row.time_hi = last_.time_hi;
   } else {
     time_ = event.time;
     row.time = event.time.to_double();  // usually makes the bounds known
@@ -36,7 +38,15 @@ void Event_table::after_event(const Event& event) {
   if (event.added) row.added = *event.added;
   if (event.point_a) row.points[0] = *event.point_a;
   if (event.point_b) row.points[1] = *event.point_b;
-  rows_.push_back(row);
+  last_ = row;
+  if constexpr (std::same_as<Row, Event_row>) {
+    rows_.push_back(row);
+  } else {
+    rows_.push_back({row, event.removed_offset, event.added_offset});
+  }
 }
+
+template class Event_table<Event_row>;
+template class Event_table<Periodic_event_row>;
 
 }  // namespace kinetri::python

@@ -32,10 +32,20 @@ struct Event_row {
 static_assert(sizeof(Event_row) ==
               sizeof(Kind_text) + 3 * sizeof(double) + 2 * sizeof(Edge_ids) + 2 * sizeof(Point_id));
 
+/// The row of an event in a periodic box: the fields of `kinetri.periodic_event_dtype`.
+struct Periodic_event_row {
+  Event_row event;
+  Lattice_offset_2 removed_offset;
+  Lattice_offset_2 added_offset;
+};
+static_assert(sizeof(Periodic_event_row) == sizeof(Event_row) + 2 * sizeof(Lattice_offset_2));
+
 /// The kind's name in a row.
 Kind_text row_text(Event_kind kind);
 
-/// Stores the events of some kinds as rows. The time of simultaneous events is rounded once.
+/// Stores the events of some kinds as rows, Event_row or Periodic_event_row. The time of
+/// simultaneous events is rounded once.
+template <class Row>
 class Event_table : public Event_observer {
  public:
   using Kinds = std::array<bool, event_kinds>;  ///< by Event_kind, whether its events are kept
@@ -46,11 +56,12 @@ class Event_table : public Event_observer {
   void after_event(const Event& event) override;
 
   /// Rows so far; the table is empty then.
-  std::vector<Event_row> take() { return std::exchange(rows_, {}); }
+  std::vector<Row> take() { return std::exchange(rows_, {}); }
 
  private:
   Kinds kinds_;
-  std::vector<Event_row> rows_;
+  std::vector<Row> rows_;
+  Event_row last_;                        // for its time
   std::optional<Algebraic_number> time_;  // of the last row
 };
 

@@ -16,7 +16,7 @@ namespace kinetri::python {
 /// As make_triangulation, make_simulation and restore, for the motions of the traits.
 template <class Traits>
 std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start,
-                                    Coincident_points coincident);
+                                    Coincident_points coincident, const Traits& traits);
 template <class Traits>
 std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start,
                                     const Simulation_options& options);
@@ -24,6 +24,10 @@ template <class Traits>
 std::unique_ptr<Engine> make_engine(const Simulation_snapshot<Traits>& snapshot, Engine_kind kind,
                                     Collision_response response);
 /// @}
+
+/// The triangulation of such points in a periodic box.
+std::unique_ptr<Engine> make_periodic_engine(
+    const Simulation_snapshot<Linear_kinetic_traits_2>& snapshot, const Periodic_box_2& box);
 
 /// An engine of the simulation.
 template <class Traits>

@@ -12,9 +12,9 @@ namespace kinetri::python {
 
 template <class Traits>
 std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start,
-                                    Coincident_points coincident) {
+                                    Coincident_points coincident, const Traits& traits) {
   return engine_of(std::make_unique<Kinetic_triangulation_2<Traits>>(
-      motions_of<typename Traits::Motion>(motions), start, Traits(), coincident));
+      motions_of<typename Traits::Motion>(motions), start, traits, coincident));
 }
 
 template <class Traits>
@@ -25,10 +25,17 @@ std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebra
 }
 
 template <class Traits>
+std::unique_ptr<Engine> restored_triangulation(const Triangulation_snapshot<Traits>& snapshot,
+                                               const Traits& traits, Coincident_points coincident) {
+  using Kinetic = Kinetic_triangulation_2<Traits>;
+  return engine_of(  // it cannot be moved
+      std::unique_ptr<Kinetic>(new Kinetic(Kinetic::restore(snapshot, traits, coincident))));
+}
+
+template <class Traits>
 std::unique_ptr<Engine> make_engine(const Simulation_snapshot<Traits>& snapshot, Engine_kind kind,
                                     Collision_response response) {
-  // Neither can be moved.
-  if (kind == Engine_kind::simulation) {
+  if (kind == Engine_kind::simulation) {  // which cannot be moved
     return engine_of(std::unique_ptr<Simulation_2<Traits>>(
         new Simulation_2<Traits>(Simulation_2<Traits>::restore(snapshot, std::move(response)))));
   }
@@ -37,9 +44,7 @@ std::unique_ptr<Engine> make_engine(const Simulation_snapshot<Traits>& snapshot,
         "the state is that of a simulation with a box, collisions or scheduled changes; expected "
         "that of a triangulation: restore it as a Simulation");
   }
-  using Kinetic = Kinetic_triangulation_2<Traits>;
-  return engine_of(std::unique_ptr<Kinetic>(new Kinetic(
-      Kinetic::restore(snapshot.triangulation, Traits(), snapshot.options.coincident))));
+  return restored_triangulation(snapshot.triangulation, Traits(), snapshot.options.coincident);
 }
 
 template <class Traits>
@@ -49,7 +54,7 @@ std::unique_ptr<Engine> make_engine(std::unique_ptr<Simulation_2<Traits>> simula
 
 #define KINETRI_PYTHON_INSTANTIATE(Traits)                                                 \
   template std::unique_ptr<Engine> make_engine<Traits>(                                    \
-      const Motion_columns&, const Algebraic_number&, Coincident_points);                  \
+      const Motion_columns&, const Algebraic_number&, Coincident_points, const Traits&);   \
   template std::unique_ptr<Engine> make_engine<Traits>(                                    \
       const Motion_columns&, const Algebraic_number&, const Simulation_options&);          \
   template std::unique_ptr<Engine> make_engine<Traits>(const Simulation_snapshot<Traits>&, \

@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "kinetri/base/error.h"
+#include "kinetri/kinetic/periodic_box_2.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri::python {
@@ -48,6 +49,8 @@ std::size_t Moving::guarded(const Run& run) {
     // Such points are refused, and a scheduled change has been dropped.
     throw;
   } catch (const Outside_box_error&) {
+    throw;
+  } catch (const Periodic_box_error&) {  // the box would lose its area: no event is executed
     throw;
   } catch (const Endless_contacts_error&) {  // the state is that before the contact
     throw;
