@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/text_table.h"
 
+#include <charconv>
 #include <cstring>
 #include <istream>
 
@@ -147,6 +148,16 @@ double Table_reader::number(std::string_view field, std::string_view column) con
     fail(joined("the column ", column, " is ", in_quotes(field), ", which ", parsed.problem));
   }
   return parsed.value;
+}
+
+std::uint64_t Table_reader::whole_number(std::string_view field, std::string_view column,
+                                         std::uint64_t highest) const {
+  std::uint64_t result = 0;
+  const char* const end = field.data() + field.size();
+  const auto [stop, error] = std::from_chars(field.data(), end, result);
+  if (error == std::errc() && stop == end && result <= highest) return result;
+  fail(joined("the column ", column, " is ", in_quotes(field),
+              "; expected a whole number from 0 to ", highest));
 }
 
 std::optional<std::string_view> Table_reader::next_line() {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <optional>
@@ -114,6 +115,10 @@ class Table_reader {
 
   /// The number in the field. Throws Input_error, with the name of the column, if it is invalid.
   double number(std::string_view field, std::string_view column) const;
+
+  /// The whole number in the field, at most `highest`. Throws as number().
+  std::uint64_t whole_number(std::string_view field, std::string_view column,
+                             std::uint64_t highest) const;
 
  private:
   std::string_view take_csv_field(std::optional<std::string_view>& rest);

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Motion logs of runs (--motions), replayed in rational arithmetic: that the motions begin as the points
 file says and end as the checkpoint says; that they change at the events that say so, and go on as
-docs/PROGRAM.md says, bit for bit; and that with them each flip, wall and contact is where the event log has
-it.
+docs/PROGRAM.md says, bit for bit; that with them each flip, wall and contact is where the event log has it;
+and that a run that repeats them has the same logs.
 
 usage: motions_test.py PROGRAM
 """
@@ -13,6 +13,7 @@ import fractions
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -84,11 +85,12 @@ def rounded_toward(number, sign):
 class Run:
     """A run of the program, and the files that it writes."""
 
-    def __init__(self, folder, command, name="run", more=""):
+    def __init__(self, folder, command, name="run", has_checkpoint=True):
         self.files = {kind: folder / f"{name}.{kind}" for kind in ("events", "motions", "checkpoint")}
-        checkpoint = "" if command.startswith("tracks") else f"--checkpoint {self.files['checkpoint'].name}"
+        has_checkpoint = has_checkpoint and not command.startswith("tracks")
+        checkpoint = f"--checkpoint {self.files['checkpoint'].name}" if has_checkpoint else ""
         line = (f"{command} --events {self.files['events'].name} --motions {self.files['motions'].name} "
-                f"{checkpoint} {more} --quiet")
+                f"{checkpoint} --quiet")
         result = subprocess.run([PROGRAM, *line.split()], cwd=folder, timeout=600, check=False,
                                 capture_output=True, text=True)
         assert result.returncode == 0, result.stderr
@@ -149,7 +151,17 @@ class Motions(In_folder):
             self.check_end(run)
         for kind, number in wanted.items():
             self.assertGreaterEqual(counts[kind], number, kind)
+        self.check_repetition(run, command)
         return run
+
+    def check_repetition(self, run, command):
+        """simulate --replay gives the same logs. Radii, growth and masses are not options of it."""
+        command = re.sub(r" --(radius|growth|mass) \S+", "", command)
+        options = re.sub(r"^(simulate|tracks) \S+", "", command)
+        again = Run(self.folder, f"simulate {run.files['motions'].name} --replay {run.files['events'].name} {options}",
+                    "again", has_checkpoint=False)
+        self.assertEqual(again.events, run.events)
+        self.assertEqual(again.text, run.text)
 
     def check_end(self, run):
         end = run.motions_at_end()

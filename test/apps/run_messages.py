@@ -208,10 +208,44 @@ def run_cases():
                        meanwhile=lambda _, process, number=number: process.send_signal(number))
 
 
+def replay_cases():
+    motions_header = "event,id,x,y,vx,vy,ax,ay,jx,jy,radius,growth,epoch"
+    events_header = "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,instant"
+    start = ",0,0,0,1,0,0,0,0,0,1,0,0\n,1,9,0,0,0,0,0,0,0,1,0,0\n"
+    row = "0,trajectory,1,1,1,,,,,0,,0\n"
+    motion = "0,0,1,0,0,1,0,0,0,0,1,0,1\n"
+
+    def replay(events=row, motions=start + motion, more="", **values):
+        return case(f"simulate m --replay e --until 2 {more}", files={"m": f"{motions_header}\n{motions}",
+                                                                    "e": f"{events_header}\n{events}"}, **values)
+
+    for option in ("--radius 1", "--growth 1", "--mass area", "--checkpoint c"):
+        rest = "--box 0,0,9,9 --collisions elastic" if option != "--checkpoint c" else ""
+        yield replay(more=f"{option} {rest}", option="--replay", other=option.split()[0])
+    yield case("simulate m --replay e --until-share 0.5 --box 0,0,9,9 --rim --collisions elastic", option="--replay",
+               other="--until-share")
+    yield case("simulate missing --replay e --until 1", file="missing", content="motions", reason=NO_FILE)
+    yield case("simulate m --replay missing --until 1", files={"m": motions_header}, file="missing", content="events",
+               reason=NO_FILE)
+    yield case("simulate p.csv --replay e --until 1", files={"p.csv": "id,x,y,speed\n"}, file="p.csv", line=1,
+               column="speed", columns=motions_header)
+    yield replay(motions=",7,0,0,1,0,0,0,0,0,1,0,0\n", file="m", line=2, id=7, point=0)
+    yield replay(motions=",-1,0,0,1,0,0,0,0,0,1,0,0\n", file="m", line=2, column="id", text="-1", highest=4294967294)
+    yield replay("0,flap,1,1,1,,,,,0,,0\n", file="e", line=2, text="flap")
+    yield replay(motions=start, file="e", line=2, n=0, kind="trajectory", other="m")
+    yield replay("0,trajectory,1,0.5,1,,,,,0,,0\n", file="e", line=2, n=0, kind="trajectory", lower="0.5", upper=1,
+                 **{"from": 0})
+    yield replay("5,trajectory,1,1,1,,,,,0,,0\n", start + motion.replace("0", "5", 1), file="e", line=2, n=5,
+                 kind="trajectory")
+    yield replay("", start.replace(",0,0,0,1,", ",0,0,0,4,", 1), "--collisions elastic", file="e", a=0, b=1, time="1.75")
+    yield replay(more="--box 0,0,9,0.5", motions=start + motion.replace("0,0,1,0", "0,0,1,7"), file="e", line=2, point=0,
+                 time=1, x=1, y=7, side="upper", position="0.5")
+
+
 def live_cases():
     yield case("live --rim")
 
 
 def cases():
-    for some in (checkpoint_cases, output_cases, run_cases, live_cases):
+    for some in (checkpoint_cases, output_cases, run_cases, replay_cases, live_cases):
         yield from some()

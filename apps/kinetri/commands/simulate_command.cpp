@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 #include "cli/arguments.h"
 #include "commands/collisions_option.h"
@@ -12,6 +13,7 @@
 #include "kinetri/impl/io/text.h"
 #include "runs/simulation_run.h"
 #include "sources/points_source.h"
+#include "sources/replay_source.h"
 
 namespace kinetri::app {
 namespace {
@@ -28,6 +30,7 @@ struct Simulate_options {
   std::string mass = "column";
   bool regular = false;
   std::string coincident;
+  std::optional<std::string> replay;
   Run_options run;
 };
 
@@ -75,6 +78,19 @@ Points_settings points_settings(const Simulate_options& options) {
   return result;
 }
 
+// Throws if an option does not go with --replay: the logs say it, or do not have it.
+void expect_replay_options(const Simulate_options& options) {
+  const std::array<std::pair<std::string_view, bool>, 5> excluded = {
+      {{"--radius", options.radius.has_value()},
+       {"--growth", options.growth.has_value()},
+       {"--mass", options.mass != "column"},
+       {"--until-share", options.run.until_share.has_value()},
+       {"--checkpoint", options.run.outputs[Output::checkpoint].has_value()}}};
+  for (const auto& [option, is_given] : excluded) {
+    if (is_given) throw Usage_error(joined("--replay excludes ", option, "; expected one of them"));
+  }
+}
+
 }  // namespace
 
 Command simulate_command() {
@@ -104,6 +120,10 @@ Command simulate_command() {
                   "Keep the regular triangulation of the discs, whose dual is the power diagram, "
                   "even if nothing touches them");
   add_coincident_option(result, options->coincident);
+  result.add("--replay", &options->replay, "EVENTS",
+             "Repeat a run: POINTS is the file of its --motions, and EVENTS that of its --events. "
+             "Points are inserted, erased and moved as they were then; the other options are those "
+             "of that run");
   add_run_options(result, options->run,
                   {Output::checkpoint, Output::neighbors, Output::exchanges, Output::nearest,
                    Output::components, Output::connected, Output::spanning_tree, Output::areas,
@@ -143,9 +163,13 @@ Command simulate_command() {
                      "    --collisions elastic --mass area --html run.html",
                      "kinetri simulate points.csv --until-share 0.82 --box 0,0,100,100 --rim \\",
                      "    --collisions elastic --growth 0.1 --html run.html",
-                     "kinetri simulate points.csv --until 10 --checkpoint run.kinetri"};
+                     "kinetri simulate points.csv --until 10 --checkpoint run.kinetri",
+                     "kinetri simulate motions.csv --replay events.csv --until 10 --html run.html"};
   result.run = [options](const Command& /*program*/) {
-    const auto source = points_source(points_settings(*options));
+    const Points_settings settings = points_settings(*options);
+    if (options->replay) expect_replay_options(*options);
+    const auto source =
+        options->replay ? replay_source(settings, *options->replay) : points_source(settings);
     return run_simulation(run_settings(options->run), *source);
   };
   return result;

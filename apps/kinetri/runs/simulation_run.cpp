@@ -65,7 +65,8 @@ std::uint64_t peak_rss_bytes() {
 
 // The files that the run reads.
 std::vector<std::string> input_paths(const Run_settings& settings, const Run_source& source) {
-  std::vector<std::string> result = {source.path()};
+  std::vector<std::string> result = source.other_paths();
+  result.push_back(source.path());
   if (settings.answers.walkable) result.push_back(*settings.answers.walkable);
   return result;
 }
@@ -128,6 +129,7 @@ class Simulation_run {
   void expect_logs_are_written();
   std::optional<double> next_stop() const;
   void stop_at(double time);
+  void make_change();
   void audit(Audit_level level);
   void write_outputs();
   void write_edges_now(std::ostream& out);
@@ -347,9 +349,9 @@ std::size_t Simulation_run::execute(const Run& run) {
   }
 }
 
-// The next time of a frame or a sample; none after the last.
+// The next time of a change, a frame or a sample; none after the last.
 std::optional<double> Simulation_run::next_stop() const {
-  std::optional<double> result;
+  std::optional<double> result = source_.next_change();
   const auto include = [&](const auto& output) {
     const auto time = output ? output->next_time() : std::nullopt;
     if (time && (!result || *time < *result)) result = time;
@@ -361,6 +363,10 @@ std::optional<double> Simulation_run::next_stop() const {
 }
 
 void Simulation_run::stop_at(double time) {
+  if (source_.next_change() == time) {
+    // What follows from it at this time happens before a frame.
+    return make_change();
+  }
   statistics_.seconds.run += stopwatch_.lap();
   if (frames_ && frames_->next_time() == time) frames_->write(simulation_);
   if (areas_ && areas_->next_time() == time) {
@@ -369,6 +375,17 @@ void Simulation_run::stop_at(double time) {
   }
   if (sampler_ && sampler_->next_time() == time) sampler_->take(simulation_);
   statistics_.seconds.write += stopwatch_.lap();
+}
+
+void Simulation_run::make_change() {
+  const std::uint64_t before = number_of_events();
+  try {
+    source_.make_change(simulation_);
+  } catch (const Coincident_trajectories_error& error) {
+    throw source_.coincidence(error, time());
+  }
+  executed_ += number_of_events() - before;
+  expect_logs_are_written();
 }
 
 // Executes the events, up to the end or an interruption.

@@ -38,6 +38,9 @@ class Run_source {
   /// The file, or "-"; empty if there is none.
   virtual std::string path() const = 0;
 
+  /// Other files that read() reads.
+  virtual std::vector<std::string> other_paths() const { return {}; }
+
   /// The path, if it is a points file that kinetri-verify can read; else empty.
   virtual std::string points_file() const { return {}; }
 
@@ -70,6 +73,13 @@ class Run_source {
 
   /// The simulation at from(). Throws Input_error, naming the line.
   virtual Any_simulation make_simulation(Arithmetic arithmetic) const = 0;
+
+  /// The time of the next change that the run has to make by make_change(), after the events that
+  /// are due then; none if there is none up to until().
+  virtual std::optional<double> next_change() const { return std::nullopt; }
+
+  /// Makes that change. Throws Input_error if the run does not allow it.
+  virtual void make_change(const Any_simulation& /*simulation*/) {}
 
   /// The error for two points that have the same trajectory after a contact or a change of motion.
   virtual Input_error coincidence(const Coincident_trajectories_error& error, double time) const;

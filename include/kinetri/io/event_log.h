@@ -6,13 +6,16 @@
 #ifndef KINETRI_IO_EVENT_LOG_H
 #define KINETRI_IO_EVENT_LOG_H
 
+#include <cstddef>
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/events/event.h"
+#include "kinetri/impl/base/double_interval.h"
 
 namespace kinetri {
 
@@ -46,6 +49,17 @@ class Event_log_writer : public Event_observer {
   std::string time_text_;                 // its three fields
   std::uint64_t instant_ = 0;             // the number of the first event at that time
 };
+
+/// An event of a log, at a time in the interval from `time_lo` to `time_hi`.
+struct Logged_event : Basic_event<Double_interval> {
+  std::size_t line = 0;  ///< of the file, counted from 1
+};
+
+/// Reads an event log. `name` stands for it in messages. Throws Input_error `name:line: ...` if a
+/// column is missing or unknown, a row has too few or too many fields, a number is missing or
+/// invalid, a kind is unknown, or only one end of an edge is given. Whether the events are those of
+/// a run is not checked; `time` and `instant` are not read.
+std::vector<Logged_event> read_event_log(std::istream& in, const std::string& name);
 
 }  // namespace kinetri
 

@@ -7,9 +7,12 @@
 #define KINETRI_IO_MOTION_LOG_H
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "kinetri/events/event.h"
 #include "kinetri/kinetic/disc_motion_2.h"
@@ -63,6 +66,19 @@ extern template class Motion_log_writer<Linear_kinetic_traits_2>;
 extern template class Motion_log_writer<Polynomial_kinetic_traits_2>;
 extern template class Motion_log_writer<Disc_kinetic_traits_2>;
 extern template class Motion_log_writer<Polynomial_disc_kinetic_traits_2>;
+
+/// A row of a motion log.
+struct Logged_motion {
+  std::optional<std::uint64_t> event;              ///< the number of the event; none at the start
+  Point_id id = no_point;                          ///< of the point
+  std::optional<Polynomial_disc_motion_2> motion;  ///< from then on; none if it is erased
+  std::size_t line = 0;                            ///< of the file, counted from 1
+};
+
+/// Reads a motion log. `name` stands for it in messages. Throws Input_error `name:line: ...` if a
+/// column is missing or unknown, a row has too few or too many fields, a number is invalid, or some
+/// numbers of a motion are missing.
+std::vector<Logged_motion> read_motion_log(std::istream& in, const std::string& name);
 
 }  // namespace kinetri
 
