@@ -13,9 +13,9 @@ const REFRESH = 250;          // milliseconds between two updates of list, histo
 const REST = 120;             // milliseconds: a pointer that rests so long throws nothing
 const HEAVY = 1e9;            // mass of a point that is held or pinned
 const MOST_FOR_NEXT = 20000;  // points for which the next event is looked for
-const TOOLS = {take: 'Take and throw', add: 'Add', erase: 'Erase', pin: 'Pin'};
+const TOOLS = {take: 'Take and throw', add: 'Add', erase: 'Erase', pin: 'Pin', wall: 'Draw a wall'};
 const MESSAGE = {take: 'Drag a point to throw it', add: 'Click to add a point', erase: 'Click a point to erase it',
-                 pin: 'Click a point to pin it, or to let it go'};
+                 pin: 'Click a point to pin it, or to let it go', wall: 'Drag to draw a wall of discs that are pinned'};
 
 /** A point that is held: it goes where the pointer is. */
 class Hold {
@@ -48,13 +48,14 @@ class LiveViewer extends Viewer {
     this.points = points;
     this.options = options;
     this.preset = preset;
-    this.clock = recording.until;  // up to which the run has gone
+    this.clock = recording.until;  // up to which the run has gone, and at which points are changed
     this.turned = this.clock;
     this.next = undefined;         // the next event; null: there is none; undefined: not looked for
     this.hold = null;
+    this.wall = null;              // that is being drawn: {pointer, x, y}, the place of its last disc
     this.tool = 'take';
     this.pinned = new Map();       // velocities before
-    this.logs = {events: [], motions: [], size: 0, from: this.clock};
+    this.logs = {events: [], motions: [], size: 0};
     this.refreshed = 0;
     this.isSlow = false;
     if (preset === null) this.chooseSpeed();
@@ -113,6 +114,7 @@ class LiveViewer extends Viewer {
   run(duration) {
     const {points, hold, preset} = this;
     const arrived = this.attempt(() => {
+      points.advanceTo(this.clock);
       if (hold !== null) this.pull(hold, duration);
       if (preset?.turn !== undefined && this.clock - this.turned >= TURN) {
         preset.turn(points, 0.25);
@@ -121,7 +123,7 @@ class LiveViewer extends Viewer {
       return points.advanceTo(this.clock + duration, BUDGET);
     });
     this.isSlow = arrived === false;
-    this.clock = arrived ? this.clock + duration : neighborDouble(points.time, 1);
+    if (arrived) this.clock += duration;
     this.goOn();
   }
 
@@ -141,6 +143,8 @@ class LiveViewer extends Viewer {
     const {points, recording, playback} = this;
     this.next = undefined;
     this.grow(points.takeRecording());
+    // The time of an event need not be a number: then points are changed at the next one.
+    if (recording.rows > 0) this.clock = Math.max(this.clock, recording.rowHigh[recording.rows - 1]);
     if (recording.rows > MOST_ROWS) this.beginAnew();
     playback.time = recording.until;
     playback.goToEvent(recording.rows);
@@ -223,7 +227,7 @@ class LiveViewer extends Viewer {
     const {view} = this, reach = REACH[event.pointerType] ?? REACH.mouse;
     if (this.hold !== null) return true;  // another finger
     const point = view === this.flatView ? view.pointAt(event.offsetX, event.offsetY, reach + 2) : -1;
-    if (this.tool === 'add' && point < 0) return false;
+    if (this.tool === 'wall') return this.beginWall(event);
     if (point < 0) return false;
     if (this.tool !== 'take') return true;
     element('picture').setPointerCapture(event.pointerId);
@@ -235,7 +239,11 @@ class LiveViewer extends Viewer {
   }
 
   drag(event) {
-    const {hold} = this;
+    const {hold, wall} = this;
+    if (wall !== null) {
+      if (wall.pointer === event.pointerId) this.goOnWithWall(event);
+      return true;
+    }
     if (hold === null) return false;
     if (hold.pointer !== event.pointerId) return true;
     hold.moves += Math.abs(event.movementX) + Math.abs(event.movementY);
@@ -248,7 +256,11 @@ class LiveViewer extends Viewer {
   }
 
   release(event) {
-    const {hold} = this;
+    const {hold, wall} = this;
+    if (wall !== null) {
+      if (wall.pointer === event.pointerId) this.wall = null;
+      return true;
+    }
     if (hold === null) return this.click(event);
     if (hold.pointer !== event.pointerId) return true;
     this.hold = null;
@@ -269,13 +281,9 @@ class LiveViewer extends Viewer {
     const point = this.view.pointAt(event.offsetX, event.offsetY, reach + 2);
     this.pointerInput.cancel(event);
     if (this.tool === 'add') {
-      if (point >= 0) return true;
-      if (this.recording.points === this.playback.current.findLastIndex((motion) => motion >= 0) + 1) {
-        this.say('There are no ids left: begin anew to add more points');
-        return true;
-      }
+      if (point >= 0 || !this.hasRoom()) return true;
       const place = this.inBox(camera.planeX(event.offsetX), camera.planeY(event.offsetY));
-      this.change(() => this.points.insert(place, [0, 0], this.options.radius ?? this.radiusOfMost()));
+      this.change(() => this.points.insert(place, [0, 0], this.radiusOfNew()));
     } else if (point >= 0) {
       if (this.tool === 'erase') this.erase(point);
       else this.togglePin(point);
@@ -283,10 +291,64 @@ class LiveViewer extends Viewer {
     return true;
   }
 
-  /** The radius of a new disc: that of the smallest. */
-  radiusOfMost() {
+  /** Whether there is an id for another point. */
+  hasRoom() {
+    if (this.recording.points > this.playback.current.findLastIndex((motion) => motion >= 0) + 1) return true;
+    this.say('There are no ids left: begin anew to add more points');
+    return false;
+  }
+
+  /** The radius of a new disc: that of the smallest, if they differ. */
+  radiusOfNew() {
+    if (this.options.radius !== undefined) return this.options.radius;
     const radii = this.points.radii().filter((radius) => radius > 0);
     return radii.length === 0 ? 0 : Math.min(...radii);
+  }
+
+  /** Begins a wall: a row of pinned discs. Without elastic collisions nothing would rebound from it. */
+  beginWall(event) {
+    if (this.view !== this.flatView) return false;
+    if (!this.usesMasses() || !(this.radiusOfNew() > 0)) {
+      this.say('A wall needs discs that collide elastically: start Gas, Packing or Two crowds');
+      return true;
+    }
+    const {camera} = this.flatView;
+    element('picture').setPointerCapture(event.pointerId);
+    const [x, y] = this.inBox(camera.planeX(event.offsetX), camera.planeY(event.offsetY));
+    this.wall = {pointer: event.pointerId, x, y};
+    this.addToWall([[x, y]]);
+    return true;
+  }
+
+  /** Adds discs, each beside the last one, up to the pointer. */
+  goOnWithWall(event) {
+    const {wall} = this, {camera} = this.flatView, step = 2.02 * this.radiusOfNew();
+    const [toX, toY] = this.inBox(camera.planeX(event.offsetX), camera.planeY(event.offsetY));
+    const places = [];
+    for (;;) {
+      const distance = Math.hypot(toX - wall.x, toY - wall.y);
+      if (distance < step) break;
+      wall.x += (toX - wall.x) * step / distance;
+      wall.y += (toY - wall.y) * step / distance;
+      places.push(this.inBox(wall.x, wall.y));
+    }
+    if (places.length > 0) this.addToWall(places);
+  }
+
+  /** Adds the discs, except where another disc is, to which they would be no wall. */
+  addToWall(places) {
+    this.change(() => {
+      const {points} = this, radius = this.radiusOfNew();
+      for (const [x, y] of places) {
+        const positions = points.positions(), radii = points.radii();
+        const isFree = radii.every((other, id) =>
+          !(Math.hypot(positions[2 * id] - x, positions[2 * id + 1] - y) < other + radius));
+        if (!isFree || !this.hasRoom()) continue;
+        const id = points.insert([x, y], [0, 0], radius);
+        points.setMass(id, HEAVY);
+        this.pinned.set(id, [0, 0]);
+      }
+    });
   }
 
   erase(point) {
@@ -315,7 +377,10 @@ class LiveViewer extends Viewer {
 
   /** A change of the points, now. */
   change(call) {
-    this.attempt(call);
+    this.attempt(() => {
+      this.points.advanceTo(this.clock);
+      call();
+    });
     this.goOn();
   }
 
@@ -388,7 +453,8 @@ class LiveViewer extends Viewer {
         <button class="choice" id="live-motions" type="button">Save motions</button>
         <button class="choice" id="live-events" type="button">Save events</button>
       </div>
-      <p id="live-says" role="status"></p>`;
+      <p id="live-says" role="status"></p>
+      <p id="live-commands" hidden></p>`;
     document.querySelector('.notes').append(bar);
     const select = element('live-preset');
     for (const [id, {label}] of Object.entries(PRESETS)) select.append(new Option(label, id));
@@ -428,9 +494,11 @@ class LiveViewer extends Viewer {
       `The audit has failed: ${failures[0]}. Please report this`);
   }
 
-  /** Saves a log of the run so far: `kinetri-verify` reads both. */
+  /** Saves a log of the run so far, and shows the commands that take both logs. */
   save(name) {
     const {logs} = this;
+    this.direction = 0;  // so that both logs end here
+    this.change(() => {});
     if (logs.size > MOST_LOG) {
       this.say('The run is too long to be saved: begin anew');
       return;
@@ -440,9 +508,22 @@ class LiveViewer extends Viewer {
     link.download = `live.${name}.csv`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-    const until = `--from ${logs.from} --until ${this.clock}`;
-    this.say(name === 'events' ? `Check with kinetri-verify live.motions.csv live.events.csv ${until}` :
-      'Saved: the motions with which the run begins, and each change of them');
+    this.say(`Saved, and paused: save the ${name === 'events' ? 'motions' : 'events'} as well for the commands`);
+    element('live-commands').hidden = false;
+    element('live-commands').textContent = this.commands();
+  }
+
+  /** What repeats the run, and what checks its logs. */
+  commands() {
+    const {box, rim, regular, collisions} = this.options;
+    const options = [`--until ${this.clock}`];
+    if (box) options.push(`--box ${Array.from(box).join()}`);
+    if (rim) options.push('--rim');
+    if (collisions && collisions !== 'none') options.push(`--collisions ${collisions}`);
+    const logs = 'live.motions.csv', events = 'live.events.csv', same = options.join(' ');
+    const more = regular ? ' --regular' : '';
+    return [`kinetri simulate ${logs} --replay ${events} ${same}${more} --edges edges.csv --html run.html`,
+            `kinetri-verify ${logs} ${events} ${same} --edges edges.csv`].join('\n');
   }
 
   /** Updates what need not be up to date in each frame. */

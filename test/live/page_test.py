@@ -97,19 +97,25 @@ class LivePageTest(unittest.TestCase):
         self.assertEqual(triangles, self.evaluate("Array.from(live.points.triangles())"))
         self.assertEqual(self.evaluate("live.points.audit()"), [])
 
-    def check_logs(self, *options):
-        """kinetri-verify accepts the motions and events so far, which end with the edges that are shown."""
-        self.evaluate("live.goOn()")
-        files = {name: self.folder / f"live.{name}.csv" for name in ("motions", "events", "edges")}
+    def check_logs(self):
+        """With the logs that the page saves, the commands that it shows are right: `kinetri simulate --replay`
+        has the same log and ends with the edges that are shown, and `kinetri-verify` accepts it."""
+        self.evaluate("live.change(() => {})")
         for name in ("motions", "events"):
-            files[name].write_text("".join(self.evaluate(f"live.logs.{name}")))
-        edges = self.evaluate("kinetri.edges()")
-        files["edges"].write_text("a,b\n" + "".join(f"{a},{b}\n" for a, b in edges))
-        until = self.evaluate("live.clock")
-        done = subprocess.run([VERIFY, files["motions"], files["events"], "--until", repr(until), "--edges",
-                               files["edges"], *options], capture_output=True, text=True)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        return files["events"].read_text().splitlines()
+            (self.folder / f"live.{name}.csv").write_text("".join(self.evaluate(f"live.logs.{name}")))
+        programs = {"kinetri": [PROGRAM], "kinetri-verify": [VERIFY]}
+        for command in self.evaluate("live.commands()").splitlines():
+            name, *words = command.split()
+            if name == "kinetri":
+                words += ["--events", "again.csv", "--quiet"]
+            done = subprocess.run([*programs.pop(name), *words], cwd=self.folder, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, f"{command}\n{done.stdout}{done.stderr}")
+        self.assertEqual(programs, {})
+        events = (self.folder / "live.events.csv").read_text().splitlines()
+        self.assertEqual((self.folder / "again.csv").read_text().splitlines(), events)
+        edges = "".join(f"{a},{b}\n" for a, b in self.evaluate("kinetri.edges()"))
+        self.assertEqual((self.folder / "edges.csv").read_text(), "a,b\n" + edges)
+        return events
 
     # ---- tests ----
 
@@ -119,7 +125,7 @@ class LivePageTest(unittest.TestCase):
         self.evaluate("live.togglePlaying(1)")
         self.evaluate("live.points.advanceTo(live.clock)")
         self.check_present()
-        events = self.check_logs("--box", "0,0,60,60")
+        events = self.check_logs()
         self.assertGreater(len(events), 50)
         # The program has the same events.
         until = self.evaluate("live.clock")
@@ -155,7 +161,7 @@ class LivePageTest(unittest.TestCase):
         self.assertGreater(vx, 0)
         self.assertGreater(vy, 0)
         self.check_present()
-        self.check_logs("--box", "0,0,60,60")
+        self.check_logs()
 
     def test_a_point_is_moved_while_time_stands_still(self):
         self.open(self.points_file(), "--box", "0,0,60,60")
@@ -170,7 +176,7 @@ class LivePageTest(unittest.TestCase):
         self.drag(place, [2, place[1]])
         self.assertEqual(self.evaluate("live.points.positions()[6]"), 0)
         self.check_present()
-        self.check_logs("--box", "0,0,60,60")
+        self.check_logs()
 
     def test_points_are_added_erased_and_pinned(self):
         self.open(self.points_file(), "--box", "0,0,60,60")
@@ -187,7 +193,56 @@ class LivePageTest(unittest.TestCase):
         BROWSER.click(*self.place_of(7))
         self.assertEqual(self.evaluate("Array.from(live.points.velocities().subarray(14, 16))"), [0, -3])
         self.check_present()
-        self.check_logs("--box", "0,0,60,60")
+        self.check_logs()
+
+    def test_a_wall_is_drawn_and_stays(self):
+        self.open(query="?start=gas&points=40")
+        self.choose("wall")
+        begin, end = (self.evaluate(SCREEN % place) for place in ((50, 12), (50, 88)))
+        self.drag(begin, end)
+        wall = self.evaluate("Array.from(live.pinned.keys())")
+        self.assertGreater(len(wall), 3)
+        self.choose("take")
+        self.evaluate("live.togglePlaying(1); live.changeSpeed(4)")
+        self.wait("live.clock > 4")
+        self.evaluate("live.direction = 0")
+        self.check_present()
+        places = self.evaluate("Array.from(live.points.positions())")
+        for point in wall:
+            self.assertAlmostEqual(places[2 * point], 50, delta=0.01)
+        self.check_logs()
+
+    def test_a_wall_without_discs(self):
+        self.open(self.points_file(), "--box", "0,0,60,60")
+        self.choose("wall")
+        self.drag(self.evaluate(SCREEN % (10, 10)), self.evaluate(SCREEN % (50, 50)))
+        self.assertIn("A wall needs discs", self.evaluate("element('status').textContent"))
+        self.assertEqual(self.evaluate("live.points.length"), 40)
+
+    def test_a_point_is_thrown_between_two_steps(self):
+        self.open(self.points_file(), "--box", "0,0,60,60")
+        for point in range(8):
+            for _ in range(3):
+                BROWSER.key("ArrowRight")
+            place = self.place_of(point)
+            self.drag(place, [place[0] + 12, place[1] - 9], steps=3)
+        self.evaluate("live.togglePlaying(1)")
+        clock = self.evaluate("live.clock")
+        self.wait(f"live.clock > {clock} + 0.2")
+        self.evaluate("live.direction = 0")
+        self.check_present()
+        self.check_logs()
+
+    def test_saving_pauses_and_shows_the_commands(self):
+        self.open(query="?start=flock&points=30", plays=True)
+        self.wait("live.clock > 0.3")
+        self.evaluate("document.createElement('a').constructor.prototype.click = function() { window.saved = this.download; };"
+                      " element('live-motions').click()")
+        self.assertEqual(self.evaluate("window.saved"), "live.motions.csv")
+        self.assertFalse(self.evaluate("live.isPlaying()"))
+        self.assertIn(f"--until {self.evaluate('String(live.clock)')} --box 0,0,100,100",
+                      self.evaluate("element('live-commands').innerText"))
+        self.check_logs()
 
     def test_the_next_event_is_the_one_that_comes(self):
         self.open(self.points_file(), "--box", "0,0,60,60")
