@@ -216,7 +216,7 @@ def _lattice_of(value: Any) -> Any:
         return value.vectors if not value.rates.any() else _refused("a Box whose vectors change; expected it as `box`")
     if all(hasattr(value, name) for name in ("Lx", "Ly", "xy")):  # of freud
         is_2d = getattr(value, "is2D", None)
-        if not (value.dimensions == 2 if is_2d is None else bool(is_2d() if callable(is_2d) else is_2d)):
+        if not (getattr(value, "dimensions", None) == 2 if is_2d is None else bool(is_2d() if callable(is_2d) else is_2d)):
             _refused(f"{value!r}, which is 3-dimensional; expected a box in the plane")
         _expect_periodic(value, getattr(value, "periodic", True))
         Ly = _arrays.one_number("Ly", value.Ly)

@@ -339,9 +339,10 @@ class MovingPoints(RunAnswers):
     def threads(self) -> int:
         """int: the maximum number of threads while time advances; 0, the default: as many as are available.
 
-        The results are the same for any number, up to 1024. In a periodic box it is 1. Several threads are used if there are about 50 000
+        The results are the same for any number, up to 1024. Several threads are used if there are about 50 000
         points or more, of which at most one in 1000 is hidden, many events are due, and `collisions` is neither
-        a function nor "log" nor "remove". Copies, and objects that are loaded or restored, begin with 0.
+        a function nor "log" nor "remove". Copies, and objects that are loaded or restored, begin with 0. In a
+        periodic box it is 1, and can be no more.
         """
         return self._engine.threads()
 
@@ -715,8 +716,8 @@ class MovingPoints(RunAnswers):
         array of uint32, shape (degree,)
             Counterclockwise: for an inner point from the smallest id on, for a hull point from one hull
             neighbor to the other. In a periodic box one for each end of an edge at the point: ids may repeat, and may
-            be that of the point itself (`KineticDelaunay.neighbor_offsets`). Of a point that coincides with others for a while: if it is hidden, the point that
-            hides it; else at the end also those that it hides, ascending.
+            be that of the point itself (`KineticDelaunay.neighbor_offsets`). Of a point that coincides with others
+            for a while: if it is hidden, the point that hides it; else at the end also those that it hides, ascending.
 
         Raises
         ------

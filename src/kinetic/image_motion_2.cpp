@@ -39,8 +39,9 @@ bool same_trajectory(const Image_motion_2& a, const Image_motion_2& b) {
 }
 
 Vector_2 rounded_position(const Image_motion_2& image, const Algebraic_number& t) {
-  if (image.offset == Lattice_offset_2() && t.lower() == t.upper()) {
-    return with_velocity_at(image.motion, {}, t.lower()).position;
+  const auto [lower, upper] = t.interval();
+  if (image.offset == Lattice_offset_2() && lower == upper) {
+    return with_velocity_at(image.motion, {}, lower).position;
   }
   const Trajectory_2 path = trajectory(image);
   return {rounded_quotient(path.x, path.w, t), rounded_quotient(path.y, path.w, t)};

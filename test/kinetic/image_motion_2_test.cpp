@@ -192,7 +192,7 @@ TEST(Image_motion_2, that_is_wrapped_is_in_the_box) {
     EXPECT_EQ(unmoved, (Vector_2{place.x.convert_to<double>(), place.y.convert_to<double>()}));
     if (HasFailure()) return;
   }
-  EXPECT_GT(on_sides, 30u);
+  EXPECT_GT(on_sides, 20u);
 }
 
 TEST(Image_motion_2, is_wrapped_at_irrational_times_and_next_to_a_side) {
@@ -201,7 +201,7 @@ TEST(Image_motion_2, is_wrapped_at_irrational_times_and_next_to_a_side) {
   const Image_motion_2 image = wrapped({{0, 0}, {3, -1}, 0}, box, root_of_2);
   EXPECT_EQ(image.offset, (Lattice_offset_2{-2, 1}));
   EXPECT_EQ(rounded_position(image, root_of_2),
-            (Vector_2{0.24264068711928514, 0.5857864376269049}));
+            (Vector_2{0.24264068711928514641, 0.58578643762690495120}));
   // The quotient is rounded to an integer.
   const double below = std::nextafter(2.0, 0.0);
   EXPECT_EQ(wrapped({{-1e-30, below}, {0, 0}, 0}, box, 0.0).offset, (Lattice_offset_2{1, 0}));
