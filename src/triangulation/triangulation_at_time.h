@@ -313,8 +313,16 @@ class Triangulation_at_time {
   Vertex visible_near(const Place& position) const {
     if constexpr (is_periodic) {
       const auto v = kinetic_->vertex_near(Point_2(position.motion().motion));
-      const Wrapping wrapping(at_.box(), time_.to_double());
-      return {v, whole_vectors(at_, v->point(), position, wrapping.basis())};
+      const Lattice_basis_2 basis = Wrapping(at_.box(), time_.to_double()).basis();
+      // The position is in a parallelogram whose corners are images of v.
+      const Lattice_offset_2 first = whole_vectors(at_, v->point(), position, basis);
+      const Lattice_offset_2 second = sum(first, basis[0]);
+      Vertex nearest = {v, first};
+      for (const auto& offset : {second, sum(first, basis[1]), sum(second, basis[1])}) {
+        const Vertex corner = {v, offset};
+        if (compare_power_beside(position, corner, nearest) == CGAL::SMALLER) nearest = corner;
+      }
+      return nearest;
     } else {
       return visible_in_plane_near(position);
     }

@@ -121,7 +121,7 @@ class Periodic_queries_2 {
   ///
   /// The sides of each cell are exact, the areas are rounded: the area of a cell with n sides and
   /// the perimeter l, of which no position is farther than r from the point, is off by at most
-  /// (3 + n / 2) 2^-53 r l, the more if numbers are less than 1e-150. Nothing is added to that by
+  /// (3 + n / 2) 2^-53 r l, or more if numbers are less than 1e-150. Nothing is added to that by
   /// positions far from the origin. Throws Precondition_error if a cell reaches 1e150 from its
   /// point. Cost: some hundred floating-point operations for each point; exact arithmetic, as in
   /// voronoi_cell, if triangles are flat or images coincide.
