@@ -16,6 +16,12 @@ void append_edge(std::string& line, const std::optional<Edge_ids>& edge) {
   }
 }
 
+void append_offset(std::string& line, const std::optional<Edge_ids>& edge,
+                   const Lattice_offset_2& offset) {
+  line += ',';
+  if (edge) line += offset_field(offset);
+}
+
 void append_point(std::string& line, const std::optional<Point_id>& point) {
   line += ',';
   if (point) append(line, *point);
@@ -29,9 +35,15 @@ std::string time_fields(const Algebraic_number& time) {
   return joined(nearest, ',', interval.lower, ',', interval.upper);
 }
 
-Event_log_writer::Event_log_writer(std::ostream& out) : out_(out) {
+std::string offset_field(const Lattice_offset_2& offset) {
+  return joined(offset.x, ' ', offset.y);
+}
+
+Event_log_writer::Event_log_writer(std::ostream& out, Event_columns columns)
+    : out_(out), columns_(columns) {
   out_ << "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,"
-          "instant\n";
+          "instant"
+       << (columns == Event_columns::periodic ? ",removed_offset,added_offset\n" : "\n");
 }
 
 void Event_log_writer::after_event(const Event& event) {
@@ -46,7 +58,12 @@ void Event_log_writer::after_event(const Event& event) {
   append_edge(line, event.added);
   append_point(line, event.point_a);
   append_point(line, event.point_b);
-  append(line, ',', instant_, '\n');
+  append(line, ',', instant_);
+  if (columns_ == Event_columns::periodic) {
+    append_offset(line, event.removed, event.removed_offset);
+    append_offset(line, event.added, event.added_offset);
+  }
+  line += '\n';
   out_ << line;
 }
 

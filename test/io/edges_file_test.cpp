@@ -23,5 +23,11 @@ TEST(Write_edges, without_edges_writes_the_header) {
   EXPECT_EQ(out.str(), "a,b\n");
 }
 
+TEST(Write_periodic_edges, writes_offsets) {
+  std::ostringstream out;
+  write_periodic_edges(out, std::vector<Periodic_edge>{{{0, 0}, {0, 1}}, {{2, 31}, {-4, 5}}});
+  EXPECT_EQ(out.str(), "a,b,offset\n0,0,0 1\n2,31,-4 5\n");
+}
+
 }  // namespace
 }  // namespace kinetri::edges_file_test

@@ -56,6 +56,23 @@ double read_back(const std::string& text) {
   return value;
 }
 
+TEST(Event_log, has_offsets_in_a_periodic_box) {
+  std::ostringstream out;
+  Event_log_writer writer(out, Event_columns::periodic);
+  Log_event flip = {0, Event_kind::flip, Algebraic_number(2), Edge_ids{0, 0}, Edge_ids{1, 3}};
+  flip.removed_offset = {0, 1};
+  flip.added_offset = {-2, 7};
+  writer.after_event(flip);
+  writer.after_event({1, Event_kind::rebuild, Algebraic_number(2), {}, Edge_ids{1, 2}});
+  writer.after_event({2, Event_kind::insert, Algebraic_number(3), {}, {}, 4});
+  EXPECT_EQ(out.str(),
+            "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,"
+            "instant,removed_offset,added_offset\n"
+            "0,flip,2,2,2,0,0,1,3,,,0,0 1,-2 7\n"
+            "1,rebuild,2,2,2,,,1,2,,,0,,0 0\n"
+            "2,insert,3,3,3,,,,,4,,2,,\n");
+}
+
 TEST(Event_log, begins_with_its_header) {
   EXPECT_EQ(log_of({}), header);
 }

@@ -24,6 +24,15 @@ namespace kinetri {
 /// adjacent. All three have the fewest digits that read back exactly.
 std::string time_fields(const Algebraic_number& time);
 
+/// The columns of an event log.
+enum class Event_columns {
+  planar,    ///< those that Event_log_writer lists
+  periodic,  ///< and at the end removed_offset,added_offset: see Event_log_writer
+};
+
+/// The text of an offset, as in "1 -2"; the two numbers are separated by a blank.
+std::string offset_field(const Lattice_offset_2& offset);
+
 /// An observer that writes each event as one line, after the event:
 ///
 ///   event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,instant
@@ -32,11 +41,15 @@ std::string time_fields(const Algebraic_number& time);
 /// at the same exact time that this object has written: it distinguishes times with the same three
 /// fields. Unused fields are empty.
 ///
+/// In a periodic box each line ends with `,removed_offset,added_offset`: the offset_field of the
+/// second end of the edge against the first (Periodic_edge).
+///
 /// Errors are those of the stream. Cost: the times are rounded once for each instant.
 class Event_log_writer : public Event_observer {
  public:
-  /// Writes the header line. `out` must outlive this object.
-  explicit Event_log_writer(std::ostream& out);
+  /// Writes the header line. `out` must outlive this object. The events must be those of a
+  /// triangulation in a periodic box if the columns are.
+  explicit Event_log_writer(std::ostream& out, Event_columns columns = Event_columns::planar);
 
   /// False: a line is about the event alone.
   bool looks_at_triangulation() const override { return false; }
@@ -45,6 +58,7 @@ class Event_log_writer : public Event_observer {
 
  private:
   std::ostream& out_;
+  Event_columns columns_;
   std::optional<Algebraic_number> time_;  // of the last event
   std::string time_text_;                 // its three fields
   std::uint64_t instant_ = 0;             // the number of the first event at that time

@@ -16,6 +16,7 @@
 
 #include "kinetri/events/event.h"
 #include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/kinetic/periodic_kinetic_traits_2.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
@@ -66,6 +67,7 @@ extern template class Motion_log_writer<Linear_kinetic_traits_2>;
 extern template class Motion_log_writer<Polynomial_kinetic_traits_2>;
 extern template class Motion_log_writer<Disc_kinetic_traits_2>;
 extern template class Motion_log_writer<Polynomial_disc_kinetic_traits_2>;
+extern template class Motion_log_writer<Periodic_kinetic_traits_2>;
 
 /// A row of a motion log.
 struct Logged_motion {
