@@ -4,6 +4,7 @@
 #ifndef KINETRI_VERIFY_CHECKER_H
 #define KINETRI_VERIFY_CHECKER_H
 
+#include "rows.h"
 #include "triangulation.h"
 
 namespace verify {
@@ -46,23 +47,6 @@ class Checker : Certified_triangulation {
  private:
   // ---- rows ----
 
-  static bool is_of_time_of(const Row& a, const Row& b) {
-    return a.time == b.time && compare(a.lo, b.lo) == 0 && compare(a.hi, b.hi) == 0;
-  }
-  // The ends of an interval are equal if the time is a binary64 number, and only then.
-  static bool is_binary64(const Row& row) { return compare(row.lo, row.hi) == 0; }
-  static bool is_in(Time& time, const Row& row) {
-    Time lo = exactly(row.lo);
-    Time hi = exactly(row.hi);
-    const int order = compare(time, lo);
-    return is_binary64(row) ? order == 0 : order > 0 && compare(time, hi) < 0;
-  }
-  static std::vector<Time> roots_in(const Polynomial& p, const Row& row) {
-    std::vector<Time> roots = verify::roots_in(p, row.lo, row.hi);
-    std::erase_if(roots, [&](Time& root) { return !is_in(root, row); });
-    return roots;
-  }
-  static bool is_flip(const Row& row) { return row.kind == "flip" || row.kind.starts_with("hull"); }
   static bool is_contact(const Row& row) { return row.kind == "wall" || row.kind == "collision"; }
 
   void enter(const Row& row) {
@@ -72,7 +56,8 @@ class Checker : Certified_triangulation {
     } else if (!is_of_time_of(row, (&row)[-1])) {
       refute("it is of the instant of the row before, but not of its time");
     }
-    if (!is_nearest(row)) refute("its time is not the binary64 number nearest to the exact one");
+    if (!is_nearest(now_, row))
+      refute("its time is not the binary64 number nearest to the exact one");
     has_rows_ = true;
     if (changes_motions(row)) {
       has_change_ = true;
@@ -197,20 +182,6 @@ class Checker : Certified_triangulation {
     return std::ranges::any_of(all, [&](const Polynomial& p) {
       return sign_at(p, now_) == 0 && sign_just_after(p, now_) < 0;
     });
-  }
-
-  // Whether the time of the row is the binary64 number nearest to now, ties to even.
-  bool is_nearest(const Row& row) {
-    if (!is_in(now_, row)) return false;
-    if (is_binary64(row)) return true;
-    Time time = exactly(dyadic(row.time));
-    const int order = compare(now_, time);
-    const double infinity = std::numeric_limits<double>::infinity();
-    const double other = std::nextafter(row.time, order < 0 ? -infinity : infinity);
-    if (order == 0 || std::isinf(other)) return false;  // a binary64 number has no interval
-    Time half_way = exactly(middle(time.lo, dyadic(other)));
-    const int beyond = order * compare(now_, half_way);
-    return beyond < 0 || (beyond == 0 && std::bit_cast<std::uint64_t>(row.time) % 2 == 0);
   }
 
   // The certificates of edges at the points of all rows of this instant (without the column

@@ -33,6 +33,22 @@ namespace verify {
 using Id = std::uint32_t;
 using Edge = std::pair<Id, Id>;  // the smaller id first
 
+// How often the two vectors of a periodic box are added to a position.
+struct Offset {
+  std::int64_t x = 0, y = 0;
+  friend auto operator<=>(const Offset&, const Offset&) = default;
+  friend Offset operator-(const Offset& a, const Offset& b) { return {a.x - b.x, a.y - b.y}; }
+};
+
+// An edge from the point `first` to the image of `second` with the offset; and all images of that.
+// The smaller id first; of the two edges from a point to its own images, the one of the greater
+// offset.
+struct Periodic_edge {
+  Id first, second;
+  Offset offset;
+  friend auto operator<=>(const Periodic_edge&, const Periodic_edge&) = default;
+};
+
 struct Bad_input : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -59,7 +75,8 @@ struct Row {
   std::string kind;
   double time = 0;
   Dyadic lo, hi;
-  std::vector<Edge> removed, added;  // at most one edge each
+  std::vector<Edge> removed, added;     // at most one edge each
+  Offset removed_offset, added_offset;  // in a periodic box
   std::vector<Id> points;
   std::optional<Id> by;         // the point that hides the other one
   std::vector<Change> changes;  // of motions
@@ -73,6 +90,7 @@ inline std::string row_name(long row, const std::vector<Row>& rows) {
 
 struct Options {
   Dyadic from, until;
+  std::vector<Motion> lattice;        // the two vectors of a periodic box, if there is one
   std::map<std::size_t, double> box;  // positions of sides: 0 left, 1 lower, 2 right, 3 upper
   bool has_rim = false;
   bool has_contacts = false;
@@ -156,6 +174,22 @@ class Table {
     if (error == std::errc() && end == text.data() + text.size() && value < 100'000'000)
       return value;
     fail("the column " + std::string(name) + " is '" + text + "'; expected a whole number");
+  }
+
+  // An offset, as in "1 -2"; 0 0 if the field is empty and may be.
+  Offset offset(std::string_view name, bool may_be_empty) const {
+    const std::string& text = field(name);
+    if (may_be_empty && text.empty()) return {};
+    std::array<std::int32_t, 2> numbers_read = {};
+    const char* const blank = text.data() + std::min(text.find(' '), text.size());
+    const char* const end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), blank, numbers_read[0]);
+    if (first.ec == std::errc() && first.ptr == blank && blank != end) {
+      const auto second = std::from_chars(blank + 1, end, numbers_read[1]);
+      if (second.ec == std::errc() && second.ptr == end) return {numbers_read[0], numbers_read[1]};
+    }
+    fail("the column " + std::string(name) + " is '" + text +
+         "'; expected two whole numbers, separated by a blank");
   }
 
   // Appends the edge in two columns unless they are empty.
@@ -262,11 +296,23 @@ inline std::vector<Change> read_motions(const std::string& path, std::vector<Row
   return points;
 }
 
-inline void read_events(const std::string& path, std::vector<Row>& rows) {
+// Whether an edge in a periodic box is named as Periodic_edge says.
+inline bool is_normal(const Periodic_edge& e) {
+  return e.first < e.second || (e.first == e.second && e.offset > Offset() - e.offset);
+}
+
+// `is_periodic`: the log is one of points in a periodic box.
+inline void read_events(const std::string& path, bool is_periodic, std::vector<Row>& rows) {
   Table table(path);
-  table.expect_header(
-      "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b",
-      "instant");
+  const std::string columns =
+      "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b";
+  if (is_periodic) {
+    table.expect_header(columns + ",instant,removed_offset,added_offset");
+  } else if (table.has("removed_offset")) {
+    table.fail("the log is one of a periodic box; expected --periodic");
+  } else {
+    table.expect_header(columns, "instant");
+  }
   const bool has_instants = table.has("instant");
   static const std::map<std::string, std::array<std::size_t, 3>> kinds = {
       {"flip", {1, 1, 0}},    {"hull_insert", {1, 0, 0}}, {"hull_remove", {0, 1, 0}},
@@ -299,9 +345,18 @@ inline void read_events(const std::string& path, std::vector<Row>& rows) {
     if (row.kind == "rebuild" ? has[0] + has[1] != 1 || has[2] != 0 : has != expected->second) {
       refute("it has not the edges and points of a " + row.kind);
     }
-    for (const auto& edges : {row.removed, row.added}) {
-      if (!edges.empty() && edges[0].first >= edges[0].second)
-        refute("an edge has its smaller end last");
+    if (is_periodic) {
+      row.removed_offset = table.offset("removed_offset", row.removed.empty());
+      row.added_offset = table.offset("added_offset", row.added.empty());
+    }
+    for (const auto& [edges, offset] :
+         {std::pair(row.removed, row.removed_offset), std::pair(row.added, row.added_offset)}) {
+      if (edges.empty()) continue;
+      const auto& [a, b] = edges.front();
+      if (is_periodic ? !is_normal({a, b, offset}) : a >= b) {
+        refute(is_periodic && a == b ? "an edge from a point to its image has the lesser offset"
+                                     : "an edge has its smaller end last");
+      }
     }
     if (row.points.size() == 2 && row.points[0] >= row.points[1])
       refute("it has its smaller point last");
@@ -322,6 +377,23 @@ inline void read_events(const std::string& path, std::vector<Row>& rows) {
       refute("its interval lacks its time, or is wider than 2^-48 max(1, |time|)");
     }
   }
+}
+
+inline std::vector<Periodic_edge> read_periodic_edges(const std::string& path) {
+  Table table(path);
+  table.expect_header("a,b,offset");
+  std::vector<Periodic_edge> edges;
+  while (table.next()) {
+    edges.push_back({static_cast<Id>(table.index("a")), static_cast<Id>(table.index("b")),
+                     table.offset("offset", false)});
+    if (!is_normal(edges.back()) ||
+        (edges.size() > 1 && !(edges[edges.size() - 2] < edges.back()))) {
+      table.fail(
+          "expected edges that differ, in order, with the smaller id first, and with the greater "
+          "offset from a point to its image");
+    }
+  }
+  return edges;
 }
 
 inline std::vector<Edge> read_edges(const std::string& path) {

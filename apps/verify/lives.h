@@ -44,6 +44,7 @@ class Scale {
       }
     };
     std::ranges::for_each(points, note);
+    for (const Motion& vector : options.lattice) note({0, vector});
     for (const Row& row : rows) std::ranges::for_each(row.changes, note);
     one_ = Integer(degree_ == 3 ? 6 : 1) << (bits_ + degree_ * time_bits_);
   }
@@ -170,14 +171,19 @@ struct Instant {
 
 enum Kind : std::size_t { edge_life, hidden_life, box_life, kinds };
 
+inline std::string name_of(const Offset& offset) {
+  return "(" + std::to_string(offset.x) + ", " + std::to_string(offset.y) + ")";
+}
+
 // A certificate's points, none of which changes its motion from birth to death.
 struct Life {
   Kind kind;
   Points points;  // of an edge: its ends, the apexes at the left and at the right
   std::array<const Course*, 4> courses;
   std::shared_ptr<const Instant> birth, death;
-  bool passes = false;   // whether the discs of an edge pass through each other
-  bool goes_on = false;  // whether it must also hold just after its death
+  bool passes = false;                 // whether the discs of an edge pass through each other
+  bool goes_on = false;                // whether it must also hold just after its death
+  std::array<Offset, 4> offsets = {};  // of images of the points, in a periodic box
 };
 
 // Whether two discs, or a point and a wall, make contact at t; they are apart if g is positive.
@@ -216,7 +222,10 @@ class Certifier {
     const Points& ids = life.points;
     const auto name = [&](const char* what, std::initializer_list<std::size_t> of) {
       std::string text = what;
-      for (const std::size_t i : of) text.append(" ").append(std::to_string(ids[i]));
+      for (const std::size_t i : of) {
+        text.append(" ").append(std::to_string(ids[i]));
+        if (life.offsets[i] != Offset()) text.append(" ").append(name_of(life.offsets[i]));
+      }
       return text;
     };
     const auto add_triangle = [&](std::size_t i, std::size_t j, std::size_t apex) {

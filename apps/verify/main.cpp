@@ -2,6 +2,7 @@
 // kinetri-verify: decides from the points, the event log and the motions alone whether a run of
 // kinetri was correct.
 #include "checker.h"
+#include "torus_checker.h"
 
 namespace {
 
@@ -9,6 +10,7 @@ constexpr const char* usage =
     "Usage: kinetri-verify POINTS EVENTS --until T [--from T0] [--initial-edges FILE]\n"
     "                      [--edges FILE] [--motions FILE] [--box XMIN,YMIN,XMAX,YMAX]\n"
     "                      [--rim] [--collisions RESPONSE] [--threads N]\n"
+    "                      [--periodic LX,LY[,XY]] [--shear RATE]\n"
     "\n"
     "Decides whether the edges are a Delaunay triangulation of the points just after T0,\n"
     "and whether the events keep them one at all times until T, in exact arithmetic.\n"
@@ -17,6 +19,7 @@ constexpr const char* usage =
     "the run; without them, the log tells where its walls are, and whether discs\n"
     "collide.\n"
     "--threads 2 checks certificates on a second thread.\n"
+    "--periodic and --shear are those of the run, whose logs have offsets.\n"
     "\n"
     "Exit code: 0 verified, 1 refuted, 2 bad usage or bad input, 3 internal error.\n"
     "\n"
@@ -25,14 +28,20 @@ constexpr const char* usage =
     "  kinetri-verify points.csv events.csv --until 10 --initial-edges start.csv\n"
     "\n"
     "  kinetri tracks tracks.csv --events events.csv --motions motions.csv --edges end.csv\n"
-    "  kinetri-verify motions.csv events.csv --until 60 --edges end.csv\n";
+    "  kinetri-verify motions.csv events.csv --until 60 --edges end.csv\n"
+    "\n"
+    "  kinetri simulate points.csv --until 10 --periodic 100,100 --shear 0.1 \\\n"
+    "      --events events.csv --edges end.csv\n"
+    "  kinetri-verify points.csv events.csv --until 10 --periodic 100,100 --shear 0.1 \\\n"
+    "      --edges end.csv\n";
 
 [[noreturn]] void fail_usage(const std::string& message) {
   throw verify::Bad_input(message + "\nRun 'kinetri-verify --help' for what is possible.");
 }
 
+// From `least` to `most` numbers.
 std::vector<double> numbers_of(const std::string& option, const std::string& text,
-                               std::size_t count) {
+                               std::size_t least, std::size_t most) {
   std::vector<double> result;
   bool are_numbers = true;
   std::istringstream in(text);
@@ -40,20 +49,77 @@ std::vector<double> numbers_of(const std::string& option, const std::string& tex
     are_numbers = verify::read_number(field, result.emplace_back()) && are_numbers;
   }
   const auto fields = static_cast<std::size_t>(std::ranges::count(text, ',')) + 1;
-  if (are_numbers && fields == count && result.size() == count) return result;
+  const std::size_t count = result.size();
+  if (are_numbers && fields == count && least <= count && count <= most) return result;
+  const std::string range = (least == most ? "" : std::to_string(least) + " or ");
   fail_usage(option + " is '" + text + "'; expected " +
-             (count == 1 ? "a finite number" : std::to_string(count) + " finite numbers"));
+             (most == 1 ? "a finite number" : range + std::to_string(most) + " finite numbers"));
+}
+
+verify::Edge edge_of(const verify::Edge& edge, const verify::Offset&, verify::Edge) {
+  return edge;
+}
+verify::Periodic_edge edge_of(const verify::Edge& edge, const verify::Offset& offset,
+                              verify::Periodic_edge) {
+  return {edge.first, edge.second, offset};
 }
 
 // The edges before the first row, computed backward from those after the last row.
-std::vector<verify::Edge> undone(const std::vector<verify::Edge>& final_edges,
-                                 const std::vector<verify::Row>& rows) {
-  std::set<verify::Edge> edges(final_edges.begin(), final_edges.end());
+template <class Edge>
+std::vector<Edge> undone(const std::vector<Edge>& final_edges,
+                         const std::vector<verify::Row>& rows) {
+  std::set<Edge> edges(final_edges.begin(), final_edges.end());
   for (std::size_t i = rows.size(); i-- > 0;) {
-    for (const verify::Edge& edge : rows[i].added) edges.erase(edge);
-    for (const verify::Edge& edge : rows[i].removed) edges.insert(edge);
+    for (const auto& edge : rows[i].added) {
+      edges.erase(edge_of(edge, rows[i].added_offset, Edge()));
+    }
+    for (const auto& edge : rows[i].removed) {
+      edges.insert(edge_of(edge, rows[i].removed_offset, Edge()));
+    }
   }
   return {edges.begin(), edges.end()};
+}
+
+// The vectors of a periodic box. The rate of the second one is rounded, as that of the run is.
+std::vector<verify::Motion> lattice(const std::vector<double>& sides, double shear) {
+  verify::Motion first = {};
+  verify::Motion second = {};
+  first[verify::x] = sides[0];
+  second[verify::x] = sides.size() > 2 ? sides[2] : 0;
+  second[verify::y] = sides[1];
+  second[verify::vx] = shear * sides[1];
+  if (sides[0] <= 0 || sides[1] <= 0) fail_usage("the --periodic box is empty");
+  if (!std::isfinite(second[verify::vx])) fail_usage("the --shear is too fast");
+  return {first, second};
+}
+
+int answer(const std::vector<verify::Change>& points, const std::vector<verify::Row>& rows,
+           std::size_t certificates) {
+  std::cout << "verified: " << points.size() << " points, " << rows.size() << " events, "
+            << certificates << " certificates\n";
+  return 0;
+}
+
+// The paths are null if the files are not given.
+int check_periodic(const verify::Options& options, const std::vector<verify::Change>& points,
+                   const std::vector<verify::Row>& rows, const std::string* initial_path,
+                   const std::string* final_path) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const verify::Motion& motion = *points[k].motion;
+    if (points[k].id != k) throw verify::Bad_input("expected the motions of points 0, 1, 2, ...");
+    if (motion[verify::radius] != 0 || motion[verify::growth] != 0) {
+      throw verify::Bad_input("point " + std::to_string(k) +
+                              " is a disc; expected points in a periodic box");
+    }
+  }
+  std::vector<verify::Periodic_edge> final_edges;
+  if (final_path != nullptr) final_edges = verify::read_periodic_edges(*final_path);
+  const std::vector<verify::Periodic_edge> initial_edges =
+      initial_path != nullptr ? verify::read_periodic_edges(*initial_path)
+                              : undone(final_edges, rows);
+  verify::Torus_checker checker(options, points, rows);
+  return answer(points, rows,
+                checker.check(initial_edges, final_path != nullptr ? &final_edges : nullptr));
 }
 
 // Checks that the discs at the start have the radii and growths of the columns of the points, or
@@ -145,9 +211,9 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
       files.push_back(arguments[i]);
       continue;
     }
-    static const std::set<std::string> names = {"--until",      "--from",    "--initial-edges",
-                                                "--edges",      "--motions", "--box",
-                                                "--collisions", "--threads"};
+    static const std::set<std::string> names = {
+        "--until", "--from",       "--initial-edges", "--edges",    "--motions",
+        "--box",   "--collisions", "--threads",       "--periodic", "--shear"};
     if (name != "--rim" && !names.contains(name)) fail_usage("unknown option " + name);
     std::string value;
     if (name == "--rim" && name != arguments[i]) fail_usage("--rim takes no value");
@@ -167,13 +233,13 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
 
   verify::Options options;
   const auto number = [&](const std::string& name, double otherwise) {
-    return given.contains(name) ? numbers_of(name, given[name], 1)[0] : otherwise;
+    return given.contains(name) ? numbers_of(name, given[name], 1, 1)[0] : otherwise;
   };
   options.from = verify::dyadic(number("--from", 0));
   options.until = verify::dyadic(number("--until", 0));
   if (compare(options.until, options.from) < 0) fail_usage("--until is before the start");
   if (given.contains("--box")) {
-    const std::vector<double> sides = numbers_of("--box", given["--box"], 4);
+    const std::vector<double> sides = numbers_of("--box", given["--box"], 4, 4);
     if (sides[0] >= sides[2] || sides[1] >= sides[3]) fail_usage("the --box is empty");
     for (std::size_t i = 0; i < sides.size(); ++i) options.box[i] = sides[i];
   }
@@ -190,7 +256,25 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
   options.may_pass = response != "stop" && response != "remove";
   options.has_contacts = !response.empty() && response != "none";
 
-  verify::read_events(files[1], rows);
+  if (given.contains("--periodic")) {
+    for (const char* name : {"--box", "--rim", "--collisions", "--threads"}) {
+      if (given.contains(name)) fail_usage(std::string(name) + " is not for periodic boxes");
+    }
+    options.lattice =
+        lattice(numbers_of("--periodic", given["--periodic"], 2, 3), number("--shear", 0));
+  } else if (given.contains("--shear")) {
+    fail_usage("--shear needs --periodic");
+  }
+  const bool is_periodic = !options.lattice.empty();
+
+  verify::read_events(files[1], is_periodic, rows);
+  if (is_periodic) {
+    for (const verify::Row& row : rows) {
+      if (!changes_motions(row) && row.kind != "hide" && row.kind != "reveal") continue;
+      throw verify::Bad_input(files[1] + ": row " + std::to_string(row.number) + " is a " +
+                              row.kind + "; changes of points in periodic boxes are not supported");
+    }
+  }
   const bool has_motions = given.contains("--motions");
   std::set<std::size_t> columns;
   std::vector<verify::Change> points = verify::read_motions(files[0], has_motions ? nullptr : &rows,
@@ -210,6 +294,10 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
         options.has_contacts || options.has_rim || std::ranges::any_of(rows, is_collision);
     check_discs(points, columns, start, !may_touch);
     points = std::move(start);
+  }
+  if (is_periodic) {
+    return check_periodic(options, points, rows, has_initial ? &given["--initial-edges"] : nullptr,
+                          has_final ? &given["--edges"] : nullptr);
   }
   for (const verify::Row& row : rows) {
     if (row.kind == "collision" && !given.contains("--collisions")) {  // must be inferred
@@ -239,10 +327,7 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
   for (const verify::Options& tried : possible) {
     try {
       verify::Checker checker(tried, points, rows);
-      const std::size_t count = checker.check(initial_edges, has_final ? &final_edges : nullptr);
-      std::cout << "verified: " << points.size() << " points, " << rows.size() << " events, "
-                << count << " certificates\n";
-      return 0;
+      return answer(points, rows, checker.check(initial_edges, has_final ? &final_edges : nullptr));
     } catch (const verify::Refuted& refuted) {
       if (!first) first = refuted;
     }
