@@ -88,6 +88,33 @@ def number_cases():
                choices="none, one, columns or all")
 
 
+def periodic_cases():
+    """Of --periodic and --shear."""
+    for text, n in (("4", 1), ("4,5,6,7", 4), ("4,5,6,", 4)):
+        yield simulate(f"--periodic {text}", text=text, n=n)
+    yield simulate("--periodic 4,x", option="--periodic", text="x")
+    yield simulate("--periodic 4,inf", option="--periodic", text="inf")
+    yield simulate("--periodic 4,5 --shear nan", option="--shear", text="nan")
+    for text in ("0,5", "-4,-5", "4,0,1"):
+        yield simulate(f"--periodic={text}", text=text)
+    yield simulate("--shear 0.5")
+    yield simulate("--periodic 1,1e300 --shear 1e10", rate="1e10", height="1e+300")
+    yield simulate("--periodic 1,1e-300 --shear 1e-100", rate="1e-100", height="1e-300")
+    for option in ("--box 0,0,9,9", "--rim", "--collisions log", "--radius 1", "--growth 1", "--mass area",
+                   "--regular", "--certificates c", "--checkpoint c", "--html h", "--frames f", "--vtu v", "--plot s",
+                   "--neighbors n", "--exchanges n", "--nearest n", "--components n --range 1",
+                   "--connected n --between 0,1 --range 1", "--spanning-tree n", "--areas n --cutoff 1",
+                   "--mean-areas n --cutoff 1", "--encounters n --range 1", "--contact-plan n --range 1"):
+        yield simulate(f"--periodic 9,9 {option}", option=option.split()[0])
+    yield case("simulate p.csv --until-share 0.5 --periodic 9,9", option="--until-share")
+    box = "--until 1 --periodic 4,4,1 --shear 0.5"
+    yield points("x,y,vx,vy,ax,ay\n0,0,0,0,1,0\n", box)
+    yield points("x,y,vx,vy\n0,0,0,0\n6,8,4,0\n", box + " --coincident refuse", line=3, first=2)
+    yield points("x,y,vx,vy\n0,0,0,0\n1e10,0,0,0\n", box, id=1)
+    yield case("simulate p.csv --until 2 --periodic 1,1", time="0.6465", a=0, b=1, x=2147483648, y=1,
+               files={"p.csv": "x,y,vx,vy\n0,0,0,0\n2147483000.5,0.25,1000,0\n"})
+
+
 def meaning_cases():
     """Options that do not go together."""
     yield simulate("--from 1.5", until=1, **{"from": 1.5}, what="--from")
@@ -99,6 +126,7 @@ def meaning_cases():
     yield simulate("--box 0,0,1,2,", text="0,0,1,2,", n=5)
     yield simulate("--box 5,0,5,9", text="5,0,5,9")
     yield simulate("--rim")
+    yield from periodic_cases()
     yield simulate("--radius 1")
     yield simulate("--growth 1")
     growing = "--box -5,-5,5,5 --collisions elastic --growth 1"

@@ -41,20 +41,31 @@ Coincident_points coincident_argument(const std::string& text) {
   return static_cast<Coincident_points>(choice_argument("--coincident", text, coincidences));
 }
 
-Box_2 box_argument(const std::string& text) {
-  std::array<double, 4> sides = {};
-  std::size_t number = 0;
-  for (std::size_t start = 0; start <= text.size(); ++number) {
+std::vector<double> numbers_argument(std::string_view option, const std::string& text,
+                                     std::size_t least, std::size_t most,
+                                     std::string_view expected) {
+  std::vector<std::string> pieces;
+  for (std::size_t start = 0; start <= text.size();) {
     const std::size_t comma = std::min(text.find(',', start), text.size());
-    const std::string side = text.substr(start, comma - start);
-    if (number < sides.size()) sides[number] = number_argument("--box", side);
+    pieces.push_back(text.substr(start, comma - start));
     start = comma + 1;
   }
-  if (number != sides.size()) {
+  if (pieces.size() < least || pieces.size() > most) {
     throw Usage_error(
-        joined("--box: '", text, "' has ", number, " numbers; expected four, XMIN,YMIN,XMAX,YMAX"));
+        joined(option, ": '", text, "' has ", pieces.size(), " numbers; expected ", expected));
   }
-  const auto& [xmin, ymin, xmax, ymax] = sides;
+  std::vector<double> result;
+  for (const std::string& piece : pieces) result.push_back(number_argument(option, piece));
+  return result;
+}
+
+Box_2 box_argument(const std::string& text) {
+  const std::vector<double> sides =
+      numbers_argument("--box", text, 4, 4, "four, XMIN,YMIN,XMAX,YMAX");
+  const double xmin = sides[0];
+  const double ymin = sides[1];
+  const double xmax = sides[2];
+  const double ymax = sides[3];
   if (xmin < xmax && ymin < ymax) return {xmin, ymin, xmax, ymax};
   throw Usage_error(
       joined("--box: '", text,

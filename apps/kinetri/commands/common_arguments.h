@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/command.h"
 #include "kinetri/simulation/box_2.h"
@@ -26,6 +27,12 @@ std::uint64_t seed_argument(std::string_view text);
 
 /// The value of --box. Throws Usage_error.
 Box_2 box_argument(const std::string& text);
+
+/// The finite numbers in `text`, which are separated by commas: from `least` to `most` of them, as
+/// `expected` says. Throws Usage_error.
+std::vector<double> numbers_argument(std::string_view option, const std::string& text,
+                                     std::size_t least, std::size_t most,
+                                     std::string_view expected);
 
 /// Declares --coincident. `target` gets the default, and must outlive the command.
 void add_coincident_option(Command& command, std::string& target);

@@ -9,8 +9,10 @@
 #include "commands/collisions_option.h"
 #include "commands/commands.h"
 #include "commands/common_arguments.h"
+#include "commands/periodic_option.h"
 #include "commands/run_options.h"
 #include "kinetri/impl/io/text.h"
+#include "runs/periodic_run.h"
 #include "runs/simulation_run.h"
 #include "sources/points_source.h"
 #include "sources/replay_source.h"
@@ -22,6 +24,7 @@ namespace {
 struct Simulate_options {
   std::string points;
   std::string from = "0";
+  Periodic_options periodic;
   std::optional<std::string> box;
   bool rim = false;
   std::string collisions = "none";
@@ -37,16 +40,19 @@ struct Simulate_options {
 // By the value of Points_settings::has_area_masses.
 constexpr std::array<std::string_view, 2> masses = {"column", "area"};
 
+void expect_in_order(double from, double until, const Simulate_options& options) {
+  if (until >= from) return;
+  throw Usage_error(joined("--until: ", *options.run.until,
+                           " is before the start; expected at least ", options.from,
+                           ", which is --from"));
+}
+
 Points_settings points_settings(const Simulate_options& options) {
   Points_settings result;
   result.points = options.points;
   result.from = number_argument("--from", options.from);
   result.until = until_argument(options.run);
-  if (result.until && *result.until < result.from) {
-    throw Usage_error(joined("--until: ", *options.run.until,
-                             " is before the start; expected at least ", options.from,
-                             ", which is --from"));
-  }
+  if (result.until) expect_in_order(result.from, *result.until, options);
   if (options.box) result.box = box_argument(*options.box);
   result.rim_touches = options.rim;
   if (options.rim && !options.box) {
@@ -91,6 +97,28 @@ void expect_replay_options(const Simulate_options& options) {
   }
 }
 
+// Of a run with --periodic.
+Periodic_settings periodic_run_settings(const Simulate_options& options) {
+  expect_periodic(options.run);
+  if (options.box) refuse_with_periodic("--box");
+  if (options.rim) refuse_with_periodic("--rim");
+  if (collisions_argument(options.collisions, named_responses).response != nullptr) {
+    refuse_with_periodic("--collisions");
+  }
+  if (options.radius) refuse_with_periodic("--radius");
+  if (options.growth) refuse_with_periodic("--growth");
+  if (choice_argument("--mass", options.mass, masses) != 0) refuse_with_periodic("--mass");
+  if (options.regular) refuse_with_periodic("--regular");
+  if (options.replay) refuse_with_periodic("--replay");
+  Periodic_settings result = periodic_settings(options.periodic);
+  result.points = options.points;
+  result.from = number_argument("--from", options.from);
+  result.until = *until_argument(options.run);
+  expect_in_order(result.from, result.until, options);
+  result.coincident = coincident_argument(options.coincident);
+  return result;
+}
+
 }  // namespace
 
 Command simulate_command() {
@@ -103,6 +131,7 @@ Command simulate_command() {
   add_end_options(result, options->run);
   result.add("--from", &options->from, "T",
              "Start just after this time (default 0, the time of the positions in POINTS)");
+  add_periodic_options(result, options->periodic);
   result.add("--box", &options->box, "XMIN,YMIN,XMAX,YMAX",
              "Keep the points in this box: its sides reflect them. All points start inside");
   result.add_flag("--rim", options->rim,
@@ -137,6 +166,11 @@ Command simulate_command() {
       "If discs of different or growing radii can touch something (--collisions, --rim), or with "
       "--regular, the triangulation is the regular triangulation of the discs, in which discs that "
       "touch are neighbors. Else it is the Delaunay triangulation of the centers.",
+      "In a periodic box (--periodic) the triangulation is that of all images of the points: one "
+      "of "
+      "the torus, without a hull. Edges have offsets: how often the two vectors of the box are "
+      "added "
+      "to the position of the second end. Such a run has no walls, no discs and no pictures.",
       "Discs that grow may become jammed, with any response: they have no free area left between "
       "one another or between walls. The run then ends, and the outputs hold what happened until "
       "then. It ends in the same way if points are accelerated against a wall or each other, and "
@@ -157,6 +191,8 @@ Command simulate_command() {
                      "kinetri simulate points.csv --until 10 --html run.html",
                      "kinetri simulate points.csv --until 10 --verify",
                      "kinetri simulate points.csv --until 10 --coincident refuse",
+                     "kinetri simulate points.csv --until 10 --periodic 100,100 --shear 0.1 \\",
+                     "    --events events.csv --edges edges.csv --verify",
                      "kinetri simulate points.csv --until 10 --box 0,0,100,100 \\",
                      "    --collisions elastic --radius 0.5 --events -",
                      "kinetri simulate discs.csv --until 10 --box 0,0,100,100 --rim \\",
@@ -166,6 +202,11 @@ Command simulate_command() {
                      "kinetri simulate points.csv --until 10 --checkpoint run.kinetri",
                      "kinetri simulate motions.csv --replay events.csv --until 10 --html run.html"};
   result.run = [options](const Command& /*program*/) {
+    expect_no_shear(options->periodic);
+    if (options->periodic.periodic) {
+      const Periodic_settings periodic = periodic_run_settings(*options);
+      return run_periodic(run_settings(options->run), periodic);
+    }
     const Points_settings settings = points_settings(*options);
     if (options->replay) expect_replay_options(*options);
     const auto source =

@@ -41,9 +41,21 @@ bool is_lasting(const std::string& path) {
   return path != "-" && (!fs::exists(status) || fs::is_regular_file(status));
 }
 
-template <class Simulation>
-std::vector<Edge_ids> edges_now(const Simulation& simulation) {
-  return simulation.visit([](const auto& s) { return s.triangulation().finite_edge_ids(); });
+void write_edges_now(std::ostream& out, const Any_simulation& simulation) {
+  write_edges(out,
+              simulation.visit([](const auto& s) { return s.triangulation().finite_edge_ids(); }));
+}
+
+void write_edges_now(std::ostream& out, const Periodic_triangulation& triangulation) {
+  write_periodic_edges(out, triangulation.periodic_edges());
+}
+
+void add_observer(const Any_simulation& simulation, Event_observer& observer) {
+  simulation.visit([&](auto& s) { s.add_observer(observer); });
+}
+
+void add_observer(Periodic_triangulation& triangulation, Event_observer& observer) {
+  triangulation.add_observer(observer);
 }
 
 // Whether the points move linearly and have no contacts.
@@ -58,6 +70,10 @@ bool is_plain(const Any_simulation& simulation) {
 // events are that close.
 double upper_bound_of_now(const Any_simulation& simulation) {
   return simulation.visit([](const auto& s) { return s.current_time().tight_interval().upper; });
+}
+
+double upper_bound_of_now(const Periodic_triangulation& triangulation) {
+  return triangulation.current_time().tight_interval().upper;
 }
 
 }  // namespace
@@ -78,18 +94,36 @@ Verification::Verification(const Output_paths& outputs) : program_(path_of_verif
   }
 }
 
-void Verification::start(const Any_simulation& simulation) {
-  from_ = upper_bound_of_now(simulation);
-  if (files_[initial_edges].own) write_edges(files_[initial_edges].stream, edges_now(simulation));
+template <class Run>
+void Verification::start_with(Run& run, Event_columns columns) {
+  from_ = upper_bound_of_now(run);
+  if (files_[initial_edges].own) write_edges_now(files_[initial_edges].stream, run);
   if (files_[events].own) {
-    event_log_.emplace(files_[events].stream);
-    simulation.visit([this](auto& s) { s.add_observer(*event_log_); });
+    event_log_.emplace(files_[events].stream, columns);
+    add_observer(run, *event_log_);
   }
-  if (files_[motions].own) motion_log_ = follow_motions(files_[motions].stream, simulation);
+  if (files_[motions].own) motion_log_ = follow_motions(files_[motions].stream, run);
+}
+
+void Verification::start(const Any_simulation& simulation) {
+  start_with(simulation, Event_columns::planar);
+}
+
+void Verification::start(Periodic_triangulation& triangulation) {
+  start_with(triangulation, Event_columns::periodic);
 }
 
 void Verification::finish(const Any_simulation& simulation) {
-  if (files_[edges].own) write_edges(files_[edges].stream, edges_now(simulation));
+  finish_with(simulation);
+}
+
+void Verification::finish(const Periodic_triangulation& triangulation) {
+  finish_with(triangulation);
+}
+
+template <class Run>
+void Verification::finish_with(Run& run) {
+  if (files_[edges].own) write_edges_now(files_[edges].stream, run);
   for (File& file : files_) {
     if (!file.own) continue;
     errno = 0;
@@ -104,28 +138,42 @@ void Verification::finish(const Any_simulation& simulation) {
 
 Exit_code Verification::run(const Any_simulation& simulation, const Run_source& source,
                             Stream answer) const {
-  const std::string points = source.points_file();
-  const bool has_points = !points.empty() && is_lasting(points);
-  std::vector<std::string> arguments = {has_points ? points : files_[motions].path,
-                                        files_[events].path};
-  const auto add = [&](const char* option, const auto&... value) {
-    arguments.emplace_back(option);
-    if constexpr (sizeof...(value) > 0) arguments.push_back(joined(value...));
-  };
-  add("--from", from_);
-  add("--until", upper_bound_of_now(simulation));
-  add("--initial-edges", files_[initial_edges].path);
-  add("--edges", files_[edges].path);
-  // Else the points file contains all motions.
-  if (!has_points || !is_plain(simulation)) add("--motions", files_[motions].path);
+  std::vector<std::string> options;
   simulation.visit([&](const auto& s) {
-    const Simulation_options& options = s.options();
-    if (!options.box) return;
-    const auto& [xmin, ymin, xmax, ymax] = *options.box;
-    add("--box", xmin, ',', ymin, ',', xmax, ',', ymax);
-    if (options.rim_touches) add("--rim");
+    if (!s.options().box) return;
+    const auto& [xmin, ymin, xmax, ymax] = *s.options().box;
+    options = {"--box", joined(xmin, ',', ymin, ',', xmax, ',', ymax)};
+    if (s.options().rim_touches) options.emplace_back("--rim");
   });
-  add("--collisions", source.response());
+  options.insert(options.end(), {"--collisions", source.response()});
+  return run(source.points_file(), !is_plain(simulation), upper_bound_of_now(simulation), options,
+             answer);
+}
+
+Exit_code Verification::run(const Periodic_triangulation& triangulation,
+                            const std::string& points_file, const std::vector<std::string>& options,
+                            Stream answer) const {
+  return run(points_file, false, upper_bound_of_now(triangulation), options, answer);
+}
+
+Exit_code Verification::run(const std::string& points_file, bool needs_motions, double until,
+                            const std::vector<std::string>& options, Stream answer) const {
+  const bool has_points = !points_file.empty() && is_lasting(points_file);
+  std::vector<std::string> arguments = {has_points ? points_file : files_[motions].path,
+                                        files_[events].path,
+                                        "--from",
+                                        joined(from_),
+                                        "--until",
+                                        joined(until),
+                                        "--initial-edges",
+                                        files_[initial_edges].path,
+                                        "--edges",
+                                        files_[edges].path};
+  // Else the points file contains all motions.
+  if (!has_points || needs_motions) {
+    arguments.insert(arguments.end(), {"--motions", files_[motions].path});
+  }
+  arguments.insert(arguments.end(), options.begin(), options.end());
   const auto status = run_child(
       program_, arguments,
       {STDIN_FILENO, answer == Stream::output ? STDOUT_FILENO : STDERR_FILENO, STDERR_FILENO});

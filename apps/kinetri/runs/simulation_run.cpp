@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "runs/simulation_run.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <memory>
 #include <ostream>
 #include <string_view>
@@ -35,33 +32,10 @@
 #include "outputs/run_plot.h"
 #include "outputs/verification.h"
 #include "outputs/viewer_output.h"
+#include "runs/run_summary.h"
 
 namespace kinetri::app {
 namespace {
-
-// Seconds since the last lap.
-class Stopwatch {
- public:
-  double lap() {
-    const Clock::time_point now = Clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point last_ = Clock::now();
-};
-
-std::uint64_t peak_rss_bytes() {
-  rusage usage = {};
-  if (::getrusage(RUSAGE_SELF, &usage) != 0) return 0;
-#ifdef __APPLE__
-  constexpr std::uint64_t unit = 1;
-#else
-  constexpr std::uint64_t unit = 1024;
-#endif
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * unit;
-}
 
 // The files that the run reads.
 std::vector<std::string> input_paths(const Run_settings& settings, const Run_source& source) {
@@ -165,7 +139,7 @@ class Simulation_run {
   std::optional<Endless_contacts_error> endless_;  // what has ended the run
   std::uint64_t executed_ = 0;
   std::uint64_t events_before_ = 0;  // of the run that this one continues
-  std::size_t failures_ = 0;
+  Audits audits_;
 };
 
 Exit_code Simulation_run::run() {
@@ -188,8 +162,7 @@ Exit_code Simulation_run::run() {
   if (!settings_.quiet && !outputs_.is_unread()) summarize();
   const Exit_code verified = verify();
   if (statistics_.audits_failed > 0) {
-    report("kinetri", joined(statistics_.audits_failed, " of ", statistics_.audits_run,
-                             " audits failed; please report this with the input that caused it"));
+    report_failed_audits(statistics_);
     return Exit_code::audit_failed;
   }
   if (verified != Exit_code::done) return verified;
@@ -464,22 +437,9 @@ void Simulation_run::expect_logs_are_written() {
 }
 
 void Simulation_run::audit(Audit_level level) {
-  constexpr std::size_t most_messages = 100;
   statistics_.seconds.run += stopwatch_.lap();
-  const Audit_report audited = simulation_.visit([&](const auto& s) { return s.audit(level); });
-  ++statistics_.audits_run;
-  if (!audited.passed()) {
-    ++statistics_.audits_failed;
-    progress_.clear();
-  }
-  for (const std::string& failure : audited.failures) {
-    ++failures_;
-    if (failures_ > most_messages) break;
-    report("kinetri", joined("audit just after t = ", time(), ": ", failure));
-    if (failures_ == most_messages) {
-      report("kinetri", "further failures of audits are counted, not shown");
-    }
-  }
+  audits_.note(simulation_.visit([&](const auto& s) { return s.audit(level); }), time(),
+               statistics_, progress_);
   statistics_.seconds.audit += stopwatch_.lap();
 }
 
@@ -581,78 +541,21 @@ Exit_code Simulation_run::verify() const {
                             outputs_.has_standard_output() ? Stream::error : Stream::output);
 }
 
-std::string events_per_kind(const Triangulation_counters& counters) {
-  std::string result;
-  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
-    if (counters.events[kind] == 0) continue;
-    if (!result.empty()) result += ", ";
-    result += joined(counters.events[kind], " ", name(static_cast<Event_kind>(kind)));
-  }
-  return result;
-}
-
-std::string stage_shares(const Run_seconds& seconds) {
-  const std::initializer_list<std::pair<std::string_view, double>> stages = {
-      {"read", seconds.read}, {"build", seconds.build}, {"initialize", seconds.initialize},
-      {"run", seconds.run},   {"audit", seconds.audit}, {"write", seconds.write}};
-  std::string result;
-  for (const auto& [stage, time] : stages) {
-    const double share = seconds.total() > 0 ? 100 * time / seconds.total() : 0;
-    if (share < 0.5) continue;
-    if (!result.empty()) result += ", ";
-    result += joined(stage, " ", fixed(share, 0), " %");
-  }
-  return result;
-}
-
-// "5 at 4 instants (3 flip, 2 wall)".
-std::string events_summary(const Run_statistics& statistics) {
-  const std::uint64_t events = statistics.triangulation.number_of_events();
-  if (events == 0) return "none";
-  return joined(
-      events, " at ",
-      counted(statistics.triangulation.instants + statistics.contacts.instants, "instant"), " (",
-      events_per_kind(statistics.triangulation), ")");
-}
-
 void Simulation_run::summarize() const {
-  const Run_statistics& s = statistics_;
-  const auto executed = static_cast<double>(s.triangulation.number_of_events() - events_before_);
-  const double rate = s.seconds.run > 0 ? executed / s.seconds.run : 0;
-  const auto print = [](std::string_view label, const std::string& text) {
-    constexpr std::size_t width = 13;
-    const std::string blanks(width - label.size(), ' ');
-    print_error(joined("  ", heading(label, Stream::error), blanks, text, "\n"));
-  };
-  print_error(joined(heading("kinetri:", Stream::error), " ", counted(s.points, "point"),
-                     " from t = ", s.from, " to ", s.reached,
-                     jammed_         ? ", jammed"
-                     : endless_      ? ", in contacts without end"
-                     : s.interrupted ? ", interrupted"
-                                     : "",
-                     "\n"));
-  for (const std::string& remark : source_.remarks()) print("input", remark);
+  Run_summary summary;
+  summary.events_before = events_before_;
+  summary.end = jammed_                   ? ", jammed"
+                : endless_                ? ", in contacts without end"
+                : statistics_.interrupted ? ", interrupted"
+                                          : "";
+  summary.remarks = source_.remarks();
   if (asked_.limits && asked_.limits->walkable && !asked_.walkable) {
-    print("input", "cells are those within the walkable area that it has");
+    summary.remarks.emplace_back("cells are those within the walkable area that it has");
   }
-  if (!coincident_.empty()) print("coincident", coincident_);
-  print("events", events_summary(s));
-  if (const auto share = share_of_box()) {
-    print("discs", joined("cover ", significant(*share, 6), " of the box"));
-  }
-  print("time", joined(significant(s.seconds.total(), 3), " s (", stage_shares(s.seconds), "), ",
-                       fixed(rate, 0), " events/s"));
-  print("certificates",
-        joined(s.certificates.created, " made, ", s.certificates.root_solves, " solved for roots; ",
-               s.certificates.filter_decided, " decided by the filter, ",
-               s.certificates.exact_decided, " exactly"));
-  print("queue", joined(s.queue.pushed, " pushed, ", s.queue.discarded, " discarded, at most ",
-                        s.queue.peak, " at a time"));
-  if (s.audits_run > 0) {
-    print("audits", joined(s.audits_run, " run, ", s.audits_failed, " failed"));
-  }
-  const std::vector<std::string> paths = outputs_.paths();
-  if (!paths.empty()) print("written", separated(paths, ", "));
+  summary.coincident = coincident_;
+  summary.covered_share = share_of_box();
+  summary.paths = outputs_.paths();
+  print_summary(summary, statistics_);
 }
 
 }  // namespace

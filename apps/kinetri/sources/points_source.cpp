@@ -32,7 +32,7 @@ class Points_source final : public Run_source {
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
   std::vector<std::string> labels() const override { return points_.labels; }
   std::size_t line_of(Point_id id) const override { return points_.lines[id]; }
-  std::vector<std::string> remarks() const override;
+  std::vector<std::string> remarks() const override { return remarks_about(points_); }
 
  private:
   bool has_discs() const;
@@ -54,19 +54,6 @@ void Points_source::read() {
   }
   std::istringstream in(*settings_.text);
   points_ = read_points(in, settings_.points);
-}
-
-std::vector<std::string> Points_source::remarks() const {
-  std::vector<std::string> result;
-  if (points_.is_utf16) result.emplace_back("the file is in UTF-16, read as UTF-8");
-  if (!points_.ignored_columns.empty()) {
-    result.push_back(
-        joined("columns that are ignored: ", separated(points_.ignored_columns, ", ")));
-  }
-  if (points_.comment_lines > 0) {
-    result.push_back(joined(counted(points_.comment_lines, "line"), " left out, beginning with #"));
-  }
-  return result;
 }
 
 Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
@@ -172,6 +159,18 @@ double Points_source::equal_radius(const Point_discs& discs) const {
 }
 
 }  // namespace
+
+std::vector<std::string> remarks_about(const Points_file& points) {
+  std::vector<std::string> result;
+  if (points.is_utf16) result.emplace_back("the file is in UTF-16, read as UTF-8");
+  if (!points.ignored_columns.empty()) {
+    result.push_back(joined("columns that are ignored: ", separated(points.ignored_columns, ", ")));
+  }
+  if (points.comment_lines > 0) {
+    result.push_back(joined(counted(points.comment_lines, "line"), " left out, beginning with #"));
+  }
+  return result;
+}
 
 std::unique_ptr<Run_source> points_source(const Points_settings& settings) {
   return std::make_unique<Points_source>(settings);

@@ -7,11 +7,18 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "kinetri/simulation/box_2.h"
 #include "kinetri/simulation/collision_response.h"
 #include "kinetri/triangulation/coincident_points.h"
 #include "sources/run_source.h"
+
+namespace kinetri {
+
+struct Points_file;
+
+}  // namespace kinetri
 
 namespace kinetri::app {
 
@@ -30,6 +37,9 @@ struct Points_settings {
   Coincident_points coincident = Coincident_points::hide;
   Named_response collisions = named_responses.front();
 };
+
+/// Remarks about the file for the user, a line each.
+std::vector<std::string> remarks_about(const Points_file& points);
 
 std::unique_ptr<Run_source> points_source(const Points_settings& settings);
 

@@ -1,0 +1,211 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs in periodic boxes from outside: logs and edges with offsets, compared with copies of the points in the
+plane, which other code triangulates; what is said and refused; --verify.
+
+usage: periodic_test.py PROGRAM
+"""
+import csv
+import io
+import itertools
+import json
+import pathlib
+import random
+import subprocess
+import sys
+import unittest
+
+sys.dont_write_bytecode = True
+from in_folder import In_folder  # noqa: E402
+
+PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
+HEADER = "x,y,vx,vy\n"
+
+
+def pair(text):
+    """The offset of a field such as `1 -2`."""
+    x, y = text.split(" ")
+    return int(x), int(y)
+
+
+def edge_of(row, what):
+    """The edge (a, b, offset) that a row of the log has removed or added; None if there is none."""
+    if row[what + "_a"] == "":
+        assert row[what + "_b"] == row[what + "_offset"] == ""
+        return None
+    return int(row[what + "_a"]), int(row[what + "_b"]), pair(row[what + "_offset"])
+
+
+def edges_in(text):
+    rows = list(csv.reader(io.StringIO(text)))
+    assert rows[0] == ["a", "b", "offset"]
+    return [(int(a), int(b), pair(offset)) for a, b, offset in rows[1:]]
+
+
+def text_of(points):
+    return HEADER + "".join(",".join(map(repr, point)) + "\n" for point in points)
+
+
+def random_points(generator, number, side):
+    """Multiples of 1/8, in the box or not."""
+    def coordinate(least, most):
+        return generator.randint(8 * least, 8 * most) / 8
+
+    return [(coordinate(-side, 2 * side), coordinate(-side, 2 * side), coordinate(-2, 2), coordinate(-2, 2))
+            for _ in range(number)]
+
+
+class Periodic(In_folder):
+    def run_program(self, command, points=None, code=0):
+        if points is not None:
+            self.write("p.csv", points)
+        done = subprocess.run([PROGRAM, *command.split()], cwd=self.folder, text=True, capture_output=True,
+                              stdin=subprocess.DEVNULL, timeout=300, check=False)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def read(self, name):
+        return (self.folder / name).read_text(encoding="utf-8")
+
+    def rows(self):
+        return list(csv.DictReader(io.StringIO(self.read("e.csv"))))
+
+    def test_one_point_in_a_sheared_box(self):
+        """The log is that of docs/guide/periodic_boxes.md."""
+        run = "simulate p.csv --until 2 --periodic 1,1 --shear 1 --quiet "
+        done = self.run_program(run + "--events e.csv --initial-edges i.csv --edges f.csv --audit events",
+                                HEADER + "0.5,0.5,0,0\n")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+        self.assertEqual(
+            self.read("e.csv"),
+            "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,instant,"
+            "removed_offset,added_offset\n"
+            "0,flip,1,1,1,0,0,0,0,,,0,0 1,2 -1\n"
+            "1,flip,2,2,2,0,0,0,0,,,1,1 -1,3 -1\n")
+        self.assertEqual(self.read("i.csv"), "a,b,offset\n0,0,0 1\n0,0,1 -1\n0,0,1 0\n")
+        self.assertEqual(self.read("f.csv"), "a,b,offset\n0,0,1 0\n0,0,2 -1\n0,0,3 -1\n")
+        # The same box, by its vector at time 0.
+        self.run_program("simulate p.csv --until 1 --from 0.5 --periodic 1,1,2 --shear=-1 --events e.csv")
+        self.assertEqual([row["time"] for row in self.rows()], ["1"])
+
+    def test_log_leads_from_the_first_edges_to_the_last(self):
+        rows = 0
+        for seed in range(6):
+            generator = random.Random(seed)
+            points = text_of(random_points(generator, 2 + 5 * seed, 4))
+            shear = generator.choice([0, 0.25, -1])
+            done = self.run_program(
+                f"simulate p.csv --until 3 --periodic 4,5,1 --shear {shear} --events e.csv --initial-edges i.csv "
+                "--edges f.csv --motions m.csv --audit events --verify", points)
+            self.assertRegex(done.stdout, r"^verified: \d+ points, \d+ events, \d+ certificates\n$")
+            edges = set(edges_in(self.read("i.csv")))
+            self.assertEqual(len(edges), 3 * (2 + 5 * seed))
+            for row in self.rows():
+                rows += 1
+                self.assertIn(row["kind"], ("flip", "rebuild"))
+                removed, added = edge_of(row, "removed"), edge_of(row, "added")
+                if removed:
+                    edges.remove(removed)
+                if added:
+                    self.assertNotIn(added, edges)
+                    edges.add(added)
+            self.assertEqual(sorted(edges), edges_in(self.read("f.csv")))
+            self.assertEqual(self.read("m.csv").count("\n"), 1 + 2 + 5 * seed)
+        self.assertGreater(rows, 300)
+
+    def test_edges_are_those_of_copies_in_the_plane(self):
+        """The triangulation of many copies, far from their border."""
+        reach = 3
+        compared = 0
+        for seed in range(3):
+            generator = random.Random(seed)
+            points = [(x % 8, y % 8, vx, vy) for x, y, vx, vy in random_points(generator, 5, 8)]
+            shear = generator.choice([0.25, 0.5])
+            offsets = list(itertools.product(range(-reach, reach + 1), repeat=2))
+            copies = [(x + 8 * k, y + 8 * l, vx + shear * 8 * l, vy)
+                      for x, y, vx, vy in points for k, l in offsets]
+            self.write("copies.csv", text_of(copies))
+            for until in (0.5, 1.25, 2):
+                self.run_program(f"simulate p.csv --until {until} --periodic 8,8 --shear {shear} --edges f.csv",
+                                 text_of(points))
+                self.run_program(f"simulate copies.csv --until {until} --edges plane.csv")
+                images = [(i, offset) for i in range(len(points)) for offset in offsets]
+                expected = set()
+                for row in csv.DictReader(io.StringIO(self.read("plane.csv"))):
+                    (a, o), (b, p) = images[int(row["a"])], images[int(row["b"])]
+                    if (0, 0) not in (o, p):
+                        continue
+                    offset = p[0] - o[0], p[1] - o[1]
+                    reverse = -offset[0], -offset[1]
+                    if a == b:
+                        offset = max(offset, reverse)
+                    expected.add((a, b, offset))
+                self.assertEqual(edges_in(self.read("f.csv")), sorted(expected), (seed, until))
+                compared += len(expected)
+        self.assertEqual(compared, 3 * 3 * 15)
+
+    def test_positions_need_not_be_in_the_box(self):
+        """The image of a point has the same times; the offsets are against the position as it is given."""
+        points = [(0.5, 1, 1, 0.5), (3, 2.25, -1, 0.25), (1, 3.5, 0.5, -1)]
+        far = [(0.5 + 4 * 3, 1, 1, 0.5), (3 - 1 * 2, 2.25 + 5 * 2, -1, 0.25), points[2]]  # by (3, 0), (-1, 2)
+        run = "simulate p.csv --until 4 --periodic 4,5,1 --quiet --edges f.csv --events e.csv"
+        moves = [(3, 0), (-1, 2), (0, 0)]
+        self.run_program(run, text_of(points))
+        expected = sorted((a, b, (x - moves[b][0] + moves[a][0], y - moves[b][1] + moves[a][1]))
+                          for a, b, (x, y) in edges_in(self.read("f.csv")))
+        times = [row["time"] for row in self.rows()]
+        self.assertGreater(len(times), 5)
+        self.run_program(run, text_of(far))
+        self.assertEqual(edges_in(self.read("f.csv")), expected)
+        self.assertEqual([row["time"] for row in self.rows()], times)
+
+    def test_points_that_are_images_of_others_are_hidden(self):
+        points = HEADER + "0,0,0,0\n6,8,1,0\n1,1,0,0\n"  # 1 is 0, moved by (1, 2) of (4, 0) and (1 + t/2, 4)
+        box = "--until 2 --periodic 4,4,1 --shear 0.125 --edges f.csv --verify"
+        done = self.run_program(f"simulate p.csv {box}", points)
+        self.assertIn("coincident   1 point at all times, the first is 1, with 0\n", done.stderr)
+        self.assertIn("verified: 3 points", done.stdout)
+        self.assertEqual({a for a, b, _ in edges_in(self.read("f.csv"))}, {0, 2})
+        refused = self.run_program(f"simulate p.csv {box} --coincident refuse", code=2)
+        self.assertIn("p.csv:3: the point is an image of the one in line 2 at all times", refused.stderr)
+
+    def test_what_a_run_says(self):
+        points = text_of(random_points(random.Random(7), 20, 4))
+        done = self.run_program("simulate p.csv --until 3 --periodic 4,4 --stats s.json --audit end", points)
+        self.assertIn("kinetri: 20 points from t = 0 to 3\n", done.stderr)
+        self.assertIn("1 run, 0 failed\n", done.stderr)
+        self.assertIn("written      s.json\n", done.stderr)
+        stats = json.loads(self.read("s.json"))
+        self.assertEqual((stats["points"], stats["until"], stats["reached"]), (20, 3, 3))
+        self.assertEqual(stats["events_total"], stats["events"]["flip"] + stats["events"]["rebuild"])
+        self.assertGreater(stats["events_total"], 10)
+        exact = self.run_program("simulate p.csv --until 3 --periodic 4,4 --events - --quiet --exact-only")
+        threads = self.run_program("simulate p.csv --until 3 --periodic 4,4 --events - --quiet --threads 1")
+        self.assertEqual(exact.stdout, threads.stdout)
+        # Without points there is nothing.
+        self.run_program("simulate p.csv --until 3 --periodic 4,4 --edges f.csv --verify", HEADER)
+        self.assertEqual(self.read("f.csv"), "a,b,offset\n")
+
+    def test_runs_that_end_early(self):
+        points = text_of(random_points(random.Random(7), 20, 4))
+        run = "simulate p.csv --until 3 --periodic 4,4 --events e.csv --edges f.csv --verify --quiet"
+        done = self.run_program(run + " --max-events 5", points, code=130)
+        self.assertRegex(done.stderr, "^kinetri: more than 5 events, and the run ends at t = .* instead of 3; ")
+        self.assertIn("verified: 20 points, 6 events", done.stdout)
+        # A point leaves the offsets that are possible: nothing is written then.
+        (self.folder / "e.csv").unlink()
+        failed = self.run_program("simulate p.csv --until 2 --periodic 1,1 --events e.csv",
+                                  HEADER + "0,0,0,0\n2147483000.5,0.25,1000,0\n", code=2)
+        self.assertIn("vectors of the box; expected less than 2^31 of each", failed.stderr)
+        self.assertFalse((self.folder / "e.csv").exists())
+
+    def test_logs_in_the_plane_have_no_offsets(self):
+        self.run_program("simulate p.csv --until 3 --events e.csv --edges f.csv",
+                         HEADER + "0,0,0,0\n4,0,0,0\n0,4,0,0\n3,3,1,1\n")
+        self.assertEqual(self.read("e.csv").splitlines()[0],
+                         "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,instant")
+        self.assertEqual(self.read("f.csv").splitlines()[0], "a,b")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
