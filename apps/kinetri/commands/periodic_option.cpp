@@ -16,8 +16,8 @@ void add_periodic_options(Command& command, Periodic_options& options) {
               "images, moved by whole multiples of (LX, 0) and of (XY, LY); XY is 0 if it is left "
               "out");
   command.add("--shear", &options.shear, "RATE",
-              "For --periodic: the vector (XY, LY) changes by (RATE LY, 0) in a unit of time, from "
-              "time 0 on (default 0)");
+              "For --periodic: the vector (XY, LY), which is that at time 0, changes by (RATE LY, 0) "
+              "in a unit of time (default 0)");
 }
 
 Periodic_settings periodic_settings(const Periodic_options& options) {
