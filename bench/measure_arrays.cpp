@@ -35,9 +35,10 @@ json measure_round(const Setup& setup, const std::vector<Linear_motion_2>& motio
   kinetic.set_motions(ids, turned);
   kinetic.next_event_time();
 
-  python::Event_table::Kinds all;
+  using Table = python::Event_table<python::Event_row>;
+  Table::Kinds all;
   all.fill(true);
-  python::Event_table table(all);
+  Table table(all);
   kinetic.add_observer(table);
   const Stopwatch run;
   kinetic.advance_to(setup.until);
