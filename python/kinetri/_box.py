@@ -188,7 +188,7 @@ class Box:
         if not state.startswith(b"periodic box "):
             return None, state
         line, rest = state.split(b"\n", 1)
-        numbers: Lattice = tuple(json.loads(line[len(b"periodic box "):]))
+        numbers: Any = tuple(json.loads(line[len(b"periodic box "):]))
         return numbers, rest
 
     def __eq__(self, other: object) -> bool:
