@@ -53,6 +53,7 @@ class LiveViewer extends Viewer {
     this.next = undefined;         // the next event; null: there is none; undefined: not looked for
     this.hold = null;
     this.wall = null;              // that is being drawn: {pointer, x, y}, the place of its last disc
+    this.openPlaces = [];          // of walls, where other discs still are
     this.tool = 'take';
     this.pinned = new Map();       // velocities before
     this.logs = {events: [], motions: [], size: 0};
@@ -116,6 +117,7 @@ class LiveViewer extends Viewer {
     const arrived = this.attempt(() => {
       points.advanceTo(this.clock);
       if (hold !== null) this.pull(hold, duration);
+      if (this.openPlaces.length > 0) this.fillWall(this.openPlaces);
       if (preset?.turn !== undefined && this.clock - this.turned >= TURN) {
         preset.turn(points, 0.25);
         this.turned = this.clock;
@@ -335,19 +337,24 @@ class LiveViewer extends Viewer {
     if (places.length > 0) this.addToWall(places);
   }
 
-  /** Adds the discs, except where another disc is, to which they would be no wall. */
   addToWall(places) {
-    this.change(() => {
-      const {points} = this, radius = this.radiusOfNew();
-      for (const [x, y] of places) {
-        const positions = points.positions(), radii = points.radii();
-        const isFree = radii.every((other, id) =>
-          !(Math.hypot(positions[2 * id] - x, positions[2 * id + 1] - y) < other + radius));
-        if (!isFree || !this.hasRoom()) continue;
-        const id = points.insert([x, y], [0, 0], radius);
-        points.setMass(id, HEAVY);
-        this.pinned.set(id, [0, 0]);
-      }
+    this.change(() => this.fillWall([...this.openPlaces, ...places]));
+    if (this.openPlaces.length > 0) this.say('Where discs are in the way, the wall closes when they have left');
+  }
+
+  /** Adds the discs of walls for which there is room now. */
+  fillWall(places) {
+    const {points} = this, radius = this.radiusOfNew();
+    this.openPlaces = places.filter(([x, y]) => {
+      const positions = points.positions();
+      const isFree = points.radii().every((other, id) =>
+        !(Math.hypot(positions[2 * id] - x, positions[2 * id + 1] - y) < other + radius));
+      if (!isFree) return true;
+      if (!this.hasRoom()) return false;
+      const id = points.insert([x, y], [0, 0], radius);
+      points.setMass(id, HEAVY);
+      this.pinned.set(id, [0, 0]);
+      return false;
     });
   }
 
