@@ -15,9 +15,10 @@ void add_periodic_options(Command& command, Periodic_options& options) {
               "Repeat the points all over the plane, without walls: each point stands for all its "
               "images, moved by whole multiples of (LX, 0) and of (XY, LY); XY is 0 if it is left "
               "out");
-  command.add("--shear", &options.shear, "RATE",
-              "For --periodic: the vector (XY, LY), which is that at time 0, changes by (RATE LY, 0) "
-              "in a unit of time (default 0)");
+  command.add(
+      "--shear", &options.shear, "RATE",
+      "For --periodic: the vector (XY, LY), which is that at time 0, changes by (RATE LY, 0) "
+      "in a unit of time (default 0)");
 }
 
 Periodic_settings periodic_settings(const Periodic_options& options) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The kinetic triangulation: a CGAL::Delaunay_triangulation_2 of moving points or, if they have
-// weights, a CGAL::Regular_triangulation_2, updated at each event; or one of a flat torus. docs/ARCHITECTURE.md describes
-// its parts, and follows one event through them.
+// weights, a CGAL::Regular_triangulation_2, updated at each event; or one of a flat torus.
+// docs/ARCHITECTURE.md describes its parts, and follows one event through them.
 #ifndef KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_H
 #define KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_H
 

@@ -12,10 +12,10 @@
 
 namespace kinetri {
 
-/// A snapshot of Kinetic_triangulation_2: the points, and the time; not the traits, nor the periodic
-/// box that these may have. They determine the
-/// triangulation, even if points are cocircular (docs/MATH.md, section 4), and the queue, since
-/// failure times do not depend on when they were computed.
+/// A snapshot of Kinetic_triangulation_2: the points, and the time; not the traits, nor the
+/// periodic box that these may have. They determine the triangulation, even if points are
+/// cocircular (docs/MATH.md, section 4), and the queue, since failure times do not depend on when
+/// they were computed.
 template <KineticTraits_2 Traits>
 struct Triangulation_snapshot {
   using Motion = typename Traits::Motion;  ///< of the traits
