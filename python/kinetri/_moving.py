@@ -770,27 +770,33 @@ class MovingPoints(RunAnswers):
         """
         return VoronoiCell(*self._engine.voronoi_cell(_arrays.one_id("id", id)))
 
-    def voronoi_areas(self, clip: ArrayLike) -> Floats:
+    def voronoi_areas(self, clip: ArrayLike | None = None) -> Floats:
         """The area of each point's Voronoi cell within a polygon; with weights, of its power cell.
 
         Parameters
         ----------
         clip : (xmin, ymin, xmax, ymax), or array_like of float, shape (m, 2)
-            A box, or the vertices of a simple polygon in either order. It need not be convex.
+            A box, or the vertices of a simple polygon in either order. It need not be convex. Required, except in a
+            periodic box, in which cells are whole: there it must be left out.
 
         Returns
         -------
         array of float64, shape (n,)
-            By id; they sum to the area of the polygon. Computed in float64 from the sides of the exact
+            By id; they sum to the area of the polygon, or of the periodic box. Computed in float64 from the sides of the exact
             cells. Points that coincide for a while share the area of their cell equally. Of points that only meet
             the smallest id has the area, the others have 0, as do ids without a point.
 
         Raises
         ------
         PreconditionError
-            If the polygon crosses itself or has no area.
+            If the polygon crosses itself or has no area; if there is none, or one in a periodic box.
         """
-        if np.ndim(clip) == 1:
+        if clip is None:
+            if self._engine.box() is None:
+                raise PreconditionError("voronoi_areas has no clip; expected a box or a polygon, since the cells of points "
+                                        "at the border have no end")
+            polygon = np.empty((0, 2))
+        elif np.ndim(clip) == 1:
             xmin, ymin, xmax, ymax = _arrays.box_tuple("clip", clip)  # type: ignore[misc]
             polygon = np.array([[xmin, ymin], [xmax, ymin], [xmax, ymax], [xmin, ymax]])
         else:
@@ -1108,7 +1114,7 @@ class KineticDelaunay(MovingPoints):
         A periodic box; or what `Box` takes as its first argument: two lengths, two lattice vectors, a box of freud, a
         cell or an Atoms of ASE. Points may be, and go, anywhere: only their positions modulo the lattice matter. There
         is no hull, and n points have 3n edges and 2n triangles, from one point on. What is not possible in a
-        periodic box raises a PreconditionError that says so: acceleration, several threads, hulls, cells and areas,
+        periodic box raises a PreconditionError that says so: acceleration, several threads, hulls, cells,
         queries for positions, nearest neighbors, questions about runs, pages, checkpoint files.
 
     Raises

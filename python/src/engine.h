@@ -156,6 +156,7 @@ class Engine {
   virtual Location_2 locate(const Vector_2& place) const = 0;
   virtual std::vector<Point_id> neighbors(Point_id id) const = 0;
   virtual Voronoi_cell_2<Vector_2> voronoi_cell(Point_id id) const = 0;
+  /// In a periodic box the polygon is empty: the areas are those of whole cells.
   virtual std::vector<double> voronoi_areas(std::span<const Vector_2> polygon) const = 0;
   virtual std::vector<Cell_area> cell_areas(const Cell_limits& limits) const = 0;
   virtual std::vector<Edge_ids> gabriel_edges() const = 0;

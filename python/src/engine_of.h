@@ -23,6 +23,7 @@
 #include "kinetri/kinetic/kinetic_traits_2.h"
 #include "kinetri/observers/proximity_graphs.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "kinetri/triangulation/periodic_queries_2.h"
 
 namespace kinetri::python {
 
@@ -213,8 +214,12 @@ class Engine_of final : public Engine {
     refuse_in_box("Voronoi cells");
   }
   std::vector<double> voronoi_areas(std::span<const Vector_2> polygon) const override {
-    if constexpr (!is_periodic) return queries().rounded_voronoi_areas(polygon);
-    refuse_in_box("areas of cells");
+    if constexpr (is_periodic) {
+      if (!polygon.empty()) refuse_in_box("areas within a polygon");
+      return Periodic_queries_2(kinetic()).rounded_voronoi_areas();
+    } else {
+      return queries().rounded_voronoi_areas(polygon);
+    }
   }
   std::vector<Cell_area> cell_areas(const Cell_limits& limits) const override {
     if constexpr (!is_periodic) return kinetri::cell_areas(kinetic(), limits);

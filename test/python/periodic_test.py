@@ -403,6 +403,32 @@ def test_time_ends_before_a_box_has_no_area():
         kinetri.KineticDelaunay([[1, 1]], [[0, 0]], start=4, box=kinetri.Box((4, 4), rates=(-1, 0)))
 
 
+# ---- areas ----
+
+@pytest.mark.parametrize("box", BOXES)
+def test_areas_of_cells_have_the_sum_of_the_box(box):
+    kd = triangulation(6, 5, box)
+    for time in (0, 0.125, 0.25):
+        kd.advance_to(time)
+        areas = kd.voronoi_areas()
+        assert areas.shape == (6,) and areas.sum() == pytest.approx(kd.box.area(kd.time), rel=1e-14)
+    kd.erase(2)
+    assert kd.voronoi_areas()[2] == 0
+    assert kd.voronoi_areas().sum() == pytest.approx(kd.box.area(kd.time), rel=1e-14)
+
+
+def test_area_of_a_point_alone_is_that_of_the_box():
+    kd = kinetri.KineticDelaunay([[7, 3]], [[1, 0]], box=kinetri.Box.shear(2, 3, 1))
+    kd.advance_to(1.5)
+    assert kd.voronoi_areas().tolist() == pytest.approx([6.0])
+
+
+def test_areas_in_the_plane_need_a_polygon():
+    kd = kinetri.KineticDelaunay([[0, 0]], [[0, 0]])
+    with pytest.raises(kinetri.PreconditionError, match="voronoi_areas has no clip; expected a box or a polygon"):
+        kd.voronoi_areas()
+
+
 # ---- what is not possible ----
 
 @pytest.mark.parametrize("call", [
