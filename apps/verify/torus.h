@@ -195,8 +195,9 @@ class Torus {
              std::to_string(visible_) + " points");
     }
     if (visible_ > 0 && covered_ != 2) {
-      refute("the faces do not cover the box once, but " + mpq_class(covered_, 2).get_str() +
-             " times");
+      mpq_class times_covered(covered_, 2);
+      times_covered.canonicalize();
+      refute("the faces do not cover the box once, but " + times_covered.get_str() + " times");
     }
   }
 
