@@ -578,8 +578,22 @@ TEST(Periodic_queries_2, are_those_about_copies_in_the_plane) {
         EXPECT_EQ(text(location.points), text(points));
       }
       const std::vector<double> areas = queries.rounded_voronoi_areas();
-      const double sum = areas[0] + areas[1] + areas[2] + areas[3];
-      EXPECT_NEAR(sum, to_double(box.area(to_rational(kinetic.current_time().to_double()))), 1e-9);
+      const std::vector<double> positions = queries.rounded_positions(true);
+      for (Point_id id = 0; id < motions.size(); ++id) {
+        const Vector_2 place = rounded_position(wrapped(motions[id], box, kinetic.current_time()),
+                                                kinetic.current_time());
+        EXPECT_EQ((Vector_2{positions[2 * id], positions[2 * id + 1]}), place);
+      }
+      // The area of the box increases. Each cell has at most 12 sides, a perimeter of less than
+      // 128, and no position that is 32 away from the point.
+      const Time& now = kinetic.current_time();
+      now.refine_to_bits(128);
+      Rational error = Rational(areas.size()) * 9 * 32 * 128;
+      error /= Integer(1) << 53;
+      Rational sum;
+      for (const double area : areas) sum += to_rational(area);
+      EXPECT_GE(sum + error, box.area(now.lower()));
+      EXPECT_LE(sum - error, box.area(now.upper()));
     }
   }
   EXPECT_GT(irrational, 5);
@@ -660,6 +674,18 @@ TEST(Periodic_queries_2, throw_as_those_in_the_plane) {
   EXPECT_EQ(test::message_of<Periodic_box_error>([&] { Periodic_queries_2(shrinking, Time(4)); }),
             "the periodic box has no area at time 4; stop before that time, or change the rates of "
             "the lattice vectors");
+}
+
+// The quotients of these positions and the side round to the other side of 7 and of 9.
+TEST(Periodic_queries_2, know_exactly_what_is_in_the_box) {
+  const double side = 0.1;
+  const Vector_2 place = {0.7000000000000001, 0.9};
+  const Kinetic kinetic = kinetic_of(square(side), {{place, {0, 0}, 0}});
+  const auto rest = [&](double x, int sides) {
+    return to_double(to_rational(x) - sides * to_rational(side));
+  };
+  EXPECT_EQ(Periodic_queries_2(kinetic).rounded_positions(true),
+            (std::vector<double>{rest(place.x, 7), rest(place.y, 8)}));
 }
 
 TEST(Periodic_queries_2, refuse_images_beyond_2_to_the_31_boxes) {
