@@ -562,6 +562,15 @@ TEST(Periodic_triangulation_2, refuses_positions_beyond_2_to_the_31_boxes) {
   EXPECT_EQ(audit(kinetic), "");
 }
 
+// The given vectors are nearly parallel then; a start must not flip one edge after the other.
+TEST(Periodic_triangulation_2, starts_at_a_late_time_of_a_sheared_box) {
+  const Periodic_box_2 box = {{{1, 0}, {0, 0}, 0}, {{0, 1}, {1, 0}, 0}};
+  const Kinetic kinetic({{{0.25, 0.5}, {0, 0}, 0}, {{0.5, 0.75}, {0, 0}, 0}}, Time(2147483000.0),
+                        Traits(box));
+  EXPECT_EQ(audit(kinetic), "");
+  EXPECT_EQ(kinetic.periodic_edges().size(), 6u);
+}
+
 // As the lattice becomes flat, its short vectors have greater and greater offsets.
 TEST(Periodic_triangulation_2, stays_within_an_event_after_an_offset_that_is_too_great) {
   const Periodic_box_2 box = {{{1, 0}, {0, 0}, 0}, {{std::sqrt(0.5), 1}, {0, -1}, 0}};

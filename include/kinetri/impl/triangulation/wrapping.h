@@ -78,6 +78,8 @@ class Wrapping {
   }
 
  private:
+  static constexpr double two_to_the_31 = 2147483648;
+
   static double cross(const Vector_2& a, const Vector_2& b) { return a.x * b.y - a.y * b.x; }
   static double dot(const Vector_2& a, const Vector_2& b) { return a.x * b.x + a.y * b.y; }
 
@@ -90,8 +92,7 @@ class Wrapping {
   Lattice_offset_2 offset(const Vector_2& whole, Point_id id) const {
     const double x = -whole.x * basis_[0].x - whole.y * basis_[1].x;
     const double y = -whole.x * basis_[0].y - whole.y * basis_[1].y;
-    constexpr double limit = 2147483648;  // 2^31
-    if (std::abs(x) < limit && std::abs(y) < limit) {
+    if (std::abs(x) < two_to_the_31 && std::abs(y) < two_to_the_31) {
       return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
     }
     throw Periodic_box_error("point " + std::to_string(id) +
@@ -108,7 +109,7 @@ class Wrapping {
         basis_[0] = std::exchange(basis_[1], {-basis_[0].x, -basis_[0].y});
       }
       const double k = std::nearbyint(dot(first_, second_) / dot(first_, first_));
-      if (k == 0 || !(std::abs(k) < 1e9)) return;
+      if (k == 0 || !(std::abs(k) < two_to_the_31)) return;
       const auto number = static_cast<std::int64_t>(k);
       const std::int64_t x = basis_[1].x - number * basis_[0].x;
       const std::int64_t y = basis_[1].y - number * basis_[0].y;
