@@ -239,8 +239,8 @@ Point_id Kinetic_triangulation_2<Traits>::insert(std::span<const Motion> motions
   core_.topology.give_ids(motions.size());
   try {
     core_.changes.change_all(Event_kind::insert, std::move(changes));
-  } catch (const Coincident_trajectories_error&) {
-    core_.topology.take_back_ids(first);
+  } catch (const Error&) {  // of coincident points, or of one far from a periodic box
+    if (!core_.reporter.is_in_event()) core_.topology.take_back_ids(first);
     throw;
   }
   return first;

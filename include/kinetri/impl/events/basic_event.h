@@ -66,7 +66,8 @@ constexpr Periodic_edge periodic_edge(Point_id a, Point_id b, Lattice_offset_2 o
   return {{b, a}, reverse};
 }
 
-/// The edges that a change has removed and added in the end, both sorted.
+/// The edges that a change has removed and added in the end, both sorted. In a periodic box a pair
+/// comes as often as such an edge, without offsets.
 struct Changed_edges {
   std::vector<Edge_ids> removed;  ///< that were there before
   std::vector<Edge_ids> added;    ///< that are there now

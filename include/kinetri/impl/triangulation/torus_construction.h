@@ -129,7 +129,7 @@ class Torus_construction {
   /// If points have the same trajectory, modulo the lattice, appends some pairs of them to
   /// `coincident`, at least one. Expected O(n log n).
   Torus build(std::vector<Edge_ids>& coincident) const {
-    constexpr std::size_t few = 200;  // for so few, insertion is as fast
+    constexpr std::size_t few = 200;  // for so few, insertion takes little time
     if (points_.size() >= few) {
       for (const double width : {4.0, 16.0}) {
         if (std::optional<Torus> made = from_copies(width)) return std::move(*made);
