@@ -39,7 +39,7 @@ class Event_observer {
   /// instant, and those that a change of points makes. The rebuild events, if there are any, have
   /// been reported. `edges` has every edge whose triangles may have changed, sorted; it may also
   /// have edges that have not changed, and edges that existed only in between. Triangles may
-  /// change, or turn over, although no edge does.
+  /// change, or turn over, although no edge does. In a periodic box each pair of ends comes once.
   virtual void after_rebuild(const Algebraic_number& /*time*/,
                              std::span<const Edge_ids> /*edges*/) {}
   /// Of a regular triangulation, or if points coincide for a while: called after all events of a
