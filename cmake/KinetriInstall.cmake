@@ -50,12 +50,12 @@ foreach(library IN ITEMS "kinetri Targets development" "kinetri_io IoTargets io"
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
   install(EXPORT Kinetri${targets} NAMESPACE Kinetri:: DESTINATION ${package_dir} COMPONENT ${component})
 endforeach()
+# Of impl, what public headers include; the rest is for the programs (KinetriAlone.cmake).
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/kinetri DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  COMPONENT development FILES_MATCHING PATTERN "*.h" PATTERN "io" EXCLUDE)
-foreach(folder IN ITEMS kinetri kinetri/impl)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/${folder}/io
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder} COMPONENT io FILES_MATCHING PATTERN "*.h")
-endforeach()
+  COMPONENT development FILES_MATCHING PATTERN "*.h" PATTERN "io" EXCLUDE
+  REGEX "/impl/(observers|simulation)$" EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/kinetri/io
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinetri COMPONENT io FILES_MATCHING PATTERN "*.h")
 install(FILES ${PROJECT_BINARY_DIR}/include/kinetri/version.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinetri COMPONENT development)
 

@@ -11,7 +11,6 @@
 
 #include "bindings.h"
 #include "kinetri/base/error.h"
-#include "kinetri/io/output_error.h"
 #include "kinetri/kinetic/periodic_box_2.h"
 #include "kinetri/simulation/packing.h"
 #include "kinetri/simulation/simulation_2.h"

@@ -10,7 +10,7 @@
 
 #include "bindings.h"
 #include "event_table.h"
-#include "kinetri/events/event_color.h"
+#include "kinetri/events/event.h"
 
 namespace kinetri::python {
 namespace {

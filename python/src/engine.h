@@ -19,7 +19,7 @@
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/events/event.h"
 #include "kinetri/io/checkpoint_file.h"
-#include "kinetri/kinetic/certificate_counters.h"
+#include "kinetri/kinetic/certificate.h"
 #include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/kinetic/periodic_box_2.h"
 #include "kinetri/observers/cell_areas.h"

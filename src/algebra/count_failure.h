@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "kinetri/algebra/number_types.h"
-#include "kinetri/algebra/sign.h"
+#include "kinetri/impl/algebra/sign.h"
 #include "kinetri/impl/base/double_interval.h"
 #include "stack_integer.h"
 #include "static_polynomial.h"

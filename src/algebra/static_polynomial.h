@@ -14,7 +14,7 @@
 #include "gmp_access.h"
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/algebra/polynomial.h"
-#include "kinetri/algebra/sign.h"
+#include "kinetri/impl/algebra/sign.h"
 #include "kinetri/impl/base/check.h"
 #include "stack_integer.h"
 

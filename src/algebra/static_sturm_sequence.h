@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <span>
 
-#include "kinetri/algebra/sign.h"
+#include "kinetri/impl/algebra/sign.h"
 #include "kinetri/impl/base/check.h"
 #include "static_polynomial.h"
 #include "sturm_terms.h"

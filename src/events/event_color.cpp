@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/events/event_color.h"
+#include "kinetri/events/event.h"
 
 namespace kinetri {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "kinetri/impl/io/json_writer.h"
-#include "kinetri/kinetic/certificate_counters.h"
+#include "kinetri/kinetic/certificate.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 

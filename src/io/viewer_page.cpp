@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kinetri/events/event_color.h"
+#include "kinetri/events/event.h"
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/io/bytes.h"
 #include "kinetri/impl/io/json_writer.h"

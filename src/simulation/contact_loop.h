@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "kinetri/impl/events/observer_list.h"
-#include "kinetri/simulation/overlap_observer.h"
+#include "kinetri/simulation/simulation_2.h"
 #include "simulation/contact_outcomes.h"
 #include "simulation/overlap_tracker.h"
 

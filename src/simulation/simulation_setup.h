@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/kinetic/contact_kinetic_traits_2.h"
+#include "kinetri/kinetic/kinetic_traits_2.h"
 #include "kinetri/simulation/simulation_errors.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "simulation/disc_numbers.h"

@@ -2,7 +2,7 @@
 //
 // The colors of kinds: legible on the page, light and dark, and different from each other for every
 // kind of color vision, by published formulas.
-#include "kinetri/events/event_color.h"
+#include "kinetri/events/event.h"
 
 #include <gtest/gtest.h>
 

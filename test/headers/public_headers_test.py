@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The public headers are those of public_headers.txt, and users are shown no others.
+"""The public headers are those of public_headers.txt, and users are shown no others. Of the headers below impl
+those that public headers include are installed.
 
 usage: public_headers_test.py ROOT
 
@@ -13,6 +14,10 @@ import unittest
 ROOT = pathlib.Path(sys.argv.pop(1))
 LISTED = (pathlib.Path(__file__).parent / "public_headers.txt").read_text(encoding="utf-8").split()
 INCLUDE = re.compile(r"#include <(kinetri/[^>]+)>")
+INCLUDE_OF_OURS = re.compile(r'#include "(kinetri/[^"]+)"')
+# Headers that the programs include, or that only the library itself does: not installed (KinetriInstall.cmake).
+NOT_INSTALLED = re.compile(r"kinetri/impl/(io|observers|simulation)/")
+MOST_PUBLIC = 75
 
 
 class Public_headers(unittest.TestCase):
@@ -28,6 +33,18 @@ class Public_headers(unittest.TestCase):
                  for match in INCLUDE.finditer(file.read_text(encoding="utf-8"))}
         self.assertGreater(len(shown), 20)
         self.assertEqual([pair for pair in sorted(shown) if pair[0] not in LISTED], [])
+
+    def test_include_those_below_impl_that_are_installed(self):
+        headers = {str(file.relative_to(ROOT / "include")): file.read_text(encoding="utf-8")
+                   for file in (ROOT / "include").rglob("*.h")}
+        reached, left = set(), [header for header in LISTED if header in headers]
+        while left:
+            header = left.pop()
+            if header not in reached:
+                reached.add(header)
+                left += [name for name in INCLUDE_OF_OURS.findall(headers[header]) if name in headers]
+        self.assertEqual(reached, {header for header in headers if not NOT_INSTALLED.match(header)})
+        self.assertLessEqual(len(LISTED), MOST_PUBLIC)
 
 
 if __name__ == "__main__":

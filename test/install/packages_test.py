@@ -97,8 +97,10 @@ class Packages(unittest.TestCase):
     def test_files_of_the_libraries(self):
         files = self.files("libkinetri-dev")
         of_files = self.files("libkinetri-io-dev")
+        of_programs = tuple(f"include/kinetri/impl/{layer}/" for layer in ("io", "observers", "simulation"))
         headers = {str(file.relative_to(SOURCE)) for file in (SOURCE / "include").rglob("*.h")}
-        io = {file for file in headers if file.startswith(("include/kinetri/io/", "include/kinetri/impl/io/"))}
+        headers = {file for file in headers if not file.startswith(of_programs)}
+        io = {file for file in headers if file.startswith("include/kinetri/io/")}
         self.assertEqual({file[4:] for file in files if file.startswith("usr/include/")},
                          headers - io | {"include/kinetri/version.h"})
         self.assertEqual({file[4:] for file in of_files if file.startswith("usr/include/")}, io)

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "kinetri/events/event_color.h"
+#include "kinetri/events/event.h"
 #include "support/precondition_error.h"
 #include "support/text.h"
 

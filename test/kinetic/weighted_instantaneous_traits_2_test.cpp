@@ -2,7 +2,7 @@
 //
 // CGAL's regular triangulation on moving discs at an instant, against the one on weighted points of
 // an exact kernel.
-#include "kinetri/kinetic/weighted_instantaneous_traits_2.h"
+#include "kinetri/kinetic/instantaneous_traits_2.h"
 
 #include <CGAL/Regular_triangulation_2.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 //
 // Snapshots of the simulation: contacts and scheduled changes. That a run goes on from one as if
 // there had been no break is tested through files: test/io/checkpoint_file_test.cpp.
-#include "kinetri/simulation/simulation_snapshot.h"
+#include "kinetri/simulation/simulation_2.h"
 
 #include <gtest/gtest.h>
 

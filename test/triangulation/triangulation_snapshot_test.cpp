@@ -2,7 +2,7 @@
 //
 // Snapshots of the triangulation: what is restored goes on as the original does, and what is no
 // state is refused.
-#include "kinetri/triangulation/triangulation_snapshot.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 #include <gtest/gtest.h>
 

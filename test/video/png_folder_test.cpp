@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "kinetri/base/error.h"
-#include "kinetri/io/output_error.h"
 #include "support/directory_test.h"
 #include "support/message_of.h"
 

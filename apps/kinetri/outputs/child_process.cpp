@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "cli/interrupt.h"
+#include "kinetri/base/error.h"
 #include "kinetri/impl/io/output_file.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/io/output_error.h"
 
 extern char** environ;
 

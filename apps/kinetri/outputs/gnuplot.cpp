@@ -2,8 +2,8 @@
 #include "outputs/gnuplot.h"
 
 #include "cli/arguments.h"
+#include "kinetri/base/error.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/io/output_error.h"
 #include "outputs/child_process.h"
 
 namespace kinetri::app {

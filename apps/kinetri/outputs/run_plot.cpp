@@ -10,7 +10,7 @@
 
 #include "cli/text.h"
 #include "kinetri/algebra/number_types.h"
-#include "kinetri/events/event_color.h"
+#include "kinetri/events/event.h"
 #include "kinetri/impl/io/text.h"
 #include "outputs/gnuplot.h"
 #include "outputs/regular_times.h"

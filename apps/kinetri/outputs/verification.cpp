@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "cli/arguments.h"
+#include "kinetri/base/error.h"
 #include "kinetri/impl/io/text.h"
 #include "kinetri/io/edges_file.h"
-#include "kinetri/io/output_error.h"
 #include "outputs/motion_output.h"
 #include "sources/run_source.h"
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "cli/arguments.h"
+#include "kinetri/base/error.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/io/output_error.h"
 
 namespace kinetri::app {
 namespace {

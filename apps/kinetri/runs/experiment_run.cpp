@@ -15,7 +15,7 @@
 #include "cli/terminal.h"
 #include "cli/text.h"
 #include "cli/worker_threads.h"
-#include "kinetri/events/event_color.h"
+#include "kinetri/events/event.h"
 #include "kinetri/impl/io/output_file.h"
 #include "kinetri/impl/io/text.h"
 #include "kinetri/impl/simulation/experiment.h"

@@ -8,7 +8,7 @@
 
 #include <boost/multiprecision/gmp.hpp>
 
-#include "kinetri/algebra/sign.h"
+#include "kinetri/impl/algebra/sign.h"
 #include "kinetri/impl/base/double_interval.h"
 
 namespace kinetri {

@@ -41,6 +41,12 @@ class Input_error : public Error {
                         : file + ":" + std::to_string(line) + ": " + message) {}
 };
 
+/// A file cannot be written. `what()` reads `FILE: what is wrong, what was expected`.
+class Output_error : public Error {
+ public:
+  using Error::Error;
+};
+
 /// A snapshot that is not the state of any triangulation or simulation.
 class Snapshot_error : public Error {
  public:

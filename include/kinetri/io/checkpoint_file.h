@@ -13,9 +13,9 @@
 #include <variant>
 #include <vector>
 
-#include "kinetri/io/output_error.h"
+#include "kinetri/base/error.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
-#include "kinetri/simulation/simulation_snapshot.h"
+#include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
 

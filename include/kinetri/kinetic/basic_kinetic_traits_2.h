@@ -11,14 +11,12 @@
 #include <utility>
 
 #include "kinetri/algebra/algebraic_number.h"
-#include "kinetri/kinetic/contact_kinetic_traits_2.h"
 #include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/kinetic/instantaneous_traits_2.h"
 #include "kinetri/kinetic/kinetic_traits_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/moving_point_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"
-#include "kinetri/kinetic/weighted_instantaneous_traits_2.h"
 
 namespace kinetri {
 

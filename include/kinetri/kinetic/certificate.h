@@ -12,7 +12,6 @@
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/impl/base/compiler.h"
 #include "kinetri/impl/base/double_interval.h"
-#include "kinetri/kinetic/certificate_counters.h"
 
 namespace kinetri {
 
@@ -54,17 +53,38 @@ enum class Certificate_state : std::uint8_t {
              ///< negation has failed: the edge has just been flipped
 };
 
-// Without branches, which would be mispredicted.
-KINETRI_ALWAYS_INLINE void Certificate_counters::count(const Certificate& certificate) {
-  const auto means = static_cast<unsigned>(certificate.means);
-  const unsigned is_exact = means == static_cast<unsigned>(Certificate::Means::exact) ? 1 : 0;
-  const unsigned is_decided = means == static_cast<unsigned>(Certificate::Means::none) ? 0 : 1;
-  created += is_decided;
-  root_solves += certificate.is_root_solved ? 1 : 0;
-  filter_decided += is_decided - is_exact;
-  refined_decided += certificate.means == Certificate::Means::refined_filter ? 1 : 0;
-  exact_decided += is_exact;
-}
+/// How many certificates were made, and which means decided each.
+struct Certificate_counters {
+  std::uint64_t created = 0;          ///< certificates for which something had to be decided
+  std::uint64_t root_solves = 0;      ///< certificates for which a root was computed
+  std::uint64_t filter_decided = 0;   ///< decided by floating point with a proved error bound
+  std::uint64_t refined_decided = 0;  ///< of these, with subdivision or a narrowed root
+  std::uint64_t exact_decided = 0;    ///< decided by exact arithmetic
+
+  /// Counts a certificate, without branches, which would be mispredicted.
+  KINETRI_ALWAYS_INLINE void count(const Certificate& certificate) {
+    const auto means = static_cast<unsigned>(certificate.means);
+    const unsigned is_exact = means == static_cast<unsigned>(Certificate::Means::exact) ? 1 : 0;
+    const unsigned is_decided = means == static_cast<unsigned>(Certificate::Means::none) ? 0 : 1;
+    created += is_decided;
+    root_solves += certificate.is_root_solved ? 1 : 0;
+    filter_decided += is_decided - is_exact;
+    refined_decided += certificate.means == Certificate::Means::refined_filter ? 1 : 0;
+    exact_decided += is_exact;
+  }
+
+  /// Adds the counts of `other`.
+  Certificate_counters& operator+=(const Certificate_counters& other) {
+    created += other.created;
+    root_solves += other.root_solves;
+    filter_decided += other.filter_decided;
+    refined_decided += other.refined_decided;
+    exact_decided += other.exact_decided;
+    return *this;
+  }
+
+  friend bool operator==(const Certificate_counters&, const Certificate_counters&) = default;
+};
 
 }  // namespace kinetri
 

@@ -31,12 +31,10 @@
 #include "kinetri/base/ids.h"
 #include "kinetri/events/event.h"
 #include "kinetri/impl/base/flag_while.h"
-#include "kinetri/kinetic/contact_kinetic_traits_2.h"
 #include "kinetri/kinetic/disc_motion_2.h"
-#include "kinetri/simulation/overlap_observer.h"
+#include "kinetri/kinetic/kinetic_traits_2.h"
 #include "kinetri/simulation/simulation_errors.h"
 #include "kinetri/simulation/simulation_options.h"
-#include "kinetri/simulation/simulation_snapshot.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
 namespace kinetri {
@@ -46,6 +44,50 @@ template <class Traits>
 struct Simulation_core;
 enum class Contact_kind : std::uint8_t;
 }  // namespace detail
+
+/// A snapshot of Simulation_2. It does not include future contacts, because the motions determine
+/// them.
+template <KineticTraits_2 Traits>
+struct Simulation_snapshot {
+  using Motion = typename Traits::Motion;  ///< of the traits
+  using Time = Algebraic_number;           ///< of events
+
+  /// A scheduled change of a point that is still to be made.
+  struct Change {
+    Time time;                                    ///< time of the change
+    Event_kind kind = Event_kind::trajectory;     ///< insert, erase or trajectory
+    Point_id point = no_point;                    ///< the point; for insert, its future id
+    std::optional<Motion> motion = std::nullopt;  ///< the new motion; none for erase
+  };
+
+  Triangulation_snapshot<Traits> triangulation;  ///< of the simulation's triangulation
+  Simulation_options options;                    ///< without the response
+  bool has_response = false;                     ///< whether there was one
+  std::vector<Edge_ids> in_contact;  ///< pairs of discs that a response has left in contact; sorted
+  std::vector<Change> scheduled;     ///< in the order of the calls that scheduled them
+  Contact_counters counters;         ///< without the counters of the queue
+  Certificate_counters certificates;  ///< of contacts
+};
+
+/// Is called after points of a simulation have changed and their overlaps have been updated. An
+/// overlap begins with a contact, which is an event, or with such a change.
+class Overlap_observer {
+ public:
+  virtual ~Overlap_observer() = default;
+
+  /// The points, sorted, have got other motions or have been inserted or erased, at the current
+  /// time. All events of the change have been reported, and Simulation_2::overlapping_discs is up
+  /// to date. May read the simulation; functions that change it throw Precondition_error.
+  virtual void after_change(std::span<const Point_id> points) = 0;
+
+ protected:
+  Overlap_observer() = default;
+  /// @{
+  /// For the copies of derived classes.
+  Overlap_observer(const Overlap_observer&) = default;
+  Overlap_observer& operator=(const Overlap_observer&) = default;
+  /// @}
+};
 
 /// The simulation, compiled into the library for its own traits. Points have the common radius of
 /// the options; motions with a radius (HasWeight) are discs whose radii may differ and grow, and

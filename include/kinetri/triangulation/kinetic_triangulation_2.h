@@ -21,9 +21,23 @@
 #include "kinetri/triangulation/audit.h"
 #include "kinetri/triangulation/coincident_points.h"
 #include "kinetri/triangulation/triangulation_counters.h"
-#include "kinetri/triangulation/triangulation_snapshot.h"
 
 namespace kinetri {
+
+/// A snapshot of Kinetic_triangulation_2: the points, and the time; not the traits, nor the
+/// periodic box that these may have. They determine the triangulation, even if points are
+/// cocircular (docs/MATH.md, section 4), and the queue, since failure times do not depend on when
+/// they were computed.
+template <KineticTraits_2 Traits>
+struct Triangulation_snapshot {
+  using Motion = typename Traits::Motion;  ///< of the traits
+  using Time = Algebraic_number;           ///< of events
+
+  Time time = {};                              ///< the state is the one just after it
+  std::vector<std::optional<Motion>> motions;  ///< by point id; none for an erased point
+  Triangulation_counters counters;             ///< so far
+  Certificate_counters certificates;           ///< so far
+};
 
 /// The Delaunay triangulation of moving points, exact at every time; or, if the traits are
 /// WeightedKineticTraits_2, the regular triangulation of points with weights, in which points with

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "error_bounds.h"
-#include "kinetri/algebra/sign.h"
+#include "kinetri/impl/algebra/sign.h"
 
 namespace kinetri {
 

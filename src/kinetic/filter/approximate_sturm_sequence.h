@@ -13,7 +13,7 @@
 #include "algebra/sturm_terms.h"
 #include "approximate_number.h"
 #include "error_bounds.h"
-#include "kinetri/algebra/sign.h"
+#include "kinetri/impl/algebra/sign.h"
 
 namespace kinetri {
 

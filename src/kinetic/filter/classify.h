@@ -19,7 +19,7 @@
 #include "error_bounds.h"
 #include "filter_result.h"
 #include "first_failure.h"
-#include "kinetri/algebra/sign.h"
+#include "kinetri/impl/algebra/sign.h"
 
 namespace kinetri {
 

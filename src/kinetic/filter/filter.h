@@ -14,7 +14,7 @@
 #include <span>
 
 #include "filter_result.h"
-#include "kinetri/algebra/sign.h"
+#include "kinetri/impl/algebra/sign.h"
 #include "kinetri/impl/kinetic/flip_neighborhood.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/polynomial_motion_2.h"

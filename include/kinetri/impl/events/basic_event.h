@@ -41,6 +41,11 @@ inline constexpr std::size_t event_kinds = 11;
 /// The name of the kind in files: "flip", "hull_insert", ...
 std::string_view name(Event_kind kind);
 
+/// The color of the kind in every picture, as `#rrggbb` in sRGB. Its contrast with the page, light
+/// or dark, is at least 3 : 1 (WCAG 2.2, success criterion 1.4.11), and no two kinds look the same
+/// with protanopia, deuteranopia or tritanopia. Constant time.
+std::string_view color(Event_kind kind);
+
 /// The ends of an edge, the smaller id first.
 using Edge_ids = std::array<Point_id, 2>;
 

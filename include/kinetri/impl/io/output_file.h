@@ -10,9 +10,9 @@
 #include <ostream>
 #include <string>
 
+#include "kinetri/base/error.h"
 #include "kinetri/impl/io/checksum.h"
 #include "kinetri/impl/io/file_descriptor.h"
-#include "kinetri/io/output_error.h"
 
 struct stat;
 

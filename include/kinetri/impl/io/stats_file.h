@@ -9,7 +9,7 @@
 #include <iosfwd>
 
 #include "kinetri/impl/events/indexed_queue.h"
-#include "kinetri/kinetic/certificate_counters.h"
+#include "kinetri/kinetic/certificate.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 

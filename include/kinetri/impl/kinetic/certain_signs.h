@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "kinetri/algebra/sign.h"
+#include "kinetri/impl/algebra/sign.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 
 namespace kinetri {

@@ -15,7 +15,6 @@
 #include "kinetri/impl/kinetic/rounded_places.h"
 #include "kinetri/impl/triangulation/topology.h"
 #include "kinetri/kinetic/certificate.h"
-#include "kinetri/kinetic/certificate_counters.h"
 
 namespace kinetri::detail {
 

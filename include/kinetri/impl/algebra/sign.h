@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // CGAL's signs and results of comparisons, for sources that need no exact numbers.
-#ifndef KINETRI_ALGEBRA_SIGN_H
-#define KINETRI_ALGEBRA_SIGN_H
+#ifndef KINETRI_IMPL_ALGEBRA_SIGN_H
+#define KINETRI_IMPL_ALGEBRA_SIGN_H
 
 #include <CGAL/enum.h>
 
@@ -15,4 +15,4 @@ using CGAL::Sign;
 
 }  // namespace kinetri
 
-#endif  // KINETRI_ALGEBRA_SIGN_H
+#endif  // KINETRI_IMPL_ALGEBRA_SIGN_H
