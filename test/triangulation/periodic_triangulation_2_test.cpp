@@ -149,8 +149,9 @@ std::vector<Face> reference_at(const Kinetic& kinetic, const Rational& time) {
 
 /// Whether the triangulation is that of brute force between now and the next event. At a time at
 /// which four images are cocircular for that moment alone it may have other diagonals; so up to
-/// five times are tried.
-bool is_that_of_brute_force(Kinetic& kinetic) {
+/// five times are tried. Counts in `skipped` the times that are too near to each other for integers
+/// of 128 bits.
+bool is_that_of_brute_force(Kinetic& kinetic, std::size_t& skipped) {
   const Time& now = kinetic.current_time();
   Time end = Time(Rational(now.upper() + 1));
   if (const auto next = kinetic.next_event_time()) end = std::min(end, *next);
@@ -160,7 +161,10 @@ bool is_that_of_brute_force(Kinetic& kinetic) {
   const std::vector<Face> faces = faces_of(kinetic);
   for (int tries = 0; tries < 5; ++tries) {
     const Rational time = simplest_between(now, end);
-    if (denominator(time) > 1'000'000) return true;  // too near, for integers of 128 bits
+    if (denominator(time) > 1'000'000) {
+      ++skipped;
+      return true;
+    }
     if (reference_at(kinetic, time) == faces) return true;
     end = Time(time);
   }
@@ -170,6 +174,7 @@ bool is_that_of_brute_force(Kinetic& kinetic) {
 TEST(Periodic_triangulation_2, is_that_of_brute_force_after_each_event) {
   std::size_t instants = 0;
   std::size_t groups = 0;
+  std::size_t skipped = 0;
   for (unsigned seed = 1; seed <= times(24); ++seed) {
     Random random(seed);
     const int range = std::array{2, 4, 9}[seed % 3];
@@ -179,7 +184,7 @@ TEST(Periodic_triangulation_2, is_that_of_brute_force_after_each_event) {
     Edge_log log(kinetic.periodic_edges());
     kinetic.add_observer(log);
     ASSERT_EQ(audit(kinetic), "") << "seed " << seed;
-    ASSERT_TRUE(is_that_of_brute_force(kinetic)) << "seed " << seed;
+    ASSERT_TRUE(is_that_of_brute_force(kinetic, skipped)) << "seed " << seed;
     for (int steps = 0; steps < 12; ++steps) {
       const std::size_t events = kinetic.step(Time(3));
       if (events == 0) break;
@@ -189,11 +194,13 @@ TEST(Periodic_triangulation_2, is_that_of_brute_force_after_each_event) {
       ASSERT_EQ(kinetic.periodic_edges().size(), 3 * visible);
       ASSERT_EQ(kinetic.periodic_edges(), log.edges()) << "seed " << seed;
       ASSERT_EQ(audit(kinetic), "") << "seed " << seed << ", step " << steps;
-      ASSERT_TRUE(is_that_of_brute_force(kinetic)) << "seed " << seed << ", step " << steps;
+      ASSERT_TRUE(is_that_of_brute_force(kinetic, skipped))
+          << "seed " << seed << ", step " << steps;
     }
   }
   EXPECT_GT(instants, 100u);
   EXPECT_GT(groups, 20u);
+  EXPECT_LE(skipped, instants / 50);
 }
 
 TEST(Periodic_triangulation_2, is_that_of_a_start_at_the_same_time) {
