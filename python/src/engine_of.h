@@ -18,7 +18,7 @@
 #include "engine.h"
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/triangulation/incident.h"
-#include "kinetri/impl/triangulation/torus_triangulation_impl.h"
+#include "kinetri/impl/triangulation/torus_triangulation.h"
 #include "kinetri/kinetic/image_motion_2.h"
 #include "kinetri/kinetic/kinetic_traits_2.h"
 #include "kinetri/observers/proximity_graphs.h"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/events/divided_scheduler.h"
+#include "events/divided_scheduler_impl.h"
 
 namespace kinetri::detail {
 

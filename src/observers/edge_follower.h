@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <optional>
@@ -26,6 +27,19 @@
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
+
+namespace detail {
+
+/// Prefetches all cache lines of an object.
+template <class Object>
+KINETRI_ALWAYS_INLINE void prefetch_object(const Object& object) {
+  constexpr std::size_t line = 64;
+  const auto* const begin = reinterpret_cast<const std::byte*>(&object);
+  for (std::size_t i = 0; i < sizeof(Object); i += line) prefetch_address(begin + i);
+  prefetch_address(begin + sizeof(Object) - 1);
+}
+
+}  // namespace detail
 
 /// A copy of the moving points and finite edges of a triangulation, updated once for each instant.
 /// A point that coincides with others for a while has an edge, its *link*, with the one that hides

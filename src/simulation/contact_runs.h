@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "kinetri/impl/triangulation/region_runs.h"
+#include "kinetri/impl/triangulation/kinetic_core.h"
 #include "simulation/simulation_core.h"
 
 namespace kinetri::detail {

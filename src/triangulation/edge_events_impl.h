@@ -10,8 +10,8 @@
 #include <span>
 #include <utility>
 
+#include "kinetri/impl/base/compiler.h"
 #include "kinetri/impl/triangulation/incident.h"
-#include "kinetri/impl/triangulation/prefetch.h"
 #include "triangulation/edge_events.h"
 
 namespace kinetri::detail {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/triangulation/kinetic_regular_triangulation_2.h"
 
+#include "events/divided_scheduler_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
 
 namespace kinetri {

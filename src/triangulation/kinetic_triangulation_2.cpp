@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "events/divided_scheduler_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
 
 namespace kinetri {

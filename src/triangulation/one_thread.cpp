@@ -6,8 +6,8 @@
 #include <span>
 
 #include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/kinetic_core.h"
 #include "kinetri/impl/triangulation/parallel.h"
-#include "kinetri/impl/triangulation/region_runs.h"
 
 namespace kinetri::detail {
 

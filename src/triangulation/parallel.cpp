@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "kinetri/impl/base/compiler.h"
+#include "base/thread_sanitizer.h"
 
 namespace kinetri::detail {
 

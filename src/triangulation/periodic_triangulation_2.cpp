@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The triangulation of points in a periodic box. Its parts are instantiated member by member: the
-// members for the hull, weights and regions are not for periodic boxes.
+// The triangulation of points in a periodic box, and of the torus. Its parts are instantiated
+// member by member: the members for the hull, weights and regions are not for periodic boxes.
 #include "kinetri/triangulation/audit_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
+#include "triangulation/torus_construction.h"
+#include "triangulation/torus_repair.h"
 
 namespace kinetri {
 
 template class Kinetic_triangulation_2<Periodic_kinetic_traits_2>;
 
 namespace detail {
+using Predicates = Periodic_kinetic_traits_2::Instantaneous_traits;
+template class Torus_triangulation<Predicates>;
+template Torus_triangulation<Predicates> triangulation_of_torus(
+    std::span<const Predicates::Point_2>, double, const Predicates&, std::vector<Edge_ids>&);
 template struct Kinetic_types<Periodic_kinetic_traits_2>::Kinetic_core;
 template Audit_report audit<Periodic_kinetic_traits_2>(
     const Kinetic_core<Periodic_kinetic_traits_2>&, Audit_level);

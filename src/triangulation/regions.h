@@ -10,7 +10,7 @@
 #include <functional>
 #include <span>
 
-#include "kinetri/impl/triangulation/region_runs.h"
+#include "kinetri/impl/triangulation/kinetic_core.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 #include "triangulation/optimistic_window.h"
 #include "triangulation/region_effort.h"

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "events/distribute.h"
+#include "kinetri/impl/base/compiler.h"
 #include "kinetri/impl/kinetic/rounded_places.h"
 #include "kinetri/impl/triangulation/kinetic_core.h"
 #include "kinetri/impl/triangulation/parallel.h"
-#include "kinetri/impl/triangulation/prefetch.h"
 #include "triangulation/kd_cells.h"
 #include "triangulation/region_options.h"
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "kinetri/impl/base/compiler.h"
 #include "kinetri/impl/triangulation/incident.h"
-#include "kinetri/impl/triangulation/prefetch.h"
 #include "kinetri/triangulation/queries_2.h"
 #include "triangulation/ball_positions.h"
 

@@ -17,7 +17,7 @@ INCLUDE = re.compile(r"#include <(kinetri/[^>]+)>")
 INCLUDE_OF_OURS = re.compile(r'#include "(kinetri/[^"]+)"')
 # Headers that the programs include, or that only the library itself does: not installed (KinetriInstall.cmake).
 NOT_INSTALLED = re.compile(r"kinetri/impl/(io|observers|simulation)/")
-MOST_PUBLIC = 75
+MOST_PUBLIC, MOST_LINES = 75, 17_000
 
 
 class Public_headers(unittest.TestCase):
@@ -45,6 +45,9 @@ class Public_headers(unittest.TestCase):
                 left += [name for name in INCLUDE_OF_OURS.findall(headers[header]) if name in headers]
         self.assertEqual(reached, {header for header in headers if not NOT_INSTALLED.match(header)})
         self.assertLessEqual(len(LISTED), MOST_PUBLIC)
+        lines = sum(headers[header].count("\n") for header in reached)
+        template = (ROOT / "cmake/version.h.in").read_text(encoding="utf-8")
+        self.assertLessEqual(lines + template.count("\n"), MOST_LINES)
 
 
 if __name__ == "__main__":

@@ -25,6 +25,7 @@
 #include "support/multiplier.h"
 #include "support/precondition_error.h"
 #include "support/torus_reference.h"
+#include "triangulation/torus_repair.h"
 
 namespace kinetri::periodic_triangulation_2_test {
 namespace {

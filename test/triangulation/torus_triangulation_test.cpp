@@ -16,11 +16,11 @@
 
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/base/error.h"
-#include "kinetri/impl/triangulation/torus_triangulation_impl.h"
 #include "support/message_of.h"
 #include "support/multiplier.h"
 #include "support/precondition_error.h"
 #include "support/torus_reference.h"
+#include "triangulation/torus_triangulation_impl.h"
 
 namespace kinetri::torus_triangulation_test {
 namespace {

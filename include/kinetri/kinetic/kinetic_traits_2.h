@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The concepts KineticTraits_2, what the kinetic triangulation requires of a model of motion;
-// BatchKineticTraits_2, several certificates in one call, for speed; WeightedKineticTraits_2, points
-// with weights, such as discs; PeriodicKineticTraits_2, points in a periodic box; and
+// BatchKineticTraits_2, several certificates in one call, for speed; WeightedKineticTraits_2,
+// points with weights, such as discs; PeriodicKineticTraits_2, points in a periodic box; and
 // ContactKineticTraits_2, what walls, colliding discs and ranges require.
 #ifndef KINETRI_KINETIC_KINETIC_TRAITS_2_H
 #define KINETRI_KINETIC_KINETIC_TRAITS_2_H
@@ -198,7 +198,8 @@ concept WeightedKineticTraits_2 = KineticTraits_2<Traits> &&
 /// whose offsets are against the point as it was given; they depend on differences of offsets only.
 /// The Instantaneous_traits have `Point_2`, `Image_2`, `image`, and of CGAL's predicates
 /// Orientation_2 and Side_of_oriented_circle_2, on images. Orientation and flatness certificates
-/// are not used: there is no hull.
+/// are not used: there is no hull. The triangulation is compiled for Periodic_kinetic_traits_2, the
+/// only model that it accepts.
 ///
 /// | Function | Result |
 /// |---|---|

@@ -24,7 +24,7 @@
 #include "kinetri/impl/triangulation/certification_impl.h"
 #include "kinetri/impl/triangulation/insertion_order.h"
 #include "kinetri/impl/triangulation/static_construction.h"
-#include "kinetri/impl/triangulation/torus_triangulation_impl.h"
+#include "kinetri/impl/triangulation/torus_triangulation.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri::detail {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The only installed header that uses compiler extensions: hints to the processor and to
-// ThreadSanitizer. None changes what a program computes; with a compiler without such an extension
-// they do nothing.
+// The only installed header that uses compiler extensions: hints to the processor. None changes
+// what a program computes; with a compiler without such an extension they do nothing.
 #ifndef KINETRI_IMPL_BASE_COMPILER_H
 #define KINETRI_IMPL_BASE_COMPILER_H
 
@@ -19,18 +18,6 @@
 #define KINETRI_ALWAYS_INLINE inline
 #endif
 
-#if defined(__SANITIZE_THREAD__)
-#define KINETRI_THREAD_SANITIZER
-#elif defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-#define KINETRI_THREAD_SANITIZER
-#endif
-#endif
-
-#ifdef KINETRI_THREAD_SANITIZER
-#include <sanitizer/tsan_interface.h>
-#endif
-
 namespace kinetri::detail {
 
 /// Starts to load the memory at `address` into the cache. The address may be invalid. A function
@@ -42,29 +29,27 @@ KINETRI_ALWAYS_INLINE void prefetch_address([[maybe_unused]] const void* address
 #endif
 }
 
-template <class Object>
-KINETRI_ALWAYS_INLINE void prefetch_object(const Object& object) {
+/// Prefetches a vertex, or the first cache line of a face, which has all but the hidden points.
+template <class Handle>
+KINETRI_ALWAYS_INLINE void prefetch(Handle handle) {
   constexpr std::size_t line = 64;
-  const auto* const begin = reinterpret_cast<const std::byte*>(&object);
-  for (std::size_t i = 0; i < sizeof(Object); i += line) prefetch_address(begin + i);
-  prefetch_address(begin + sizeof(Object) - 1);
+  prefetch_address(handle.operator->());
+  if constexpr (requires { handle->point(); }) {
+    const auto address = reinterpret_cast<std::uintptr_t>(handle.operator->());
+    for (std::size_t i = line; i < sizeof(*handle); i += line) {
+      prefetch_address(reinterpret_cast<const void*>(address + i));
+    }
+  }
 }
 
-/// @{
-/// Tells ThreadSanitizer that what a thread did before it called annotate_happens_before(tag)
-/// happens before what another thread does after it has called annotate_happens_after(tag). Needed
-/// if a library that was built without ThreadSanitizer synchronizes the two.
-inline void annotate_happens_before([[maybe_unused]] void* tag) {
-#ifdef KINETRI_THREAD_SANITIZER
-  __tsan_release(tag);
-#endif
+/// Prefetches the vertices and the neighbors of a face.
+template <class Face_handle>
+KINETRI_ALWAYS_INLINE void prefetch_around(Face_handle face) {
+  for (int i = 0; i < 3; ++i) {
+    prefetch(face->vertex(i));
+    prefetch(face->neighbor(i));
+  }
 }
-inline void annotate_happens_after([[maybe_unused]] void* tag) {
-#ifdef KINETRI_THREAD_SANITIZER
-  __tsan_acquire(tag);
-#endif
-}
-/// @}
 
 }  // namespace kinetri::detail
 

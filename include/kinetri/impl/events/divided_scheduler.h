@@ -40,6 +40,8 @@ namespace kinetri::detail {
 ///
 /// A tournament finds the part with the first entry; settle() and pop() begin it, and later changes
 /// update it. So an operation costs O(log parts) comparisons more than in one part.
+///
+/// What concerns several parts is defined in src/events/divided_scheduler_impl.h.
 template <class Entry, class Policy>
 class Divided_scheduler {
  public:
@@ -56,7 +58,7 @@ class Divided_scheduler {
   /// moves the entries of a block: for_each_subject(block, function) calls function(subject) with
   /// the subjects, in the same order each time. in_parallel(vector, work) calls work with each
   /// element of a vector, on several threads if that helps. O(n). Meanwhile entries take half as
-  /// much memory again. If it throws, the scheduler can only be cleared. Defined in the library, in
+  /// much memory again. If it throws, the scheduler can only be cleared. Defined in
   /// src/events/distribute.h.
   template <class Block, class For_each_subject, class In_parallel>
   void distribute(std::size_t count, const std::vector<Block>& blocks,
@@ -76,20 +78,9 @@ class Divided_scheduler {
   }
 
   /// Moves the first entry of a part to another one, with its exact time if that has been made.
-  void move_first(std::size_t from, std::size_t to) {
-    Part& source = part(from);
-    const Entry entry = source.top();
-    const Queue_handle handle = entry.time == Time_pool::none
-                                    ? part(to).emplace(entry)
-                                    : part(to).push(entry, source.time_of(entry));
-    source.pop();
-    policy_.set_handle(entry.subject(), named(to, handle));
-  }
+  void move_first(std::size_t from, std::size_t to);
   /// Moves each entry of a part to the part in which it belongs.
-  void move_home(std::size_t from) {
-    Part& source = part(from);
-    while (!source.empty()) move_first(from, policy_.part_of(source.top().subject()));
-  }
+  void move_home(std::size_t from);
 
   /// The handle of the entry with this handle in its part.
   Queue_handle named(std::size_t part, Queue_handle handle) const {
@@ -109,15 +100,7 @@ class Divided_scheduler {
     return result;
   }
   /// Without the moves between parts.
-  Queue_counters counters() const noexcept {
-    Queue_counters result = first_.counters();
-    for (const auto& part : parts_) {
-      result.pushed += part->counters().pushed;
-      result.discarded += part->counters().discarded;
-    }
-    result.peak = std::max<std::uint64_t>(result.peak, size());
-    return result;
-  }
+  Queue_counters counters() const noexcept;
   bool contains(Queue_handle handle) const noexcept {
     if (!is_divided()) return first_.contains(handle);
     return part_of_handle(handle) < parts_.size() &&
@@ -145,13 +128,7 @@ class Divided_scheduler {
     first_.for_each(function);
     for (const auto& part : parts_) part->for_each(function);
   }
-  bool is_valid() const {
-    for (std::size_t match = 1; is_first_known() && match < parts_.size(); ++match) {
-      if (winners_[match] != winner(match, made)) return false;
-    }
-    return first_.is_valid() &&
-           std::ranges::all_of(parts_, [](const auto& part) { return part->is_valid(); });
-  }
+  bool is_valid() const;
 
   template <class... Parts>
   KINETRI_ALWAYS_INLINE Queue_handle emplace(Parts&&... parts) {
@@ -159,13 +136,7 @@ class Divided_scheduler {
       return emplace_in_parts(Entry(std::forward<Parts>(parts)...));
     return first_.emplace(std::forward<Parts>(parts)...);
   }
-  Queue_handle push(Entry entry, Algebraic_number time) {
-    if (!is_divided()) return first_.push(std::move(entry), std::move(time));
-    const std::size_t to = policy_.part_of(entry.subject());
-    const Queue_handle result = named(to, part(to).push(std::move(entry), std::move(time)));
-    follow(to);
-    return result;
-  }
+  Queue_handle push(Entry entry, Algebraic_number time);
   /// Leaves one part.
   template <class Fill>
   void assign(std::size_t size, Fill fill) {
@@ -182,15 +153,7 @@ class Divided_scheduler {
     return first_.erase(handle);
   }
   /// Removes all entries, and leaves one part.
-  void clear() {
-    Queue_counters cleared = counters();
-    cleared.discarded += size();
-    first_.clear();
-    parts_.clear();
-    forget_first();
-    shift_ = shift_of(1);
-    first_.count_as(cleared);
-  }
+  void clear();
 
   const Algebraic_number& time(const Entry& entry) { return part_with(entry).time(entry); }
   Algebraic_number time_of(const Entry& entry) const {
@@ -230,26 +193,10 @@ class Divided_scheduler {
     return static_cast<Queue_handle>((std::uint64_t{part} << shift) | handle);
   }
 
-  Queue_handle emplace_in_parts(const Entry& entry) {
-    const std::size_t to = policy_.part_of(entry.subject());
-    const Queue_handle result = named(to, part(to).emplace(entry));
-    follow(to);
-    return result;
-  }
-  const Entry& top_of_parts() const { return part(first_part()).top(); }
-  Entry pop_of_parts() {
-    find_first();
-    const std::size_t from = winners_[1];
-    Entry result = part(from).pop();
-    follow(from);
-    return result;
-  }
-  Entry erase_from_parts(Queue_handle handle) {
-    const std::size_t from = part_of_handle(handle);
-    Entry result = part(from).erase(local(handle));
-    follow(from);
-    return result;
-  }
+  Queue_handle emplace_in_parts(const Entry& entry);
+  const Entry& top_of_parts() const;
+  Entry pop_of_parts();
+  Entry erase_from_parts(Queue_handle handle);
 
   // The tournament of p parts: match k, 1 <= k < p, is between the winners of 2 k and 2 k + 1, of
   // which those from p on are the parts themselves. A part without entries loses.
@@ -260,56 +207,12 @@ class Divided_scheduler {
   }
   // `time_in(part, entry)` is the exact time of an entry of the part.
   template <class Time_in>
-  std::size_t winner(std::size_t match, const Time_in& time_in) const {
-    const std::size_t p = player(2 * match);
-    const std::size_t q = player(2 * match + 1);
-    if (parts_[q]->empty()) return p;
-    return parts_[p]->empty() || precedes(*parts_[q], *parts_[p], time_in) ? q : p;
-  }
+  std::size_t winner(std::size_t match, const Time_in& time_in) const;
 
-  void find_first() {
-    if (is_first_known()) return;
-    try {
-      winners_.resize(parts_.size());
-      for (std::size_t match = parts_.size(); --match > 0;) set_winner(match);
-    } catch (...) {  // a time needs memory
-      forget_first();
-      throw;
-    }
-  }
-
-  // A part has changed. If memory is missing, the tournament is repeated later.
-  void follow(std::size_t changed) noexcept {
-    if (!is_first_known()) return;
-    try {
-      for (std::size_t match = (parts_.size() + changed) / 2; match > 0; match /= 2) {
-        const std::size_t before = winners_[match];
-        set_winner(match);
-        // The change has no effect higher up.
-        if (winners_[match] == before && before != changed) return;
-      }
-    } catch (...) {
-      forget_first();
-    }
-  }
-
-  void set_winner(std::size_t match) {
-    const auto kept = [](Part& part, const Entry& entry) -> const Algebraic_number& {
-      return part.time(entry);
-    };
-    winners_[match] = static_cast<std::uint16_t>(winner(match, kept));
-  }
-
-  // The part that has the first entry. Precondition: not empty.
-  std::size_t first_part() const {
-    if (is_first_known()) return winners_[1];
-    std::size_t first = 0;
-    for (std::size_t p = 1; p < parts_.size(); ++p) {
-      if (part(p).empty()) continue;
-      if (part(first).empty() || precedes(*parts_[p], *parts_[first], made)) first = p;
-    }
-    return first;
-  }
+  void find_first();
+  void follow(std::size_t changed) noexcept;
+  void set_winner(std::size_t match);
+  std::size_t first_part() const;
 
   Queue_handle local(Queue_handle handle) const {
     return static_cast<Queue_handle>(handle & ((std::uint64_t{1} << shift_) - 1));
@@ -323,14 +226,7 @@ class Divided_scheduler {
   static Algebraic_number made(const Part& part, const Entry& entry) { return part.time_of(entry); }
 
   template <class Time_in>
-  bool precedes(Part& p, Part& q, const Time_in& time_in) const {
-    const Entry& a = p.top();
-    const Entry& b = q.top();
-    if (a.bounds.upper < b.bounds.lower) return true;
-    if (b.bounds.upper < a.bounds.lower) return false;
-    const auto order = time_in(p, a) <=> time_in(q, b);
-    return order != 0 ? order < 0 : policy_.precedes(a, b);
-  }
+  bool precedes(Part& p, Part& q, const Time_in& time_in) const;
 
   const Policy& policy_;
   Part first_;                                // the only one, mostly; else empty

@@ -8,18 +8,59 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/impl/base/compiler.h"
 #include "kinetri/impl/base/double_interval.h"
 #include "kinetri/impl/events/indexed_queue.h"
-#include "kinetri/impl/events/time_pool.h"
 
 namespace kinetri::detail {
+
+/// The exact times of entries. Few entries need one, so an entry has an index instead of a time.
+class Time_pool {
+ public:
+  using Index = std::uint32_t;
+
+  static constexpr Index none = std::numeric_limits<Index>::max();
+
+  /// Keeps `time` until its index is released. References to other times stay valid.
+  Index keep(Algebraic_number time) {
+    if (free_.empty()) {
+      times_.push_back(std::move(time));
+      return static_cast<Index>(times_.size() - 1);
+    }
+    const Index index = free_.back();
+    free_.pop_back();
+    times_[index] = std::move(time);
+    return index;
+  }
+
+  const Algebraic_number& operator[](Index index) const { return times_[index]; }
+
+  /// Forgets the time of `index`. Does nothing for none.
+  void release(Index index) {
+    if (index == none) return;
+    times_[index] = Algebraic_number();
+    free_.push_back(index);
+  }
+
+  void clear() {
+    times_.clear();
+    free_.clear();
+  }
+
+ private:
+  std::deque<Algebraic_number> times_;
+  std::vector<Index> free_;
+};
 
 /// The times of an entry. Entries derive from it and add their subjects.
 struct Scheduled {

@@ -4,10 +4,7 @@
 #ifndef KINETRI_IMPL_TRIANGULATION_EDGE_CHANGES_H
 #define KINETRI_IMPL_TRIANGULATION_EDGE_CHANGES_H
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -41,37 +38,13 @@ inline Lattice_offset_2 offset_of(const Periodic_edge& edge) {
 }
 /// @}
 
-/// Sorts elements by the names of their edges `edge_of(element)`: by the smaller id, the other one,
-/// the offset. At each id there are few elements on average. O(k + n) for k elements, if they are
-/// more than n / 8 for ids less than n; else O(k log k).
-template <class Element, class Edge_of>
-void sort_by_edge(std::vector<Element>& elements, const Edge_of& edge_of) {
-  const auto key = [&](const Element& element) { return edge_key(edge_of(element)); };
-  constexpr std::size_t ids_for_each_element = 8;
-  std::size_t ids = 0;
-  for (const Element& element : elements) {
-    ids = std::max(ids, std::size_t{ids_of(edge_of(element))[0]} + 1);
-  }
-  if (ids > ids_for_each_element * elements.size()) {
-    std::ranges::sort(elements, {}, key);
-    return;
-  }
-  // By the smaller id by counting, then by the greater one.
-  std::vector<std::uint32_t> ends(ids + 1);
-  for (const Element& element : elements) ++ends[ids_of(edge_of(element))[0] + 1];
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<Element> sorted(elements.size());
-  for (const Element& element : elements) sorted[ends[ids_of(edge_of(element))[0]]++] = element;
-  std::uint32_t begin = 0;
-  for (const std::uint32_t end : ends) {
-    std::ranges::sort(sorted.begin() + begin, sorted.begin() + end, {}, key);
-    begin = end;
-  }
-  elements = std::move(sorted);
-}
+/// Sorts edges by the smaller id, the other one, the offset. O(k + n) for k edges, if they are more
+/// than n / 8 for ids less than n; else O(k log k).
+template <class Edge_name>
+void sort_edges(std::vector<Edge_name>& edges);
 
 /// Notes edges that are added and removed, possibly several times, and gives the net changes. For k
-/// notes, the cost of sort_by_edge.
+/// notes, the cost of sort_edges.
 template <class Edge_name>
 class Edge_changes {
  public:
@@ -84,19 +57,7 @@ class Edge_changes {
   void note(const Edge_name& edge, int change) { notes_.push_back({edge, change}); }
 
   /// The noted edges, each once, in the order of their names. Forgets the notes.
-  std::vector<Change> take() {
-    sort_by_edge(notes_, [](const Change& change) -> const Edge_name& { return change.edge; });
-    std::vector<Change> result;
-    for (const Change& note : notes_) {
-      if (result.empty() || edge_key(result.back().edge) != edge_key(note.edge)) {
-        result.push_back(note);
-      } else {
-        result.back().net += note.net;
-      }
-    }
-    notes_.clear();
-    return result;
-  }
+  std::vector<Change> take();
 
  private:
   std::vector<Change> notes_;

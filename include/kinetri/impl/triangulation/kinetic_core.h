@@ -56,10 +56,34 @@ struct Kinetic_types<Traits>::Kinetic_core {
   std::size_t threads = 1;  ///< for advance_to; 0: those of oneTBB's arena
 };
 
+// Execution of events on several threads (docs/PARALLEL.md), for the library's own traits.
+
+/// Whether `threads` threads (0: those of oneTBB's arena), as far as oneTBB allows them, may be
+/// faster than the sequential loop for so many points.
+bool may_pay_by_regions(std::size_t points, std::size_t threads);
+
+/// The functions that a triangulation calls, with its number of threads.
+template <class Traits>
+struct Region_runs {
+  using Core = Kinetic_core<Traits>;  ///< of the triangulation
+
+  /// As advance_to of the triangulation, with the same result; see Region_run::advance_to.
+  static std::size_t advance_to(Core& core, const Algebraic_number& until,
+                                const std::function<bool()>& may_go_on);
+  /// Gives points new motions at the present time. Precondition: the queue is in parts, the
+  /// triangles stay embedded, and points have no weights.
+  static void change_in_place(Core& core,
+                              std::span<const typename Kinetic_types<Traits>::Change> changes);
+  /// Merges the parts of the queue.
+  static void join(Core& core);
+};
+
 /// The parts that the library compiles for its own traits.
 #define KINETRI_KINETIC_PARTS(declaration, Traits)                                           \
   declaration class Kinetic_types<Traits>::Topology;                                         \
   declaration class Kinetic_types<Traits>::Schedule::Policy;                                 \
+  declaration class Divided_scheduler<Kinetic_types<Traits>::Entry,                          \
+                                      Kinetic_types<Traits>::Schedule::Policy>;              \
   declaration const Algebraic_number& Kinetic_types<Traits>::Schedule::current_time() const; \
   declaration bool Kinetic_types<Traits>::Schedule::settle(const Algebraic_number*);         \
   declaration void Kinetic_types<Traits>::Schedule::schedule_all();                          \

@@ -62,6 +62,13 @@ struct Edge_with_mirror {
   Edge there;
 };
 
+/// Whether several threads can execute the events of these traits.
+template <class Traits>
+inline constexpr bool has_region_runs = std::is_same_v<Traits, Linear_kinetic_traits_2> ||
+                                        std::is_same_v<Traits, Polynomial_kinetic_traits_2> ||
+                                        std::is_same_v<Traits, Disc_kinetic_traits_2> ||
+                                        std::is_same_v<Traits, Polynomial_disc_kinetic_traits_2>;
+
 /// The types of the traits and of the triangulation, and the parts of a triangulation, which are
 /// members so that they can use these types.
 template <class Traits>

@@ -11,7 +11,6 @@
 
 #include "kinetri/impl/triangulation/event_loop.h"
 #include "kinetri/impl/triangulation/repair.h"
-#include "kinetri/impl/triangulation/torus_repair.h"
 #include "kinetri/impl/triangulation/updates.h"
 
 namespace kinetri::detail {

@@ -13,8 +13,8 @@
 
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/triangulation/event_loop_impl.h"
+#include "kinetri/impl/triangulation/kinetic_core.h"
 #include "kinetri/impl/triangulation/point_changes.h"
-#include "kinetri/impl/triangulation/region_runs.h"
 
 namespace kinetri::detail {
 

@@ -21,10 +21,10 @@
 #include <utility>
 #include <vector>
 
+#include "kinetri/impl/base/compiler.h"
 #include "kinetri/impl/kinetic/certain_signs.h"
 #include "kinetri/impl/triangulation/event_reporter.h"
 #include "kinetri/impl/triangulation/incident.h"
-#include "kinetri/impl/triangulation/prefetch.h"
 #include "kinetri/impl/triangulation/topology.h"
 
 namespace kinetri::detail {

@@ -18,7 +18,6 @@
 #include "kinetri/impl/events/divided_scheduler.h"
 #include "kinetri/impl/events/event_scheduler.h"
 #include "kinetri/impl/triangulation/certification.h"
-#include "kinetri/impl/triangulation/prefetch.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 
 namespace kinetri::detail {
@@ -141,7 +140,8 @@ class Kinetic_types<Traits>::Schedule {
    private:
     const Schedule& schedule_;
   };
-  using Queue = Divided_scheduler<Entry, Policy>;
+  using Queue = std::conditional_t<has_region_runs<Traits>, Divided_scheduler<Entry, Policy>,
+                                   Event_scheduler<Entry, Policy>>;
 
   /// The certification and the counters must outlive this object.
   Schedule(const Certification& certification, const Time& start, Triangulation_counters& counters)

@@ -22,7 +22,7 @@
 #include "kinetri/impl/triangulation/insertion_order.h"
 #include "kinetri/impl/triangulation/static_delaunay.h"
 #include "kinetri/impl/triangulation/topology.h"
-#include "kinetri/impl/triangulation/torus_construction.h"
+#include "kinetri/impl/triangulation/torus_triangulation.h"
 
 namespace kinetri::detail {
 
@@ -71,7 +71,7 @@ auto Kinetic_types<Traits>::Static_construction::build(std::span<const Point_2> 
                                                        std::vector<Edge_ids>& coincident)
     -> Triangulation {
   if constexpr (is_periodic) {
-    return Torus_construction<Triangulation>(points, time.to_double(), now).build(coincident);
+    return triangulation_of_torus(points, time.to_double(), now, coincident);
   } else {
     return build_in_plane(points, time, now, coincident);
   }

@@ -127,7 +127,7 @@ auto Kinetic_types<Traits>::Topology::finite_edges() const -> std::vector<Edge_n
       if (!triangulation_.is_infinite(edge)) edges.push_back(name_of(edge));
     });
   }
-  sort_by_edge(edges, std::identity());
+  sort_edges(edges);
   return edges;
 }
 

@@ -15,14 +15,24 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "kinetri/base/ids.h"
+#include "kinetri/impl/events/basic_event.h"
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/impl/triangulation/kinetic_triangulation_data_structure_2.h"
 
 namespace kinetri::detail {
+
+/// The offset, none if it is 2^31 or more. The smallest integer is none, so that the reverse edge
+/// has an offset.
+inline std::optional<Lattice_offset_2> to_offset(std::int64_t x, std::int64_t y) {
+  constexpr std::int64_t greatest = std::numeric_limits<std::int32_t>::max();
+  if (x < -greatest || x > greatest || y < -greatest || y > greatest) return std::nullopt;
+  return Lattice_offset_2{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+}
 
 /// A face whose corners are images of points. It stores their offsets against corner 0, so that
 /// they are those of edges, and the index that each edge has in the neighbor.
@@ -197,14 +207,20 @@ class Torus_triangulation {
 
   // ---- changes ----
   //
-  // They call journal.before_change(face) before a face changes, and journal.created(face) and
-  // journal.deleted(face) after a face has been created, and before it is deleted.
+  // Defined in src/triangulation/torus_triangulation_impl.h, for the library's own predicates.
 
-  /// The journal of callers that need none.
-  struct No_journal {
-    void before_change(Face_handle) const {}
-    void created(Face_handle) const {}
-    void deleted(Face_handle) const {}
+  /// What follows the changes of faces. This one does nothing.
+  class Journal {
+   public:
+    virtual ~Journal() = default;
+    /// Called before a face changes, if it is not a new one.
+    virtual void before_change(Face_handle) {}
+    /// Called after a face has been created.
+    virtual void created(Face_handle) {}
+    /// Called before a face is deleted.
+    virtual void deleted(Face_handle) {}
+    /// As an argument by default.
+    Journal& itself() { return *this; }
   };
 
   /// Makes the triangulation with one vertex, which is Delaunay. It begins with the diagonals of
@@ -214,8 +230,8 @@ class Torus_triangulation {
   void insert_first(Vertex_handle v, const Basis& basis = {{{1, 0}, {0, 1}}});
   /// Inserts a vertex without faces into the face or edge of the location. Flips no edge, except
   /// that at the location. Only the edges opposite the vertex may then be violated, if none was.
-  template <class Journal = No_journal>
-  void insert_in_faces(Vertex_handle v, const Location& location, Journal&& journal = Journal());
+  void insert_in_faces(Vertex_handle v, const Location& location,
+                       Journal& journal = Journal().itself());
   /// Inserts a point, located as by locate(), and makes the triangulation Delaunay. Returns its
   /// vertex, or that of the point with an image in the same place, whose id is another.
   Vertex_handle insert(const Point_2& point, Face_handle start = {}, Lattice_offset_2 offset = {});
@@ -228,19 +244,16 @@ class Torus_triangulation {
   /// quadrilateral, (face, ccw(i)) with the mirror edge (neighbor, ccw(j)). Returns that. Of the
   /// outer edges, (face, ccw(i)) becomes (neighbor, j), and (neighbor, ccw(j)) becomes (face, i).
   /// Does not examine how the faces turn.
-  template <class Journal = No_journal>
-  Edge flip(const Edge& edge, Journal&& journal = Journal());
+  Edge flip(const Edge& edge, Journal& journal = Journal().itself());
   /// Flips edges until the triangulation is Delaunay. Precondition: all violated edges are among
   /// the given ones. [Lawson 1977] Returns false if that would take more than `most_flips`.
-  template <class Journal = No_journal>
-  bool restore_delaunay(std::vector<Edge> edges, Journal&& journal = Journal(),
+  bool restore_delaunay(std::vector<Edge> edges, Journal& journal = Journal().itself(),
                         std::size_t most_flips = std::numeric_limits<std::size_t>::max());
 
   /// Removes a vertex from its faces by flips, and makes the triangulation Delaunay. The vertex
   /// stays, in no face. If no flip leads on, the result is false: then, as after an Error, `v` may
   /// still be in faces, some of which may be flat, and the triangulation must be constructed anew.
-  template <class Journal = No_journal>
-  bool remove_from_faces(Vertex_handle v, Journal&& journal = Journal());
+  bool remove_from_faces(Vertex_handle v, Journal& journal = Journal().itself());
 
   // ---- checks ----
 
@@ -279,6 +292,15 @@ class Torus_triangulation {
   Traits traits_;
   Triangulation_data_structure tds_;
 };
+
+/// The triangulation of points at the instant of the predicates, which is near `time`. If points
+/// have the same trajectory, modulo the lattice, appends some pairs of them to `coincident`, at
+/// least one. Expected O(n log n). Defined in src/triangulation/torus_construction.h, for the
+/// library's own predicates.
+template <TorusTraits_2 Traits>
+Torus_triangulation<Traits> triangulation_of_torus(std::span<const typename Traits::Point_2> points,
+                                                   double time, const Traits& now,
+                                                   std::vector<Edge_ids>& coincident);
 
 }  // namespace kinetri::detail
 

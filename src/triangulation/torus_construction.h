@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The construction of the triangulation of a flat torus at a time.
-#ifndef KINETRI_IMPL_TRIANGULATION_TORUS_CONSTRUCTION_H
-#define KINETRI_IMPL_TRIANGULATION_TORUS_CONSTRUCTION_H
+#ifndef KINETRI_SRC_TRIANGULATION_TORUS_CONSTRUCTION_H
+#define KINETRI_SRC_TRIANGULATION_TORUS_CONSTRUCTION_H
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -20,9 +20,9 @@
 #include "kinetri/base/ids.h"
 #include "kinetri/impl/triangulation/insertion_order.h"
 #include "kinetri/impl/triangulation/static_delaunay.h"
-#include "kinetri/impl/triangulation/torus_triangulation_impl.h"
 #include "kinetri/impl/triangulation/wrapping.h"
 #include "kinetri/kinetic/linear_motion_2.h"
+#include "triangulation/torus_triangulation_impl.h"
 
 namespace kinetri::detail {
 
@@ -206,7 +206,8 @@ std::optional<Torus> Torus_construction<Torus>::from_copies(double width) const 
   edges.reserve(3 * points_.size());
   for (const Edge& edge : result.all_edges()) edges.push_back(edge);
   // Of cocircular points n^2 flips may be necessary.
-  if (!result.restore_delaunay(std::move(edges), {}, result.tds().faces().size())) {
+  typename Torus::Journal none;
+  if (!result.restore_delaunay(std::move(edges), none, result.tds().faces().size())) {
     return std::nullopt;
   }
   return result;
@@ -286,6 +287,13 @@ bool Torus_construction<Torus>::make_faces(const Static_delaunay& found, const T
   return true;
 }
 
+template <TorusTraits_2 Traits>
+Torus_triangulation<Traits> triangulation_of_torus(std::span<const typename Traits::Point_2> points,
+                                                   double time, const Traits& now,
+                                                   std::vector<Edge_ids>& coincident) {
+  return Torus_construction<Torus_triangulation<Traits>>(points, time, now).build(coincident);
+}
+
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_TORUS_CONSTRUCTION_H
+#endif  // KINETRI_SRC_TRIANGULATION_TORUS_CONSTRUCTION_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef KINETRI_IMPL_TRIANGULATION_TORUS_TRIANGULATION_IMPL_H
-#define KINETRI_IMPL_TRIANGULATION_TORUS_TRIANGULATION_IMPL_H
-
-#include <limits>
+//
+// The definitions of Torus_triangulation.
+#ifndef KINETRI_SRC_TRIANGULATION_TORUS_TRIANGULATION_IMPL_H
+#define KINETRI_SRC_TRIANGULATION_TORUS_TRIANGULATION_IMPL_H
 
 #include "kinetri/algebra/number_types.h"
 #include "kinetri/base/error.h"
@@ -12,14 +12,6 @@
 namespace kinetri::detail {
 
 // ---- offsets and links ----
-
-/// The offset, none if it is 2^31 or more. The smallest integer is none, so that the reverse edge
-/// has an offset.
-inline std::optional<Lattice_offset_2> to_offset(std::int64_t x, std::int64_t y) {
-  constexpr std::int64_t greatest = std::numeric_limits<std::int32_t>::max();
-  if (x < -greatest || x > greatest || y < -greatest || y > greatest) return std::nullopt;
-  return Lattice_offset_2{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
-}
 
 template <TorusTraits_2 Traits>
 Lattice_offset_2 Torus_triangulation<Traits>::checked_difference(Lattice_offset_2 a,
@@ -191,9 +183,8 @@ void Torus_triangulation<Traits>::check_new_edges(const Point_2& point,
 //      /  /     \  \          A vertex on an edge makes one of the three flat, until that edge is
 //     0 ----------- 1         flipped.
 template <TorusTraits_2 Traits>
-template <class Journal>
 void Torus_triangulation<Traits>::insert_in_faces(Vertex_handle v, const Location& location,
-                                                  Journal&& journal) {
+                                                  Journal& journal) {
   const Face_handle face = location.face;
   KINETRI_PRECONDITION(location.locus != VERTEX,
                        "there is a vertex at the location; expected a face or an edge");
@@ -270,8 +261,7 @@ auto Torus_triangulation<Traits>::insert_near(const Point_2& point, Lattice_offs
 //       \ | /              \   /           that covers the torus, both pairs are.
 //         d                  d
 template <TorusTraits_2 Traits>
-template <class Journal>
-auto Torus_triangulation<Traits>::flip(const Edge& edge, Journal&& journal) -> Edge {
+auto Torus_triangulation<Traits>::flip(const Edge& edge, Journal& journal) -> Edge {
   const auto [face, i] = edge;
   const auto [neighbor, j] = mirror(edge);
   const Vertex_handle here = face->vertex(i);        // a
@@ -312,8 +302,7 @@ auto Torus_triangulation<Traits>::flip(const Edge& edge, Journal&& journal) -> E
 // A flip stores its four outer edges again, so that an edge on the stack that has moved since is
 // there a second time.
 template <TorusTraits_2 Traits>
-template <class Journal>
-bool Torus_triangulation<Traits>::restore_delaunay(std::vector<Edge> edges, Journal&& journal,
+bool Torus_triangulation<Traits>::restore_delaunay(std::vector<Edge> edges, Journal& journal,
                                                    std::size_t most_flips) {
   while (!edges.empty()) {
     const Edge edge = edges.back();
@@ -356,8 +345,7 @@ bool Torus_triangulation<Traits>::is_flip_away_possible(const Edge& edge, Vertex
 // Flips edges away from the vertex until it has three. Faces that are flat at the vertex are needed
 // if it is on a diagonal of its neighbors, as in the middle of a square.
 template <TorusTraits_2 Traits>
-template <class Journal>
-bool Torus_triangulation<Traits>::remove_from_faces(Vertex_handle v, Journal&& journal) {
+bool Torus_triangulation<Traits>::remove_from_faces(Vertex_handle v, Journal& journal) {
   if (number_of_vertices() == 1) {
     for (const Face_handle face : tds_.face_handles()) {
       journal.before_change(face);
@@ -503,4 +491,4 @@ std::string Torus_triangulation<Traits>::problem_of_vertices() const {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_TORUS_TRIANGULATION_IMPL_H
+#endif  // KINETRI_SRC_TRIANGULATION_TORUS_TRIANGULATION_IMPL_H

@@ -6,8 +6,8 @@
 // Lawson's flips make these Delaunay. Then the points that stayed are taken out and inserted where
 // they belong, which is the filter of P. de Castro, J. Cohen-Steiner, O. Devillers, Filtering
 // relocations on a Delaunay triangulation, 2009.
-#ifndef KINETRI_IMPL_TRIANGULATION_TORUS_REPAIR_H
-#define KINETRI_IMPL_TRIANGULATION_TORUS_REPAIR_H
+#ifndef KINETRI_SRC_TRIANGULATION_TORUS_REPAIR_H
+#define KINETRI_SRC_TRIANGULATION_TORUS_REPAIR_H
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "kinetri/impl/triangulation/incident.h"
-#include "kinetri/impl/triangulation/updates.h"
+#include "triangulation/face_journal.h"
 
 namespace kinetri::detail {
 
@@ -143,4 +143,4 @@ class Kinetic_types<Traits>::Torus_repair {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_TORUS_REPAIR_H
+#endif  // KINETRI_SRC_TRIANGULATION_TORUS_REPAIR_H

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinetri/impl/triangulation/edge_changes.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+
+namespace kinetri::detail {
+namespace {
+
+// Sorts elements by the names of their edges `edge_of(element)`. At each id there are few elements
+// on average.
+template <class Element, class Edge_of>
+void sort_by_edge(std::vector<Element>& elements, const Edge_of& edge_of) {
+  const auto key = [&](const Element& element) { return edge_key(edge_of(element)); };
+  constexpr std::size_t ids_for_each_element = 8;
+  std::size_t ids = 0;
+  for (const Element& element : elements) {
+    ids = std::max(ids, std::size_t{ids_of(edge_of(element))[0]} + 1);
+  }
+  if (ids > ids_for_each_element * elements.size()) {
+    std::ranges::sort(elements, {}, key);
+    return;
+  }
+  // By the smaller id by counting, then by the greater one.
+  std::vector<std::uint32_t> ends(ids + 1);
+  for (const Element& element : elements) ++ends[ids_of(edge_of(element))[0] + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Element> sorted(elements.size());
+  for (const Element& element : elements) sorted[ends[ids_of(edge_of(element))[0]]++] = element;
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : ends) {
+    std::ranges::sort(sorted.begin() + begin, sorted.begin() + end, {}, key);
+    begin = end;
+  }
+  elements = std::move(sorted);
+}
+
+}  // namespace
+
+template <class Edge_name>
+void sort_edges(std::vector<Edge_name>& edges) {
+  sort_by_edge(edges, std::identity());
+}
+
+template <class Edge_name>
+auto Edge_changes<Edge_name>::take() -> std::vector<Change> {
+  sort_by_edge(notes_, [](const Change& change) -> const Edge_name& { return change.edge; });
+  std::vector<Change> result;
+  for (const Change& note : notes_) {
+    if (result.empty() || edge_key(result.back().edge) != edge_key(note.edge)) {
+      result.push_back(note);
+    } else {
+      result.back().net += note.net;
+    }
+  }
+  notes_.clear();
+  return result;
+}
+
+template void sort_edges(std::vector<Edge_ids>&);
+template void sort_edges(std::vector<Periodic_edge>&);
+template class Edge_changes<Edge_ids>;
+template class Edge_changes<Periodic_edge>;
+
+}  // namespace kinetri::detail
