@@ -58,7 +58,7 @@ done
 build_dir="$kinetri_root/build/$preset${compiler:+-${compiler##*/}}" targets=()
 if [[ $preset == tsan ]]; then targets=(kinetri_threads_test) options+=(-L '^threads$'); fi
 if ((${#options[@]} == 0)); then
-  kinetri_say "To build everything and run every test takes about an hour of processor time, half an hour" \
+  kinetri_say "To build everything and run every test takes about 45 minutes of processor time, half an hour" \
     "on two cores; with sanitizers longer. -R REGEX runs some of the tests, -LE slow the fast ones."
 fi
 for purpose in "${packages[@]}"; do kinetri_setup "$purpose"; done
