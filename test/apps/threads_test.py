@@ -81,7 +81,7 @@ class Threads(In_folder):
     def test_very_many_points_are_the_same(self):
         self.run_program("generate uniform --points 100000 --side 3180 --speed 5 --seed 4 --output p.csv")
         more = "--checkpoint {0}/checkpoint --encounters {0}/encounters --range 0.02"
-        self.expect_regions(self.expect_same("simulate p.csv --until 2", more))
+        self.expect_regions(self.expect_same("simulate p.csv --until 1", more))
 
     def test_recordings_of_very_many_points_are_the_same(self):
         self.run_program("generate uniform --points 60000 --seed 5 --output p.csv")
@@ -91,7 +91,7 @@ class Threads(In_folder):
         self.run_program("generate uniform --points 60000 --side 2450 --seed 6 --output p.csv")
         more = "--html {0}/run.html --checkpoint {0}/checkpoint --encounters {0}/encounters --range 0.05 " \
                "--components {0}/components"
-        self.expect_regions(self.expect_same("simulate p.csv --until 3 --box 0,0,2450,2450", more))
+        self.expect_regions(self.expect_same("simulate p.csv --until 1.5 --box 0,0,2450,2450", more))
 
     def test_collisions_are_the_same(self):
         self.run_program("generate lattice-jitter --points 60000 --speed 5 --seed 3 --output p.csv")
@@ -99,7 +99,7 @@ class Threads(In_folder):
             discs = f"--box=-10,-10,2450,2450 --radius 3 --collisions {response}"
             expect = self.expect_one_thread if response == "log" else self.expect_regions
             with self.subTest(response):
-                expect(self.expect_same(f"simulate p.csv --until 1.5 {discs}",
+                expect(self.expect_same(f"simulate p.csv --until 0.75 {discs}",
                                         "--html {0}/run.html --checkpoint {0}/checkpoint", response))
 
     def test_discs_that_vanish_are_the_same(self):
@@ -107,7 +107,7 @@ class Threads(In_folder):
         discs = "--box=-10,-10,2450,2450 --radius 0.5 --collisions remove"
         more = "--checkpoint {0}/checkpoint --neighbors {0}/neighbors --nearest {0}/nearest --encounters {0}/encounters " \
                "--range 1.5"
-        self.expect_one_thread(self.expect_same(f"simulate p.csv --until 3 {discs}", more))
+        self.expect_one_thread(self.expect_same(f"simulate p.csv --until 1.5 {discs}", more))
 
     def test_discs_of_any_size_are_the_same(self):
         self.run_program("generate lattice-jitter --points 60000 --speed 5 --seed 4 --output p.csv")
@@ -119,7 +119,7 @@ class Threads(In_folder):
         more = "--html {0}/run.html --checkpoint {0}/checkpoint"
         for label, options in (("none", box), ("elastic", box + " --collisions elastic")):
             with self.subTest(label):
-                self.expect_regions(self.expect_same(f"simulate d.csv --until 1.5 {options}", more, label))
+                self.expect_regions(self.expect_same(f"simulate d.csv --until 0.75 {options}", more, label))
 
     def rows_of(self, name):
         """The comments and the header of a file of points, and its rows."""
@@ -130,7 +130,7 @@ class Threads(In_folder):
     def test_very_many_points_resumed_are_the_same(self):
         self.run_program("generate uniform --points 100000 --side 3180 --speed 5 --seed 5 --output p.csv")
         self.run_program("simulate p.csv --until 0.1 --checkpoint c --quiet")
-        self.expect_regions(self.expect_same("resume c --until 2.1", "--checkpoint {0}/checkpoint"))
+        self.expect_regions(self.expect_same("resume c --until 1.1", "--checkpoint {0}/checkpoint"))
 
     def test_a_number_that_is_none_is_refused(self):
         self.run_program("generate uniform --points 9 --output p.csv")

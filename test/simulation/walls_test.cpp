@@ -130,7 +130,7 @@ TEST(Walls, keep_points_inside_through_many_bounces) {
 }
 
 TEST(Walls, stay_right_on_coarse_grids) {
-  for (unsigned seed = 0; seed < 40u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
     const auto motions = test::grid_motions(1 + seed % 7, 4, 2, seed);
     SCOPED_TRACE("seed " + std::to_string(seed) + '\n' + test::describe(motions));
     Simulation simulation(motions, in_box({0, 0, 3, 3}));

@@ -14,7 +14,7 @@ void expect_same_run(const std::vector<Linear_motion_2>& motions, const Algebrai
 }
 
 TEST(Brute_force, random_points_change_in_the_same_way) {
-  for (unsigned seed = 0; seed < 40u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::size_t n = 3 + seed % 6;
     expect_same_run(test::random_motions(n, 10, 5, seed), Algebraic_number());

@@ -469,7 +469,7 @@ std::vector<Linear_motion_2> random_motions(test::Random_choices& random, int nu
 TEST(Periodic_queries_2, are_those_of_an_oracle_at_rational_times) {
   Seen seen;
   int irrational = 0;
-  for (unsigned seed = 1; seed <= times(24); ++seed) {
+  for (unsigned seed = 1; seed <= times(12); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random_choices random(seed);
     const int range = std::array{2, 3, 5}[seed % 3];

@@ -176,7 +176,7 @@ TEST(Periodic_triangulation_2, is_that_of_brute_force_after_each_event) {
   std::size_t instants = 0;
   std::size_t groups = 0;
   std::size_t skipped = 0;
-  for (unsigned seed = 1; seed <= times(24); ++seed) {
+  for (unsigned seed = 1; seed <= times(12); ++seed) {
     Random random(seed);
     const int range = std::array{2, 4, 9}[seed % 3];
     const Periodic_box_2 box = random_box(random, range);
@@ -295,7 +295,7 @@ TEST(Periodic_triangulation_2, is_that_of_cgal_at_many_times_in_a_square) {
     motions.push_back({{x, y}, {vx, std::ldexp(random(-1024, 1024), -10)}, 0});
   }
   Kinetic kinetic = kinetic_of(square(1), motions);
-  for (unsigned k = 0; k < times(20); ++k) {
+  for (unsigned k = 0; k < times(10); ++k) {
     const double time = k / 16.0;
     kinetic.advance_to(Time(time));
     std::map<Periodic::Point, test::Image> images;

@@ -21,7 +21,7 @@ void expect_same_run(const std::vector<Polynomial_motion_2>& motions) {
 }
 
 TEST(Polynomial_motion, random_points_change_in_the_same_way_as_by_brute_force) {
-  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < 6u * static_cast<unsigned>(test::multiplier()); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_same_run(test::random_polynomial_motions(3 + seed % 4, 10, 5, seed));
     if (HasFatalFailure()) return;
@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Polynomial_motion_on_grids,
                                          std::tuple(6, 3, 1, 3)));
 
 TEST(Polynomial_motion, passes_audits_at_every_instant) {
-  for (unsigned seed = 0; seed < 4; ++seed) {
+  for (unsigned seed = 0; seed < 2; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Polynomial_delaunay small(test::random_polynomial_motions(30, 30, 5, seed));
     EXPECT_EQ(test::audited_run(small, Algebraic_number(4.0), Audit_level::reference), "");

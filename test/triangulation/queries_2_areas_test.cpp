@@ -72,7 +72,7 @@ void ask_along(const std::vector<Linear_motion_2>& motions, int instants) {
 }
 
 TEST(Areas, on_grids_are_those_of_the_exact_cells) {
-  for (unsigned seed = 0; seed < 24u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
     SCOPED_TRACE(seed);
     ask_along(test::grid_motions(seed % 8, 3, 1, seed), 3);
     if (HasFatalFailure()) return;

@@ -86,7 +86,7 @@ TEST(Region_division, has_numbers_for_the_flips_of_each_node) {
 
 TEST(Regions, run_random_points_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 60u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < 30u * static_cast<unsigned>(test::multiplier()); ++seed) {
     const std::size_t n = 30 + 13 * (seed % 60);
     const std::size_t regions = 1 + seed * 7 % 64;
     const double events = seed % 4 == 0 ? 0.02 : 0.2 * (seed % 4) * (seed % 5 + 1);
@@ -105,7 +105,7 @@ TEST(Regions, run_random_points_as_the_loop_does) {
 // Long windows and many small regions: flips come too early, and some never come.
 TEST(Regions, undo_flips_that_come_too_early) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 400u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < 200u * static_cast<unsigned>(test::multiplier()); ++seed) {
     const std::size_t n = 30 + seed * 37 % 300;
     const auto motions =
         seed % 3 == 2 ? test::grid_motions(n, 60, 50, seed) : test::random_motions(n, 100, 5, seed);
@@ -126,7 +126,7 @@ TEST(Regions, undo_flips_that_come_too_early) {
 
 TEST(Regions, run_points_on_a_grid_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 200u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < 100u * static_cast<unsigned>(test::multiplier()); ++seed) {
     const std::size_t n = 5 + seed % 60;
     ASSERT_EQ(difference_from_loop(test::grid_motions(n, 4 + static_cast<int>(seed % 40), 3, seed),
                                    {1.0, Rational(7, 3), 6.0},
@@ -151,7 +151,7 @@ TEST(Regions, change_the_hull_as_the_loop_does) {
 
 TEST(Regions, run_polynomial_motions_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < 6u * static_cast<unsigned>(test::multiplier()); ++seed) {
     const std::size_t n = 40 + 10 * (seed % 12);
     const auto motions = seed % 3 == 2 ? test::polynomial_grid_motions(n, 30, 4, 3, seed)
                                        : test::random_polynomial_motions(n, 100, 5, seed);
@@ -242,7 +242,7 @@ TEST(Regions, keep_their_division_while_points_change) {
   Region_counters sum;
   // More threads than this machine may have.
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
-  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < 6u * static_cast<unsigned>(test::multiplier()); ++seed) {
     std::mt19937_64 random(seed);
     const auto motions = test::random_motions(150 + 20 * (seed % 12), 100, 5, seed);
     auto others = test::random_motions(400, 100, 5, seed + 100);
@@ -287,7 +287,7 @@ TEST(Regions, turn_many_points_at_once) {
   // More threads than this machine may have.
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
   Region_counters sum;
-  for (unsigned seed = 0; seed < 24u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
     std::mt19937_64 random(seed);
     const std::size_t n = 200 + 100 * (seed % 8);
     const auto motions = test::random_motions(n, 10 * std::sqrt(static_cast<double>(n)), 5, seed);

@@ -288,7 +288,7 @@ TEST(Torus_triangulation, of_one_point_has_three_loops) {
 }
 
 TEST(Torus_triangulation, of_one_point_is_that_of_a_reduced_basis) {
-  for (unsigned seed = 1; seed <= times(300); ++seed) {
+  for (unsigned seed = 1; seed <= times(150); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     const std::vector<Point> points = {Point(0, {random(-9, 9), random(-9, 9)})};
@@ -320,7 +320,7 @@ TEST(Torus_triangulation, begins_with_any_vectors_that_span_the_lattice) {
 }
 
 TEST(Torus_triangulation, of_random_points_is_delaunay_in_any_order_of_insertion) {
-  for (unsigned seed = 1; seed <= times(400); ++seed) {
+  for (unsigned seed = 1; seed <= times(200); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     std::vector<Point> points = random_points(random, box, 1 + seed % 6);
@@ -339,7 +339,7 @@ TEST(Torus_triangulation, of_random_points_is_delaunay_in_any_order_of_insertion
 
 TEST(Torus_triangulation, remains_delaunay_when_points_come_and_go) {
   int removals = 0;
-  for (unsigned seed = 1; seed <= times(100); ++seed) {
+  for (unsigned seed = 1; seed <= times(50); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     const std::vector<Point> all = random_points(random, box, 6);
@@ -368,7 +368,7 @@ TEST(Torus_triangulation, remains_delaunay_when_points_come_and_go) {
 
 TEST(Torus_triangulation, has_only_faces_that_turn_left_after_an_insertion_without_flips) {
   std::map<Torus::Locate_type, int> found;
-  for (unsigned seed = 1; seed <= times(100); ++seed) {
+  for (unsigned seed = 1; seed <= times(50); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     const std::vector<Point> points = random_points(random, box, 2 + seed % 5);
@@ -431,7 +431,7 @@ TEST(Torus_triangulation, keeps_a_removed_vertex_for_another_insertion) {
 }
 
 TEST(Torus_triangulation, is_the_same_after_a_flip_forth_and_back) {
-  for (unsigned seed = 1; seed <= times(100); ++seed) {
+  for (unsigned seed = 1; seed <= times(50); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     Torus torus = torus_of(box, random_points(random, box, 1 + seed % 6));
@@ -449,7 +449,7 @@ TEST(Torus_triangulation, is_the_same_after_a_flip_forth_and_back) {
 }
 
 TEST(Torus_triangulation, keeps_the_outer_edges_of_a_flip_where_it_says) {
-  for (unsigned seed = 1; seed <= times(100); ++seed) {
+  for (unsigned seed = 1; seed <= times(50); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     Torus torus = torus_of(box, random_points(random, box, 1 + seed % 6));
@@ -473,7 +473,7 @@ TEST(Torus_triangulation, keeps_the_outer_edges_of_a_flip_where_it_says) {
 TEST(Torus_triangulation, becomes_delaunay_after_random_flips) {
   int flips = 0;
   int with_one_edge_on_both_sides = 0;
-  for (unsigned seed = 1; seed <= times(200); ++seed) {
+  for (unsigned seed = 1; seed <= times(100); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     const std::vector<Point> points = random_points(random, box, 1 + seed % 6);
@@ -503,7 +503,7 @@ TEST(Torus_triangulation, becomes_delaunay_after_random_flips) {
 // The walk in which each corner is once, and each face is to the left of the one before.
 TEST(Torus_triangulation, walks_around_vertices_counterclockwise) {
   int with_loops = 0;
-  for (unsigned seed = 1; seed <= times(100); ++seed) {
+  for (unsigned seed = 1; seed <= times(50); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     const Torus torus = torus_of(box, random_points(random, box, 1 + seed % 6));
@@ -528,7 +528,7 @@ TEST(Torus_triangulation, walks_around_vertices_counterclockwise) {
 
 TEST(Torus_triangulation, locates_each_image_of_a_position_from_each_face) {
   std::map<Torus::Locate_type, int> found;
-  for (unsigned seed = 1; seed <= times(60); ++seed) {
+  for (unsigned seed = 1; seed <= times(30); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     const Torus torus = torus_of(box, random_points(random, box, 1 + seed % 6));
