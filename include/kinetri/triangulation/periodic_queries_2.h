@@ -62,10 +62,10 @@ struct Periodic_voronoi_cell_2 {
 /// or more lattice vectors away from the position of its point, as near a query position that is so
 /// far away.
 ///
-/// A walk through the triangulation starts at an image near the query position: of some 2 n^(1/3)
-/// points that whose image, in a parallelogram of two short lattice vectors, is nearest to that of
-/// the position. It takes expected O(n^(1/3)) predicates for evenly distributed points, O(n) in the
-/// worst case.
+/// A walk through the triangulation starts at a point near the query position: some 2 n^(1/3)
+/// points and the position are moved into a parallelogram of two short lattice vectors, and the
+/// nearest of these points is taken. The walk takes expected O(n^(1/3)) predicates for evenly
+/// distributed points, O(n) in the worst case.
 class Periodic_queries_2 {
  public:
   using Triangulation = Kinetic_triangulation_2<Periodic_kinetic_traits_2>;  ///< that is queried
