@@ -120,7 +120,7 @@ void write_viewer_page(std::ostream& out, const Recording& recording,
 /// The content of a page that runs by itself.
 struct Live_page {
   std::string title;    ///< for people
-  std::string points;   ///< a file of points; empty: the page begins with one of its own
+  std::string points;   ///< a file of points; empty: the page begins with a scene of its own
   std::string options;  ///< of KineticDelaunay (live/README.md): a JSON object without apostrophes
 };
 

@@ -28,8 +28,8 @@ concept MotionWithVelocity_2 = requires(const Motion motion, const Vector_2 velo
   { with_velocity_at(motion, velocity, 1.0) } -> std::same_as<Motion>;
 };
 
-/// A motion that can be put at rest: `at_rest_in(motion, place)` is the motion that is at the
-/// position at all times, exactly, as for Linear_motion_2; of a disc its center is.
+/// A motion that can be put at rest: `at_rest_in(motion, place)` is the motion whose point, of a
+/// disc its center, is at the position at all times, exactly, as for Linear_motion_2.
 template <class Motion>
 concept MotionWithPosition_2 = requires(const Motion motion, const Vector_2 place) {
   { at_rest_in(motion, place) } -> std::same_as<Motion>;
