@@ -8,6 +8,6 @@ include(${CMAKE_CURRENT_LIST_DIR}/KinetriTarget.cmake)
 if(KINETRI_NEEDED)
   find_package(Kinetri REQUIRED COMPONENTS io)
   # Headers that only these programs include are not installed.
-  add_compile_options("SHELL:-idirafter ${CMAKE_CURRENT_LIST_DIR}/../include")
+  add_compile_options("-idirafter${CMAKE_CURRENT_LIST_DIR}/../include")
   add_subdirectory(${CMAKE_CURRENT_LIST_DIR}/../apps/cli cli)
 endif()
