@@ -606,6 +606,22 @@ template std::array<Certificate, 2> Of_images::in_circle_certificates(
     const std::array<Quadruple<Moving_image_2>, 2>&, const Time&) const;
 template std::array<Certificate, 5> Of_images::certificates_after_flip(
     const Flip_neighborhood<Moving_image_2>&, const Double_interval&) const;
+// And those of discs about them.
+template Certificate Of_images::contact_certificate(const Moving_image_2&, const Moving_image_2&,
+                                                    double, const Time&) const;
+template Certificate Of_images::next_contact_certificate(const Moving_image_2&,
+                                                         const Moving_image_2&, double,
+                                                         const Time&) const;
+template Time Of_images::contact_failure(const Moving_image_2&, const Moving_image_2&, double,
+                                         const Double_interval&) const;
+template bool Of_images::do_approach(const Moving_image_2&, const Moving_image_2&,
+                                     const Time&) const;
+template bool Of_images::has_approach_speed(const Moving_image_2&, const Moving_image_2&,
+                                            const Time&) const;
+template bool Of_images::do_touch(const Moving_image_2&, const Moving_image_2&, double,
+                                  const Time&) const;
+template bool Of_images::may_overlap(const Moving_image_2&, const Moving_image_2&, double,
+                                     const Time&) const;
 template bool Of_images::is_surrounded(const Moving_image_2&,
                                        std::span<const Moving_image_2* const>,
                                        const Double_interval&) const;

@@ -80,7 +80,7 @@ template <class Motion>
 struct Contact_root : Root_source {
   using Point = Basic_moving_point_2<Motion>;
   Contact_root(const Point& a, const Point& b, double d)
-      : p(a.motion()), q(b.motion()), diameter(d) {}
+      : p(kept(a.motion())), q(kept(b.motion())), diameter(d) {}
   Polynomial polynomial() const override {
     return contact_polynomial(Point(p), Point(q), diameter);
   }
@@ -94,6 +94,7 @@ struct Contact_root : Root_source {
       return std::nullopt;
     }
   }
+  [[no_unique_address]] Kept<Motion> kept = {};
   Motion p, q;
   double diameter;
 };

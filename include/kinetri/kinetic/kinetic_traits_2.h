@@ -299,6 +299,33 @@ concept ContactKineticTraits_2 = KineticTraits_2<Traits> &&
   { clamped_inside(motion, wall, bounds) } -> std::same_as<typename Traits::Motion>;
 };
 
+/// A model of PeriodicKineticTraits_2 with the certificates and predicates of contacts of two
+/// discs, as ContactKineticTraits_2 has them, about images: there are no walls in a periodic box.
+/// Two images of one point are discs like others. Responses need the same functions of a motion.
+template <class Traits>
+concept PeriodicContactKineticTraits_2 = PeriodicKineticTraits_2<Traits> &&
+    MotionWithVelocity_2<typename Traits::Motion> &&
+    requires(const Traits traits, const typename Traits::Motion motion,
+             const typename Traits::Image_2 p, const Algebraic_number t,
+             const Double_interval bounds) {
+  { traits.contact_certificate(p, p, 1.0, t) } -> std::same_as<Certificate>;
+  { traits.next_contact_certificate(p, p, 1.0, t) } -> std::same_as<Certificate>;
+  { traits.contact_failure(p, p, 1.0, bounds) } -> std::same_as<Algebraic_number>;
+  { traits.do_approach(p, p, t) } -> std::same_as<bool>;
+  { traits.has_approach_speed(p, p, t) } -> std::same_as<bool>;
+  { traits.do_touch(p, p, 1.0, t) } -> std::same_as<bool>;
+  { traits.may_overlap(p, p, 1.0, t) } -> std::same_as<bool>;
+  { rounded_place(motion, 1.0) } -> std::same_as<Vector_2>;
+  { rounded_velocity(motion, 1.0) } -> std::same_as<Vector_2>;
+  { at_rest_at(motion, 1.0) } -> std::same_as<typename Traits::Motion>;
+  { is_at_rest(motion) } -> std::same_as<bool>;
+};
+
+/// What a simulation requires: of motions in the plane, or in a periodic box.
+template <class Traits>
+concept SimulationKineticTraits_2 =
+    ContactKineticTraits_2<Traits> || PeriodicContactKineticTraits_2<Traits>;
+
 }  // namespace kinetri
 
 #endif  // KINETRI_KINETIC_KINETIC_TRAITS_2_H

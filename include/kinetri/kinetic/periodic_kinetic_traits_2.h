@@ -104,6 +104,17 @@ class Basic_periodic_kinetic_traits_2
   /// @}
 
   /// @{
+  /// As PeriodicContactKineticTraits_2 says: of two images, the contacts of discs about them.
+  using Base::contact_certificate;
+  using Base::contact_failure;
+  using Base::do_approach;
+  using Base::do_touch;
+  using Base::has_approach_speed;
+  using Base::may_overlap;
+  using Base::next_contact_certificate;
+  /// @}
+
+  /// @{
   /// The predicates at an instant, or at the present instant of a clock, in the same arithmetic.
   Instantaneous_traits instantaneous_traits(Instant instant) const {
     return Instantaneous_traits(box_, std::move(instant), arithmetic_);
@@ -135,6 +146,7 @@ using Periodic_kinetic_traits_2 = Basic_periodic_kinetic_traits_2<Linear_motion_
 
 static_assert(PeriodicKineticTraits_2<Periodic_kinetic_traits_2>);
 static_assert(BatchKineticTraits_2<Periodic_kinetic_traits_2>);
+static_assert(PeriodicContactKineticTraits_2<Periodic_kinetic_traits_2>);
 
 }  // namespace kinetri
 

@@ -79,8 +79,8 @@ Motion foot_at(const Motion& p, const Wall_2& wall) {
 
 // ---- linear motion ----
 
-template <class Reach>
-using Linear_contact = Differences_and_reach<Linear_differences<1>, Reach>;
+template <class Motion, class Reach>
+using Linear_contact = Differences_and_reach<Linear_differences<1, Motion>, Reach>;
 
 // A bound for the reach throughout the interval, from the origin on, and for the terms of its
 // constant. Precondition: the reach is not scaled.
@@ -97,8 +97,8 @@ inline Linear_function greatest_reach(const Linear_function& reach,
 
 // Whether the discs are certainly apart throughout the interval, from the origin on. Precondition:
 // the differences are not scaled.
-template <class Reach>
-inline bool are_apart(const Linear_contact<Reach>& d, const Double_interval& interval) {
+template <class Motion, class Reach>
+inline bool are_apart(const Linear_contact<Motion, Reach>& d, const Double_interval& interval) {
   const Reach reach = greatest_reach(d.reach(), interval);
   const double error =
       error_throughout(d, interval) + d.product_units * unit_roundoff * (size(reach) * size(reach));
@@ -113,27 +113,43 @@ struct Estimate {
 };
 
 // A bound for the rate of change of the distance minus the reach.
-inline double speed(const Linear_contact<Constant_reach>& d) {
+template <class Motion>
+inline double speed(const Linear_contact<Motion, Constant_reach>& d) {
   return d.speed();
 }
-inline double speed(const Linear_contact<Linear_function>& d) {
+template <class Motion>
+inline double speed(const Linear_contact<Motion, Linear_function>& d) {
   return d.speed() + std::abs(d.reach().slope);
 }
 
+// The error of the length of the slope. That of points is relative to the length, and less than
+// what the caller allows for.
+inline double slope_error(const Linear_differences<1, Linear_motion_2>& /*d*/) {
+  return 0;
+}
+inline double slope_error(const Linear_differences<1, Image_motion_2>& d) {
+  return 64 * unit_roundoff * d.slope_terms();
+}
+
 // Whether the quadratic of the contact is certainly convex.
-inline bool is_convex(const Linear_contact<Constant_reach>& /*d*/) {
+template <class Motion>
+inline bool is_convex(const Linear_contact<Motion, Constant_reach>& /*d*/) {
   return true;
 }
-inline bool is_convex(const Linear_contact<Linear_function>& d) {
+template <class Motion>
+inline bool is_convex(const Linear_contact<Motion, Linear_function>& d) {
   const double growth = d.reach().slope;
-  return growth == 0 || sum(d[0].slope * d[0].slope) > (1 + 0x1p-40) * (growth * growth);
+  return growth == 0 || sum(d[0].slope * d[0].slope) - 4 * (slope_error(d) * d.slope_terms()) >
+                            (1 + 0x1p-40) * (growth * growth);
 }
 
 // Half the slope of the quadratic at the origin.
-inline Estimate half_slope(const Linear_contact<Constant_reach>& d) {
+template <class Motion>
+inline Estimate half_slope(const Linear_contact<Motion, Constant_reach>& d) {
   return {sum(d[0].place * d[0].slope), unscaled_error(d)};
 }
-inline Estimate half_slope(const Linear_contact<Linear_function>& d) {
+template <class Motion>
+inline Estimate half_slope(const Linear_contact<Motion, Linear_function>& d) {
   const auto& [reach, growth, terms] = d.reach();
   return {sum(d[0].place * d[0].slope) - reach * growth,
           unscaled_error(d) + 64 * unit_roundoff * (terms * std::abs(growth))};
@@ -141,21 +157,25 @@ inline Estimate half_slope(const Linear_contact<Linear_function>& d) {
 
 // The discriminant is the difference of two squares. This is the root of the first one: for
 // constant radii, the reach times the relative speed.
-inline Estimate reach_across(const Linear_contact<Constant_reach>& d) {
-  return {d.reach().constant * std::sqrt(sum(d[0].slope * d[0].slope)), 0};
+template <class Motion>
+inline Estimate reach_across(const Linear_contact<Motion, Constant_reach>& d) {
+  const double reach = d.reach().constant;
+  return {reach * std::sqrt(sum(d[0].slope * d[0].slope)), reach * slope_error(d)};
 }
-inline Estimate reach_across(const Linear_contact<Linear_function>& d) {
+template <class Motion>
+inline Estimate reach_across(const Linear_contact<Motion, Linear_function>& d) {
   const auto& [reach, growth, terms] = d.reach();
   const Pair reaching = reach * d[0].slope - growth * d[0].place;
   return {std::sqrt(sum(reaching * reaching)),
-          64 * unit_roundoff * (terms * speed(d) + d.terms() * std::abs(growth))};
+          64 * unit_roundoff *
+              (terms * (d.slope_terms() + std::abs(growth)) + d.terms() * std::abs(growth))};
 }
 
 // The distance of two points in linear motion is convex in time, also less a reach that is linear
 // in time: the discs approach up to one time, and separate from then on. The squared distance minus
 // the squared reach is a quadratic that changes from positive to negative at most once.
-template <class Reach>
-inline Filter_result contact(Linear_contact<Reach>& d, const Double_interval& after) {
+template <class Motion, class Reach>
+inline Filter_result contact(Linear_contact<Motion, Reach>& d, const Double_interval& after) {
   const auto never = [&] {
     return Filter_result{Kind::never_fails, {}, false, !are_apart(d, after)};
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // For images of points in a periodic box.
+#include "contact_filter_impl.h"
 #include "filter.h"
 #include "filter_impl.h"
 #include "paired_filter_impl.h"
@@ -16,6 +17,9 @@ template std::array<Filter_result, 2> filter_in_circles(const std::array<Quadrup
                                                         const Double_interval&);
 template std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<M>&,
                                                         const Double_interval&);
+template Filter_result filter_contact(const M&, const M&, double, const Double_interval&);
+template Sign certain_distance_slope(const M&, const M&, const Double_interval&);
+template Sign certain_gap(const M&, const M&, double, const Double_interval&);
 template Sign certain_x_order(const M&, const M&, const Double_interval&);
 template Sign certain_y_order(const M&, const M&, const Double_interval&);
 template Sign certain_orientation(const M&, const M&, const M&, const Double_interval&);

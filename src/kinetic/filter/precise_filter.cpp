@@ -127,19 +127,46 @@ double precise_distance_comparison(const Motion& p, const Motion& q, const Motio
                  units * (first.size() * first.terms() + second.size() * second.terms()));
 }
 
+namespace {
+
+// The velocity of p relative to q, rounded. Of images, adds the magnitudes of all numbers that it
+// is computed from to `terms`; its error is at most one unit roundoff of itself and 2^-100 of
+// these.
+Vector_2 relative_velocity(const Linear_motion_2& p, const Linear_motion_2& q, double& /*terms*/) {
+  return {p.velocity.x - q.velocity.x, p.velocity.y - q.velocity.y};
+}
+Vector_2 relative_velocity(const Image_motion_2& p, const Image_motion_2& q, double& terms) {
+  const Offset_difference offset(p, q);
+  if (offset.is_zero()) return relative_velocity(p.motion, q.motion, terms);
+  const Periodic_box_2& box = p.box != nullptr ? *p.box : *q.box;
+  const auto coordinate = [&](double Vector_2::*axis) {
+    const Double_double of_points = exact_sum(p.motion.velocity.*axis, -(q.motion.velocity.*axis));
+    const Double_double a = exact_product(offset.first, box.first().velocity.*axis);
+    const Double_double b = exact_product(offset.second, box.second().velocity.*axis);
+    terms += std::abs(of_points.high) + std::abs(a.high) + std::abs(b.high);
+    return (of_points + (a + b)).high;
+  };
+  return {coordinate(&Vector_2::x), coordinate(&Vector_2::y)};
+}
+
+}  // namespace
+
 template <class Motion>
 std::optional<Rounding> rounded_contact(const Motion& p, const Motion& q, double diameter,
                                         const Double_interval& bracket) {
   const double width = bracket.upper - bracket.lower;
   const double origin = bracket.lower + 0.5 * width;
-  const Places<2, Linear_motion_2> places({&p, &q}, {origin});
-  const double slope_x = p.velocity.x - q.velocity.x;
-  const double slope_y = p.velocity.y - q.velocity.y;
+  using Center = Center_motion_of<Motion>;
+  const Places<2, Center> places({&p, &q}, {origin});
+  double velocity_terms = 0;
+  const auto [slope_x, slope_y] = relative_velocity(center(p), center(q), velocity_terms);
   double terms = 0;
   const Double_double reach = scaled_reach(p, q, diameter, {origin}, terms);
   double growth = 0;
   if constexpr (HasWeight<Motion>) growth = p.growth + q.growth;
-  const double speed = std::abs(slope_x) + std::abs(slope_y) + std::abs(growth);
+  double speed = std::abs(slope_x) + std::abs(slope_y) + std::abs(growth);
+  // As in rounded_in_circle.
+  if constexpr (!std::same_as<Center, Linear_motion_2>) speed += 0x1p-45 * velocity_terms;
   if (!places.is_in_range() || !is_precise() || !is_in_range(terms) || !is_in_range(speed)) {
     return std::nullopt;
   }
@@ -189,30 +216,6 @@ std::optional<Rounding> rounded_distance_comparison(const Linear_motion_2& p,
                          2 * (first.half_slope - second.half_slope),
                          first.slope_error + second.slope_error);
 }
-
-namespace {
-
-// The velocity of p relative to q, rounded. Of images, adds the magnitudes of all numbers that it
-// is computed from to `terms`; its error is at most one unit roundoff of itself and 2^-100 of
-// these.
-Vector_2 relative_velocity(const Linear_motion_2& p, const Linear_motion_2& q, double& /*terms*/) {
-  return {p.velocity.x - q.velocity.x, p.velocity.y - q.velocity.y};
-}
-Vector_2 relative_velocity(const Image_motion_2& p, const Image_motion_2& q, double& terms) {
-  const Offset_difference offset(p, q);
-  if (offset.is_zero()) return relative_velocity(p.motion, q.motion, terms);
-  const Periodic_box_2& box = p.box != nullptr ? *p.box : *q.box;
-  const auto coordinate = [&](double Vector_2::*axis) {
-    const Double_double of_points = exact_sum(p.motion.velocity.*axis, -(q.motion.velocity.*axis));
-    const Double_double a = exact_product(offset.first, box.first().velocity.*axis);
-    const Double_double b = exact_product(offset.second, box.second().velocity.*axis);
-    terms += std::abs(of_points.high) + std::abs(a.high) + std::abs(b.high);
-    return (of_points + (a + b)).high;
-  };
-  return {coordinate(&Vector_2::x), coordinate(&Vector_2::y)};
-}
-
-}  // namespace
 
 template <class Motion>
 std::optional<Rounding> rounded_in_circle(const Motion& p, const Motion& q, const Motion& r,
@@ -290,6 +293,10 @@ KINETRI_INSTANTIATE(Disc_motion_2);
 KINETRI_INSTANTIATE(Polynomial_disc_motion_2);
 #undef KINETRI_INSTANTIATE
 template std::optional<Rounding> rounded_contact(const Linear_motion_2&, const Linear_motion_2&,
+                                                 double, const Double_interval&);
+template double precise_contact(const Image_motion_2&, const Image_motion_2&, double, double,
+                                double);
+template std::optional<Rounding> rounded_contact(const Image_motion_2&, const Image_motion_2&,
                                                  double, const Double_interval&);
 template std::optional<Rounding> rounded_contact(const Disc_motion_2&, const Disc_motion_2&, double,
                                                  const Double_interval&);

@@ -10,6 +10,7 @@
 #include "kinetic/filter/filter.h"
 #include "kinetic/filter/precise_filter.h"
 #include "kinetri/algebra/real_roots.h"
+#include "support/brute_force_simulator.h"
 #include "support/filter_results.h"
 #include "support/images.h"
 
@@ -175,6 +176,88 @@ TEST_P(Image_filter, of_twice_the_precision_has_the_signs_of_exact_arithmetic_or
     EXPECT_GT(known, asked / 2);
     EXPECT_GT(failures, cases / 100);
     EXPECT_GT(rounded, failures / 2);
+  }
+}
+
+// The first time from t on at which the gap of two discs is not positive and falls. That is convex.
+std::optional<Algebraic_number> first_contact(const Polynomial& gap, const Algebraic_number& t) {
+  if (sign_at(derivative(gap), t) != CGAL::NEGATIVE) return std::nullopt;
+  if (sign_at(gap, t) != CGAL::POSITIVE) return t;
+  const auto root = first_root_after(gap, t);
+  if (!root || root->multiplicity > 1) return std::nullopt;
+  return root->value;
+}
+
+TEST_P(Image_filter, of_contacts_never_contradicts_exact_arithmetic) {
+  test::Images source(54);
+  int decided = 0;
+  int contacts = 0;
+  int rounded = 0;
+  const int cases = 1200 * test::multiplier();
+  for (int i = 0; i < cases; ++i) {
+    const auto m = source.next(GetParam());
+    SCOPED_TRACE(test::describe(m));
+    const double t = source.time();
+    const int mode = test::rounding_mode(i);
+    const Image_motion_2& p = m[0];
+    const Image_motion_2& q = m[1];
+    // Of the size of a distance soon; at times exactly a coordinate of a difference.
+    const Vector_2 a = rounded_place(p, t + std::ldexp(1, -source.integer(20)));
+    const Vector_2 b = rounded_place(q, t);
+    const double diameter =
+        std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) * std::ldexp(1, source.integer(4) - 3);
+    if (!std::isfinite(diameter)) continue;
+    const Polynomial gap = test::interpolate(2, [&](const Rational& time) {
+      return Rational(CGAL::squared_distance(test::place_at(p, time), test::place_at(q, time)) -
+                      to_rational(diameter) * to_rational(diameter));
+    });
+    const Double_interval interval = {t, t + std::ldexp(1, -10 - source.integer(50))};
+    const Filter_result result = test::in_mode(mode, [&] {
+      return filter_contact(p, q, diameter, {t, t});
+    });
+    if (result.kind != Filter_result::Kind::unknown) {
+      ++decided;
+      const auto contact = first_contact(gap, t);
+      ASSERT_EQ(contact.has_value(), result.kind == Filter_result::Kind::fails);
+      if (contact) {
+        ++contacts;
+        ASSERT_GT(*contact, Algebraic_number(result.bounds.lower));
+        ASSERT_LT(*contact, Algebraic_number(result.bounds.upper));
+        if (const auto rounding = rounded_contact(p, q, diameter, result.bounds)) {
+          ++rounded;
+          ASSERT_EQ(rounding->nearest, contact->to_double());
+        }
+        // As near to the root as two numbers can be, where the sign is difficult.
+        const auto [high, low] = nearest_sum(*contact);
+        if (std::isfinite(high)) {
+          const double value = precise_contact(p, q, diameter, high, low);
+          const Sign expected = gap.sign_at(to_rational(high) + to_rational(low));
+          if (value != 0) {
+            ASSERT_EQ(value > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE, expected);
+          }
+        }
+      }
+    }
+    const auto expect_sign = [&](const auto& certain, const Polynomial& polynomial) {
+      const Sign sign = test::in_mode(mode, certain);
+      if (sign == CGAL::ZERO) return;
+      ASSERT_EQ(sign_at(polynomial, Algebraic_number(t)), sign);
+      const auto root = first_root_after(polynomial, t);
+      ASSERT_TRUE(!root || root->value > Algebraic_number(interval.upper));
+    };
+    expect_sign([&] { return certain_gap(p, q, diameter, interval); }, gap);
+    expect_sign([&] { return certain_distance_slope(p, q, interval); }, derivative(gap));
+    const Filter_result later =
+        test::in_mode(mode, [&] { return filter_contact(p, q, diameter, interval); });
+    if (later.kind != Filter_result::Kind::unknown && !later.may_be_zero) {
+      expect_sign([] { return CGAL::POSITIVE; }, gap);
+    }
+    if (HasFatalFailure()) return;
+  }
+  if (GetParam() < 3) {
+    EXPECT_GT(decided, cases / 2);
+    EXPECT_GT(contacts, cases / 40);
+    EXPECT_GT(rounded, contacts / 2);
   }
 }
 
