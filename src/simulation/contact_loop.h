@@ -82,6 +82,7 @@ class Simulation_types<Traits>::Contact_loop {
   void execute_contact(const Entry& contact, std::uint64_t& velocity_changes);
   std::vector<Change> changes_of(const Entry& contact, std::uint64_t& velocity_changes);
   void check_limit(const Entry& entry, std::uint64_t velocity_changes) const;
+  void refuse_own_image(const Entry& contact);
   void apply(const Entry& contact, std::span<const Change> changes);
   template <class Make_changes>
   void change(std::span<const Point_id> points, const Make_changes& make_changes);

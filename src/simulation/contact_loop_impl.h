@@ -112,7 +112,7 @@ std::size_t Simulation_types<Traits>::Contact_loop::execute_due_entries() {
   };
   try {
     execute_due_entries(postponed);
-  } catch (const Endless_contacts_error&) {
+  } catch (const Contact_error&) {  // the contact may be due again
     put_back();
     is_within_instant_ = is_within_contact_;
     throw;
@@ -153,6 +153,7 @@ void Simulation_types<Traits>::Contact_loop::execute_due_entries(
         if (!try_change(change)) postponed.push_back(change);
         continue;
       }
+      refuse_own_image(entry);
       if (entry.kind == Contact_kind::collision && tracker_.note_contact(entry)) continue;
       ++contacts;
       is_within_contact_ = true;
@@ -188,15 +189,15 @@ void Simulation_types<Traits>::Contact_loop::execute_contact(const Entry& contac
   if (contact.kind == Contact_kind::wall) {
     return change(std::span(points).first(1), [&] { apply(contact, changes); });
   }
-  const auto [a, b] = points;
-  if (records_.find_overlap({a, b}) != nullptr) {
-    records_.mark_passing(a, b, false);  // they had separated
+  const Pair pair = contact.pair();
+  if (records_.find_overlap(pair) != nullptr) {
+    records_.mark_passing(contact.point_a, contact.disc_b(), false);  // they had separated
   }
   if (!changes.empty()) return change(points, [&] { apply(contact, changes); });
   ++passes_;
-  tracker_.let_pass(a, b, contact.is_edge);
+  tracker_.let_pass(contact.point_a, contact.disc_b(), contact.is_edge);
   apply(contact, changes);
-  schedule_.schedule_pair({a, b}, contact.is_edge, current_time());
+  schedule_.schedule_pair(pair, contact.is_edge, current_time());
 }
 
 // The changes of points by a contact. Before an Endless_contacts_error the contact returns to the
@@ -231,6 +232,17 @@ void Simulation_types<Traits>::Contact_loop::check_limit(const Entry& entry,
           "response");
 }
 
+// Throws, before the contact, if it is that of a disc with an image of itself.
+template <class Traits>
+void Simulation_types<Traits>::Contact_loop::refuse_own_image(
+    [[maybe_unused]] const Entry& contact) {
+  if constexpr (is_periodic) {
+    if (contact.kind != Contact_kind::collision || contact.point_a != contact.point_b) return;
+    schedule_.put_contact(contact);
+    throw_own_image_error(contact.disc_b(), current_time());
+  }
+}
+
 // Makes the changes of a contact in the triangulation, which reports it.
 template <class Traits>
 void Simulation_types<Traits>::Contact_loop::apply(const Entry& contact,
@@ -239,6 +251,7 @@ void Simulation_types<Traits>::Contact_loop::apply(const Entry& contact,
   event.kind = contact.kind == Contact_kind::wall ? Event_kind::wall : Event_kind::collision;
   event.point_a = contact.point_a;
   if (contact.kind == Contact_kind::collision) event.point_b = contact.point_b;
+  if constexpr (is_periodic) event.added_offset = contact.offset;
   const Flag_while changing = core_.reporter.start_change();
   core_.changes.perform({&event, 1}, changes);
 }
@@ -284,6 +297,7 @@ void Simulation_types<Traits>::Contact_loop::insert(const Motion& motion,
   KINETRI_PRECONDITION(is_finite(motion), not_finite_problem(id));
   const Point_2 p(motion, id);
   setup_.check_place(p, current_time());
+  if constexpr (is_periodic) geometry_.check_own_images({&p, 1});
   if (setup_.options().refuses_overlaps) refuse_overlaps_of(p);
   change({&id, 1}, [&] {
     const Flag_while changing = core_.reporter.start_change();
@@ -309,6 +323,11 @@ void Simulation_types<Traits>::Contact_loop::set_motions(std::span<const Point_i
     KINETRI_PRECONDITION(is_finite(motions[i]), not_finite_problem(ids[i]));
     setup_.check_place(Point_2(motions[i], ids[i]), current_time());
     changes.push_back({ids[i], motions[i]});
+  }
+  if constexpr (is_periodic && has_radii) {
+    std::vector<Point_2> changed;
+    for (const Change& change : changes) changed.emplace_back(*change.motion, change.point);
+    geometry_.check_own_images(changed);
   }
   std::vector<Point_id> points(ids.begin(), ids.end());
   std::ranges::sort(points);
@@ -398,9 +417,10 @@ void Simulation_types<Traits>::Contact_loop::refuse_overlaps() const {
   std::vector<Edge_ids> pairs;
   for (const Point_id id : geometry_.present_points()) {
     for (const Disc_overlap& overlap : records_.overlaps(id)) {
-      if (id < overlap.id &&
-          geometry_.do_overlap(geometry_.point(id), geometry_.point(overlap.id))) {
-        pairs.push_back({id, overlap.id});
+      if (is_first(id, overlap.disc) &&
+          geometry_.do_overlap(geometry_.point_of(geometry_.itself(id)),
+                               geometry_.point_of(overlap.disc))) {
+        pairs.push_back({id, id_of(overlap.disc)});
       }
     }
   }
@@ -412,7 +432,7 @@ template <class Traits>
 void Simulation_types<Traits>::Contact_loop::refuse_overlaps_of(const Point_2& p) const {
   std::vector<Edge_ids> pairs;
   for (const Point_id id : geometry_.present_points()) {
-    if (geometry_.do_overlap(geometry_.point(id), p)) pairs.push_back(edge_ids(id, p.id()));
+    if (geometry_.does_overlap_image(p, id)) pairs.push_back(edge_ids(id, p.id()));
   }
   refuse(std::move(pairs));
 }

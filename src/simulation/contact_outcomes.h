@@ -26,10 +26,12 @@ class Simulation_types<Traits>::Contact_outcomes {
   /// The changes of points by a contact at the time `now`; none if discs pass through each other.
   /// Throws Contact_error, and what the response throws.
   std::vector<Change> changes(const Contact_entry& contact, const Time& now) const {
-    if (contact.kind == Contact_kind::wall) {
-      return {reflection(contact.point_a, contact.point_b, now)};
+    if constexpr (!is_periodic) {
+      if (contact.kind == Contact_kind::wall) {
+        return {reflection(contact.point_a, contact.point_b, now)};
+      }
     }
-    return collision(contact.point_a, contact.point_b, now);
+    return collision(contact.point_a, contact.disc_b(), now);
   }
 
   /// The motion of a point with another velocity from the time `now` on, moved so that it is not
@@ -39,8 +41,9 @@ class Simulation_types<Traits>::Contact_outcomes {
   }
 
  private:
-  Change reflection(Point_id id, std::size_t wall, const Time& now) const;
-  std::vector<Change> collision(Point_id a, Point_id b, const Time& now) const;
+  Change reflection(Point_id id, std::size_t wall, const Time& now) const requires(!is_periodic);
+  std::vector<Change> collision(Point_id a, const Disc& other, const Time& now) const;
+  Vector_2 relative_to_image(const Vector_2& velocity, const Disc& disc, double times) const;
   Motion usable(Point_id id, Motion motion, const Time& now) const;
   [[noreturn]] static void refuse_resting_contact(Point_id id, const std::string& who,
                                                   const std::string& remedy, const Time& now);
@@ -51,7 +54,8 @@ class Simulation_types<Traits>::Contact_outcomes {
 
 template <class Traits>
 auto Simulation_types<Traits>::Contact_outcomes::reflection(Point_id id, std::size_t wall,
-                                                            const Time& now) const -> Change {
+                                                            const Time& now) const -> Change
+    requires(!is_periodic) {
   const Wall_2& side = setup_.walls()[wall];
   if (!setup_.traits().has_approach_speed(geometry_.point(id), side, now)) {
     refuse_resting_contact(id,
@@ -70,39 +74,63 @@ auto Simulation_types<Traits>::Contact_outcomes::reflection(Point_id id, std::si
   return {id, with_velocity(id, velocity, now)};
 }
 
-// The changes of two discs by the response.
+// The velocity plus so many times that of an image against its point.
 template <class Traits>
-auto Simulation_types<Traits>::Contact_outcomes::collision(Point_id a, Point_id b,
+Vector_2 Simulation_types<Traits>::Contact_outcomes::relative_to_image(
+    const Vector_2& velocity, [[maybe_unused]] const Disc& disc,
+    [[maybe_unused]] double times) const {
+  if constexpr (is_periodic) {
+    const Vector_2& first = setup_.traits().box().first().velocity;
+    const Vector_2& second = setup_.traits().box().second().velocity;
+    const auto& [k, l] = disc.offset;
+    return {velocity.x + times * (k * first.x + l * second.x),
+            velocity.y + times * (k * first.y + l * second.y)};
+  } else {
+    return velocity;
+  }
+}
+
+// The changes of two discs by the response. `other` is the second one, as the first one sees it:
+// the response is told the place and the velocity of that image.
+template <class Traits>
+auto Simulation_types<Traits>::Contact_outcomes::collision(Point_id a, const Disc& other,
                                                            const Time& now) const
     -> std::vector<Change> {
   const Traits& traits = setup_.traits();
   const double time = now.to_double();
+  const Point_id b = id_of(other);
   const Motion& motion_a = geometry_.motion(a);
   const Motion& motion_b = geometry_.motion(b);
   const Vector_2 place_a = rounded_place(motion_a, time);
-  const Vector_2 place_b = rounded_place(motion_b, time);
+  const Vector_2 place_b = rounded_place(geometry_.point_of(other).motion(), time);
+  const Vector_2 velocity_a = rounded_velocity(motion_a, time);
+  const Vector_2 velocity_b = relative_to_image(rounded_velocity(motion_b, time), other, 1);
   // A motion is mostly computed twice: for the response, and for its result.
   std::array<std::pair<Vector_2, std::optional<Motion>>, 2> known;
   const auto motion_with = [&](Point_id id, const Vector_2& velocity) -> const Motion& {
     auto& [known_velocity, motion] = known[id == a ? 0 : 1];
     if (!motion || known_velocity != velocity) {
       known_velocity = velocity;
-      motion = with_velocity(id, velocity, now);
+      motion = with_velocity(id, id == a ? velocity : relative_to_image(velocity, other, -1), now);
     }
     return *motion;
   };
-  const auto would_approach = [&](const Vector_2& velocity_a, const Vector_2& velocity_b) {
-    return traits.do_approach(Point_2(motion_with(a, velocity_a), a),
-                              Point_2(motion_with(b, velocity_b), b), now);
+  const auto do_approach = [&](const Motion& of_a, const Motion& of_b) {
+    return traits.do_approach(geometry_.point_of(Point_2(of_a, a), geometry_.itself(a)),
+                              geometry_.point_of(Point_2(of_b, b), other), now);
   };
-  const bool is_pressed = !traits.has_approach_speed(geometry_.point(a), geometry_.point(b), now);
+  const auto would_approach = [&](const Vector_2& after_a, const Vector_2& after_b) {
+    return do_approach(motion_with(a, after_a), motion_with(b, after_b));
+  };
+  const bool is_pressed = !traits.has_approach_speed(geometry_.point_of(geometry_.itself(a)),
+                                                     geometry_.point_of(other), now);
   const Contact_response_2 response =
       setup_.options().response({time,
                                  a,
                                  b,
                                  {place_b.x - place_a.x, place_b.y - place_a.y},
-                                 rounded_velocity(motion_a, time),
-                                 rounded_velocity(motion_b, time),
+                                 velocity_a,
+                                 velocity_b,
                                  setup_.mass(a),
                                  setup_.mass(b),
                                  growth_of(motion_a),
@@ -111,21 +139,20 @@ auto Simulation_types<Traits>::Contact_outcomes::collision(Point_id a, Point_id 
                                  std::cref(would_approach)});
 
   // The motion that a point gets; none if it keeps its own.
-  const auto new_motion = [&](Point_id id, bool stops,
-                              const std::optional<Vector_2>& velocity) -> std::optional<Motion> {
-    const Motion& motion = geometry_.motion(id);
+  const auto new_motion = [&](Point_id id, bool stops, const std::optional<Vector_2>& velocity,
+                              const Vector_2& before) -> std::optional<Motion> {
     if (stops) {
+      const Motion& motion = geometry_.motion(id);
       if (is_at_rest(motion)) return std::nullopt;
       return usable(id, at_rest_at(motion, time), now);
     }
-    if (!velocity || *velocity == rounded_velocity(motion, time)) return std::nullopt;
+    if (!velocity || *velocity == before) return std::nullopt;
     return motion_with(id, *velocity);
   };
-  const auto new_a = new_motion(a, response.stops_a, response.velocity_a);
-  const auto new_b = new_motion(b, response.stops_b, response.velocity_b);
+  const auto new_a = new_motion(a, response.stops_a, response.velocity_a, velocity_a);
+  const auto new_b = new_motion(b, response.stops_b, response.velocity_b, velocity_b);
   if (is_pressed && response.is_motion_given() &&
-      traits.do_approach(Point_2(new_a.value_or(motion_a), a), Point_2(new_b.value_or(motion_b), b),
-                         now)) {
+      do_approach(new_a.value_or(motion_a), new_b.value_or(motion_b))) {
     refuse_resting_contact(
         a,
         "points " + std::to_string(a) + " and " + std::to_string(b) +
@@ -154,7 +181,7 @@ auto Simulation_types<Traits>::Contact_outcomes::usable(Point_id id, Motion moti
                 " has a place, velocity or acceleration beyond the range of binary64; expected "
                 "smaller numbers, in other units perhaps");
   }
-  if (!setup_.has_box()) return motion;
+  if (!setup_.has_box()) return motion;  // nor in a periodic box
   for (const Wall_2& wall : setup_.walls()) {
     // Mostly the point is far inside. The distance to move depends on the interval of the time.
     if (clamped_inside(motion, wall, now.interval()) == motion) continue;

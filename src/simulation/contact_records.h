@@ -17,33 +17,44 @@
 namespace kinetri::detail {
 
 /// A disc that may come into contact with that of the record.
+template <class Disc>
 struct Contact_partner {
-  Point_id id;
+  Disc disc;  ///< as that of the record sees it
   Queue_handle event;
 };
 
 /// A disc that overlaps, almost overlaps, or has overlapped until recently.
-struct Disc_overlap {
-  Point_id id;
+template <class Disc>
+struct Basic_disc_overlap {
+  Disc disc;     ///< as that of the record sees it
   bool passes;   ///< whether a response has let the two pass: no contact until they separate
   bool is_edge;  ///< whether there is an edge between the two, if they do overlap now
 };
 
-/// The record of a point. Pairs are in the records of both points.
-struct Contact_record {
+/// The record of a point. Pairs are in the records of both points; that of a point with an image of
+/// itself is twice in its record, with either offset.
+template <class Disc>
+struct Basic_contact_record {
   Queue_handle wall_event = no_event;
   Queue_handle vanish_event = no_event;
-  std::vector<Contact_partner> partners;
-  std::vector<Disc_overlap> overlaps;  ///< all present ones, and perhaps others
-  std::vector<Point_id> corners;       ///< that the point is linked with (Disc_geometry)
+  std::vector<Contact_partner<Disc>> partners;
+  std::vector<Basic_disc_overlap<Disc>> overlaps;  ///< all present ones, and perhaps others
+  std::vector<Disc> corners;  ///< that the point is linked with (Disc_geometry)
 };
 
 /// The records by point id. A point without entries and overlaps need not have one.
 ///
 /// Invariant: pairs are in both records, with the same values. Several threads may call functions
-/// for different points after make_room.
-class Contact_records {
+/// for different points after make_room. A disc is named by `Disc`, a pair by `Pair`
+/// (disc_names.h); the discs of a pair may be in any order.
+template <class Disc>
+class Basic_contact_records {
  public:
+  using Contact_subject = Basic_contact_subject<Disc>;
+  using Contact_record = Basic_contact_record<Disc>;
+  using Disc_overlap = Basic_disc_overlap<Disc>;
+  using Pair = decltype(pair_from(Point_id(), Disc()));
+
   std::size_t size() const { return records_.size(); }
   /// Resizes to points with ids less than `ids`.
   void make_room(std::size_t ids) {
@@ -71,7 +82,7 @@ class Contact_records {
   // ---- entries of the queue ----
 
   /// The handle of the entry of a pair; no_event if there is none.
-  Queue_handle pair_event(const Edge_ids& pair) const;
+  Queue_handle pair_event(const Pair& pair) const;
   /// The handle of the entry of a subject; no_event if there is none.
   Queue_handle event(const Contact_subject& subject) const;
   /// Changes the handle of an entry.
@@ -81,38 +92,47 @@ class Contact_records {
   /// Removes the handle of an entry.
   void forget_event(const Contact_subject& subject);
   /// The same of a pair. Returns the handle; no_event if it has none.
-  Queue_handle forget_pair(const Edge_ids& pair);
+  Queue_handle forget_pair(const Pair& pair);
   /// The same in the record of the first point only.
-  Queue_handle forget_partner(Point_id id, Point_id other);
+  Queue_handle forget_partner(Point_id id, const Disc& other);
 
   // ---- overlaps ----
 
   const std::vector<Disc_overlap>& overlaps(Point_id id) const;
   /// The record of a pair that overlaps; null if there is none.
-  const Disc_overlap* find_overlap(const Edge_ids& pair) const;
+  const Disc_overlap* find_overlap(const Pair& pair) const;
   /// Records that a pair overlaps, if it is not recorded. `is_edge` may be false if the two only
   /// almost overlap.
-  void start_overlap(Point_id a, Point_id b, bool is_edge);
+  void start_overlap(Point_id a, const Disc& b, bool is_edge);
   /// Removes a recorded pair.
-  void forget_overlap(Point_id a, Point_id b);
+  void forget_overlap(Point_id a, const Disc& b);
   /// Sets whether a response has let a recorded pair pass.
-  void mark_passing(Point_id a, Point_id b, bool passes) {
-    amend_overlap({a, b}, [&](Disc_overlap& overlap) { overlap.passes = passes; });
+  void mark_passing(Point_id a, const Disc& b, bool passes) {
+    amend_overlap(pair_from(a, b), [&](Disc_overlap& overlap) { overlap.passes = passes; });
   }
   /// Sets whether a recorded pair has an edge.
-  void mark_edge(const Edge_ids& pair, bool is_edge) {
+  void mark_edge(const Pair& pair, bool is_edge) {
     amend_overlap(pair, [&](Disc_overlap& overlap) { overlap.is_edge = is_edge; });
   }
 
  private:
   template <class Amend>
-  void amend_overlap(const Edge_ids& pair, const Amend& amend) {
-    amend(*std::ranges::find(of(pair[0]).overlaps, pair[1], &Disc_overlap::id));
-    amend(*std::ranges::find(of(pair[1]).overlaps, pair[0], &Disc_overlap::id));
+  void amend_overlap(const Pair& pair, const Amend& amend) {
+    const Point_id a = ids_of(pair)[0];
+    const Disc b = second_of(pair);
+    amend(*std::ranges::find(of(a).overlaps, b, &Disc_overlap::disc));
+    amend(*std::ranges::find(of(id_of(b)).overlaps, back_from(b, a), &Disc_overlap::disc));
   }
 
   std::vector<std::unique_ptr<Contact_record>> records_;
 };
+
+extern template class Basic_contact_records<Point_id>;
+extern template class Basic_contact_records<Periodic_image>;
+
+using Contact_record = Basic_contact_record<Point_id>;    ///< in the plane
+using Contact_records = Basic_contact_records<Point_id>;  ///< in the plane
+using Disc_overlap = Basic_disc_overlap<Point_id>;        ///< in the plane
 
 }  // namespace kinetri::detail
 

@@ -89,15 +89,15 @@ class Simulation_types<Traits>::Contact_schedule {
   // ---- pairs ----
 
   /// The certificate of the next contact of a pair.
-  Certificate pair_certificate(const Edge_ids& pair, const Time& after, const Traits& traits) const;
+  Certificate pair_certificate(const Pair& pair, const Time& after, const Traits& traits) const;
   /// Schedules the next contact of a pair again. Does nothing without a response.
-  void schedule_pair(const Edge_ids& pair, bool is_edge, const Time& after);
+  void schedule_pair(const Pair& pair, bool is_edge, const Time& after);
   /// The same for a pair that has no entry. Returns whether the discs may overlap just after
   /// `after`. Precondition: there is a response.
-  bool schedule_new_pair(const Edge_ids& pair, bool is_edge, const Time& after);
+  bool schedule_new_pair(const Pair& pair, bool is_edge, const Time& after);
   /// The same with a certificate that is known.
-  void push_pair(const Edge_ids& pair, bool is_edge, Certificate certificate);
-  void unschedule_pair(const Edge_ids& pair);
+  void push_pair(const Pair& pair, bool is_edge, Certificate certificate);
+  void unschedule_pair(const Pair& pair);
   /// Removes the entries of all pairs of a point.
   void unschedule_pairs(Point_id id);
 

@@ -4,6 +4,8 @@
 #ifndef KINETRI_SRC_SIMULATION_CONTACT_SCHEDULE_IMPL_H
 #define KINETRI_SRC_SIMULATION_CONTACT_SCHEDULE_IMPL_H
 
+#include <tuple>
+
 #include "kinetri/impl/base/check.h"
 #include "kinetri/impl/triangulation/parallel.h"
 #include "simulation/contact_schedule.h"
@@ -19,12 +21,16 @@ auto Simulation_types<Traits>::Contact_schedule::Policy::entry_time(const Entry&
   KINETRI_ASSERT(is_contact(entry.kind), "a scheduled change has its time");
   if (!entry.is_event) return Time(entry.bounds.lower);
   const Simulation_setup& setup = schedule_.setup_;
-  const Point_2& p = schedule_.geometry_.point(entry.point_a);
-  if (entry.kind == Contact_kind::wall) {
-    return setup.traits().wall_failure(p, setup.walls()[entry.point_b], entry.bounds);
+  const Disc_geometry& geometry = schedule_.geometry_;
+  if constexpr (!is_periodic) {
+    if (entry.kind == Contact_kind::wall) {
+      return setup.traits().wall_failure(geometry.point(entry.point_a),
+                                         setup.walls()[entry.point_b], entry.bounds);
+    }
   }
-  return setup.traits().contact_failure(p, schedule_.geometry_.point(entry.point_b),
-                                        setup.diameter(), entry.bounds);
+  return setup.traits().contact_failure(geometry.point_of(geometry.itself(entry.point_a)),
+                                        geometry.point_of(entry.disc_b()), setup.diameter(),
+                                        entry.bounds);
 }
 
 template <class Traits>
@@ -32,7 +38,7 @@ bool Simulation_types<Traits>::Contact_schedule::Policy::precedes(const Entry& a
                                                                   const Entry& b) const {
   if (a.kind != b.kind) return a.kind < b.kind;
   if (a.is_noted != b.is_noted) return !a.is_noted;
-  return std::pair(a.point_a, a.point_b) < std::pair(b.point_a, b.point_b);
+  return std::tie(a.point_a, a.point_b, a.offset) < std::tie(b.point_a, b.point_b, b.offset);
 }
 
 // A change of a point that does not exist is dropped: it will not exist at that time, since its
@@ -126,7 +132,7 @@ void Simulation_types<Traits>::Contact_schedule::recheck(const Entry& entry) {
   if (entry.kind == Contact_kind::wall) {
     schedule_wall(entry.point_a, Time(entry.bounds.lower));
   } else if (entry.kind == Contact_kind::collision) {
-    schedule_pair({entry.point_a, entry.point_b}, entry.is_edge, Time(entry.bounds.lower));
+    schedule_pair(entry.pair(), entry.is_edge, Time(entry.bounds.lower));
   } else {
     take_motion(entry);
   }
@@ -177,31 +183,33 @@ template <class Traits>
 auto Simulation_types<Traits>::Contact_schedule::first_wall(Point_id id, const Time& after,
                                                             Certificate_counters& counters) const
     -> std::pair<Entry, Certificate> {
-  const Traits& traits = setup_.traits();
-  const Point_2& point = geometry_.point(id);
   Entry first;
   first.point_a = id;
   Certificate first_certificate;
-  // The exact time of a certificate that may fail.
-  const auto time = [&](const Certificate& certificate, Point_id wall) {
-    if (certificate.kind == Certificate::Kind::holds) return Time(certificate.bounds.lower);
-    return certificate.failure
-               ? *certificate.failure
-               : traits.wall_failure(point, setup_.walls()[wall], certificate.bounds);
-  };
-  for (Point_id wall = 0; wall < setup_.walls().size(); ++wall) {
-    Certificate certificate = traits.wall_certificate(point, setup_.walls()[wall], after);
-    counters.count(certificate);
-    if (certificate.kind == Certificate::Kind::never_fails) continue;
-    const auto is_earlier = [&] {
-      if (first_certificate.kind == Certificate::Kind::never_fails) return true;
-      if (certificate.bounds.upper < first_certificate.bounds.lower) return true;
-      if (certificate.bounds.lower > first_certificate.bounds.upper) return false;
-      return time(certificate, wall) < time(first_certificate, first.point_b);
+  if constexpr (!is_periodic) {
+    const auto& traits = setup_.traits();
+    const Point_2& point = geometry_.point(id);
+    // The exact time of a certificate that may fail.
+    const auto time = [&](const Certificate& certificate, Point_id wall) {
+      if (certificate.kind == Certificate::Kind::holds) return Time(certificate.bounds.lower);
+      return certificate.failure
+                 ? *certificate.failure
+                 : traits.wall_failure(point, setup_.walls()[wall], certificate.bounds);
     };
-    if (!is_earlier()) continue;
-    first.point_b = wall;
-    first_certificate = std::move(certificate);
+    for (Point_id wall = 0; wall < setup_.walls().size(); ++wall) {
+      Certificate certificate = traits.wall_certificate(point, setup_.walls()[wall], after);
+      counters.count(certificate);
+      if (certificate.kind == Certificate::Kind::never_fails) continue;
+      const auto is_earlier = [&] {
+        if (first_certificate.kind == Certificate::Kind::never_fails) return true;
+        if (certificate.bounds.upper < first_certificate.bounds.lower) return true;
+        if (certificate.bounds.lower > first_certificate.bounds.upper) return false;
+        return time(certificate, wall) < time(first_certificate, first.point_b);
+      };
+      if (!is_earlier()) continue;
+      first.point_b = wall;
+      first_certificate = std::move(certificate);
+    }
   }
   return {first, std::move(first_certificate)};
 }
@@ -249,7 +257,7 @@ void Simulation_types<Traits>::Contact_schedule::schedule_all_singles() {
 // ---- pairs ----
 
 template <class Traits>
-void Simulation_types<Traits>::Contact_schedule::schedule_pair(const Edge_ids& pair, bool is_edge,
+void Simulation_types<Traits>::Contact_schedule::schedule_pair(const Pair& pair, bool is_edge,
                                                                const Time& after) {
   if (!setup_.has_response()) return;
   unschedule_pair(pair);
@@ -257,8 +265,7 @@ void Simulation_types<Traits>::Contact_schedule::schedule_pair(const Edge_ids& p
 }
 
 template <class Traits>
-bool Simulation_types<Traits>::Contact_schedule::schedule_new_pair(const Edge_ids& pair,
-                                                                   bool is_edge,
+bool Simulation_types<Traits>::Contact_schedule::schedule_new_pair(const Pair& pair, bool is_edge,
                                                                    const Time& after) {
   Certificate certificate = pair_certificate(pair, after, setup_.traits());
   certificate_counters_.count(certificate);
@@ -268,12 +275,11 @@ bool Simulation_types<Traits>::Contact_schedule::schedule_new_pair(const Edge_id
 }
 
 template <class Traits>
-void Simulation_types<Traits>::Contact_schedule::push_pair(const Edge_ids& pair, bool is_edge,
+void Simulation_types<Traits>::Contact_schedule::push_pair(const Pair& pair, bool is_edge,
                                                            Certificate certificate) {
   Entry entry;
   entry.kind = Contact_kind::collision;
-  entry.point_a = pair[0];
-  entry.point_b = pair[1];
+  entry.set_pair(pair);
   entry.is_edge = is_edge;
   const Queue_handle event = push(entry, std::move(certificate));
   if (event != no_event) records_.add_event(entry.subject(), event);
@@ -281,9 +287,9 @@ void Simulation_types<Traits>::Contact_schedule::push_pair(const Edge_ids& pair,
 
 template <class Traits>
 Certificate Simulation_types<Traits>::Contact_schedule::pair_certificate(
-    const Edge_ids& pair, const Time& after, const Traits& traits) const {
-  const Point_2& p = geometry_.point(pair[0]);
-  const Point_2& q = geometry_.point(pair[1]);
+    const Pair& pair, const Time& after, const Traits& traits) const {
+  const auto& p = geometry_.point_of(geometry_.itself(ids_of(pair)[0]));
+  const auto& q = geometry_.point_of(second_of(pair));
   const Disc_overlap* const overlap = records_.find_overlap(pair);
   if (overlap == nullptr || !overlap->passes) {
     return traits.contact_certificate(p, q, setup_.diameter(), after);
@@ -294,7 +300,7 @@ Certificate Simulation_types<Traits>::Contact_schedule::pair_certificate(
 }
 
 template <class Traits>
-void Simulation_types<Traits>::Contact_schedule::unschedule_pair(const Edge_ids& pair) {
+void Simulation_types<Traits>::Contact_schedule::unschedule_pair(const Pair& pair) {
   if (const Queue_handle event = records_.forget_pair(pair); event != no_event) discard(event);
 }
 
@@ -303,7 +309,11 @@ void Simulation_types<Traits>::Contact_schedule::unschedule_pairs(Point_id id) {
   Contact_record* const record = records_.find(id);
   if (record == nullptr) return;
   for (const auto& [other, event] : record->partners) {
-    records_.forget_partner(other, id);
+    if (id_of(other) != id) {
+      records_.forget_partner(id_of(other), back_from(other, id));
+    } else if (!is_first(id, other)) {
+      continue;  // the pair of a point with its own image is in the list twice
+    }
     discard(event);
   }
   record->partners.clear();

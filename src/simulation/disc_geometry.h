@@ -48,19 +48,48 @@ class Simulation_types<Traits>::Disc_geometry {
 
   // ---- two discs ----
 
+  /// The point that a disc names or, in a periodic box, its image.
+  decltype(auto) point_of(const Disc& disc) const { return point_of(point(id_of(disc)), disc); }
+  /// The same with another motion.
+  decltype(auto) point_of(const Point_2& p, const Disc& disc) const {
+    if constexpr (is_periodic) {
+      return traits().image(p, disc.offset);
+    } else {
+      return (p);
+    }
+  }
+  /// The disc itself, as it sees itself.
+  static Disc itself(Point_id id) {
+    if constexpr (is_periodic) {
+      return {id, {}};
+    } else {
+      return id;
+    }
+  }
+
   /// Whether the discs overlap just after the time, or touch if they have radii of their own. True
   /// if unsure.
-  bool may_touch(Point_id a, Point_id b, const Traits& traits, const Time& time) const {
-    return traits.may_overlap(point(a), point(b), setup_.diameter(), time) ||
-           (has_radii && traits.do_touch(point(a), point(b), setup_.diameter(), time));
+  bool may_touch(Point_id a, const Disc& b, const Traits& traits, const Time& time) const {
+    const auto& p = point_of(itself(a));
+    const auto& q = point_of(b);
+    return traits.may_overlap(p, q, setup_.diameter(), time) ||
+           (has_radii && traits.do_touch(p, q, setup_.diameter(), time));
   }
-  bool may_touch(Point_id a, Point_id b) const { return may_touch(a, b, traits(), current_time()); }
+  bool may_touch(Point_id a, const Disc& b) const {
+    return may_touch(a, b, traits(), current_time());
+  }
   /// Whether two discs touch or overlap at a time. Exact.
-  bool do_touch(Point_id a, Point_id b, const Time& time) const {
-    return traits().do_touch(point(a), point(b), setup_.diameter(), time);
+  bool do_touch(Point_id a, const Disc& b, const Time& time) const {
+    return traits().do_touch(point_of(itself(a)), point_of(b), setup_.diameter(), time);
   }
   /// Whether the interiors of the discs overlap at the present time. Exact.
-  bool do_overlap(const Point_2& p, const Point_2& q) const;
+  bool do_overlap(const Image_2& p, const Image_2& q) const;
+  /// Whether a disc, which need not be in the triangulation, overlaps another one now or, in a
+  /// periodic box, an image of it. Exact.
+  bool does_overlap_image(const Point_2& p, Point_id other) const;
+  /// In a periodic box, throws Own_image_error if one of the discs overlaps an image of itself now.
+  /// Does nothing if overlaps do not matter.
+  void check_own_images(std::span<const Point_2> discs) const;
 
   // ---- neighbors ----
 
@@ -68,12 +97,12 @@ class Simulation_types<Traits>::Disc_geometry {
   template <class Function>
   void for_each_neighbor(Point_id id, Function function) const;
   /// Whether both points exist, and are neighbors. O(degree).
-  bool is_edge(const Edge_ids& pair) const;
+  bool is_edge(const Pair& pair) const;
   /// Calls `function` with the corners that a point is linked with, which exist if a triangle hides
   /// it and its radius is 0. In dimensions below 2 it is an edge or a vertex.
   template <class Function>
   void for_each_corner(Point_id id, Function function) const;
-  std::vector<Point_id> corners_of(Point_id id) const;
+  std::vector<Disc> corners_of(Point_id id) const;
   /// Calls make(edge, now, made) for each two neighbors, with their ids and the present time, on
   /// several threads: for each block of faces with an object `made`. Returns these objects, in the
   /// order of the faces.
@@ -82,9 +111,9 @@ class Simulation_types<Traits>::Disc_geometry {
 
   // ---- discs nearby ----
 
-  /// The points whose discs overlap that of a point just after the present time, and perhaps some
-  /// whose discs almost do, found along edges. For discs of one radius.
-  std::vector<Point_id> overlapping_points(Point_id id, const Traits& traits) const;
+  /// The discs that overlap that of a point just after the present time, and perhaps some that
+  /// almost do, found along edges. For discs of one radius.
+  std::vector<Disc> overlapping_points(Point_id id, const Traits& traits) const;
   /// Discs such that each disc that overlaps one of `points` is one of them or overlaps one of
   /// them; see Overlap_tracker. For discs of any radii.
   std::vector<Point_id> discs_about(std::span<const Point_id> points) const;
@@ -92,7 +121,7 @@ class Simulation_types<Traits>::Disc_geometry {
   /// now, and others. For discs of any radii.
   template <class Function>
   void for_each_close_pair(std::span<const Point_id> ids, Function function) const;
-  /// Calls `function` with all pairs, the smaller id first, whose discs overlap just after the
+  /// Calls `function` with the first and the second disc of all pairs that overlap just after the
   /// present time. Exact.
   template <class Function>
   void for_each_exact_overlap(const Traits& exact, Function function) const;

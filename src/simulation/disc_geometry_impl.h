@@ -10,6 +10,7 @@
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "simulation/disc_boxes.h"
 #include "simulation/disc_geometry.h"
+#include "simulation/short_vectors.h"
 
 namespace kinetri::detail {
 
@@ -42,9 +43,38 @@ bool Simulation_types<Traits>::Disc_geometry::is_seed(Point_id id) const {
 }
 
 template <class Traits>
-bool Simulation_types<Traits>::Disc_geometry::do_overlap(const Point_2& p, const Point_2& q) const {
+bool Simulation_types<Traits>::Disc_geometry::do_overlap(const Image_2& p, const Image_2& q) const {
   return traits().do_touch(p, q, setup_.diameter(), current_time()) &&
          sign_at(contact_polynomial(p, q, setup_.diameter()), current_time()) == CGAL::NEGATIVE;
+}
+
+template <class Traits>
+bool Simulation_types<Traits>::Disc_geometry::does_overlap_image(const Point_2& p,
+                                                                 Point_id other) const {
+  const auto& of_disc = point_of(p, itself(p.id()));
+  if constexpr (is_periodic) {
+    const Short_vectors<Traits> vectors(traits(), current_time());
+    return vectors.any_near(p, point(other), [&](const Lattice_offset_2& offset) {
+      return do_overlap(of_disc, point_of(Disc{other, offset}));
+    });
+  } else {
+    return do_overlap(point(other), of_disc);
+  }
+}
+
+template <class Traits>
+void Simulation_types<Traits>::Disc_geometry::check_own_images(
+    [[maybe_unused]] std::span<const Point_2> discs) const {
+  if constexpr (is_periodic) {
+    if (discs.empty() || (!setup_.has_response() && !setup_.options().refuses_overlaps)) return;
+    const Short_vectors<Traits> vectors(traits(), current_time());
+    for (const Point_2& p : has_radii ? discs : discs.first(1)) {
+      const Disc image = {p.id(), vectors.shortest()};
+      if (do_overlap(point_of(p, itself(p.id())), point_of(p, image))) {
+        throw_own_image_error(image, current_time());
+      }
+    }
+  }
 }
 
 // ---- neighbors ----
@@ -53,11 +83,20 @@ template <class Traits>
 template <class Function>
 void Simulation_types<Traits>::Disc_geometry::for_each_neighbor(Point_id id,
                                                                 Function function) const {
-  for_each_coincident_link(id, function);
-  if (is_hidden(id)) return for_each_corner(id, function);
-  detail::for_each_neighbor(triangulation_.triangulation(), triangulation_.vertex(id),
-                            [&](auto neighbor) { function(neighbor->point().id()); });
-  for_each_hidden_link(id, function);
+  if constexpr (is_periodic) {
+    using Triangulation = typename Triangulation::Triangulation;
+    for_each_face_at(
+        triangulation_.triangulation(), triangulation_.vertex(id), [&](auto face, int i) {
+          const int k = Triangulation::ccw(i);
+          function(Disc{face->vertex(k)->point().id(), Triangulation::offset(face, i, k)});
+        });
+  } else {
+    for_each_coincident_link(id, function);
+    if (is_hidden(id)) return for_each_corner(id, function);
+    detail::for_each_neighbor(triangulation_.triangulation(), triangulation_.vertex(id),
+                              [&](auto neighbor) { function(neighbor->point().id()); });
+    for_each_hidden_link(id, function);
+  }
 }
 
 // Calls `function` with the point that hides the point, or with those that it hides, because their
@@ -73,10 +112,11 @@ void Simulation_types<Traits>::Disc_geometry::for_each_coincident_link(Point_id 
 
 // Entries and overlaps store this too, and are faster to read.
 template <class Traits>
-bool Simulation_types<Traits>::Disc_geometry::is_edge(const Edge_ids& pair) const {
-  if (!contains(pair[0]) || !contains(pair[1])) return false;
+bool Simulation_types<Traits>::Disc_geometry::is_edge(const Pair& pair) const {
+  const auto [a, b] = ids_of(pair);
+  if (!contains(a) || !contains(b)) return false;
   bool result = false;
-  for_each_neighbor(pair[0], [&](Point_id other) { result = result || other == pair[1]; });
+  for_each_neighbor(a, [&](const Disc& other) { result = result || other == second_of(pair); });
   return result;
 }
 
@@ -84,20 +124,22 @@ template <class Traits>
 template <class Function>
 void Simulation_types<Traits>::Disc_geometry::for_each_corner(Point_id id,
                                                               Function function) const {
-  if (!is_hidden(id) || shown(id) != id || !is_without_area(id)) return;
-  const auto& triangulation = triangulation_.triangulation();
-  const int dimension = triangulation.dimension();
-  if (dimension == 0) return function(triangulation.finite_vertex()->point().id());
-  const auto face = triangulation_.vertex(id)->face();
-  for (int i = 0; i <= dimension; ++i) {
-    if (!triangulation.is_infinite(face->vertex(i))) function(face->vertex(i)->point().id());
+  if constexpr (has_radii) {
+    if (!is_hidden(id) || shown(id) != id || !is_without_area(id)) return;
+    const auto& triangulation = triangulation_.triangulation();
+    const int dimension = triangulation.dimension();
+    if (dimension == 0) return function(triangulation.finite_vertex()->point().id());
+    const auto face = triangulation_.vertex(id)->face();
+    for (int i = 0; i <= dimension; ++i) {
+      if (!triangulation.is_infinite(face->vertex(i))) function(face->vertex(i)->point().id());
+    }
   }
 }
 
 template <class Traits>
-std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::corners_of(Point_id id) const {
-  std::vector<Point_id> result;
-  for_each_corner(id, [&](Point_id corner) { result.push_back(corner); });
+auto Simulation_types<Traits>::Disc_geometry::corners_of(Point_id id) const -> std::vector<Disc> {
+  std::vector<Disc> result;
+  for_each_corner(id, [&](const Disc& corner) { result.push_back(corner); });
   return result;
 }
 
@@ -132,20 +174,23 @@ std::vector<Made> Simulation_types<Traits>::Disc_geometry::make_for_edges(const 
   const auto& triangulation = triangulation_.triangulation();
   std::vector<Made> result;
   result.emplace_back();
-  if (triangulation_.number_of_hidden_points() > 0) {
-    for (const Point_id id : present_points()) {
-      if (shown(id) != id) make({shown(id), id}, current_time(), result.back());
+  if constexpr (!is_periodic) {
+    if (triangulation_.number_of_hidden_points() > 0) {
+      for (const Point_id id : present_points()) {
+        if (shown(id) != id) make({shown(id), id}, current_time(), result.back());
+      }
     }
-  }
-  if (triangulation.dimension() < 2) {
-    for (const Edge_ids& edge : triangulation_.finite_edge_ids()) {
-      make(edge, current_time(), result.back());
+    if (triangulation.dimension() < 2) {
+      for (const Edge_ids& edge : triangulation_.finite_edge_ids()) {
+        make(edge, current_time(), result.back());
+      }
+      for (const Point_id id : present_points()) {
+        for_each_corner(id, [&](Point_id corner) {
+          make(edge_ids(id, corner), current_time(), result.back());
+        });
+      }
+      return result;
     }
-    for (const Point_id id : present_points()) {
-      for_each_corner(
-          id, [&](Point_id corner) { make(edge_ids(id, corner), current_time(), result.back()); });
-    }
-    return result;
   }
   using Face_handle = typename Triangulation::Triangulation::Face_handle;
   struct Block {
@@ -163,12 +208,16 @@ std::vector<Made> Simulation_types<Traits>::Disc_geometry::make_for_edges(const 
   for_each_in_parallel(blocks, [&](Block& block) {
     for (const Face_handle face : block.faces) {
       for (int i = 0; i < 3; ++i) {
-        const auto a = face->vertex(triangulation.ccw(i));
-        const auto b = face->vertex(triangulation.cw(i));
+        const int j = triangulation.ccw(i);
+        const int k = triangulation.cw(i);
+        const auto a = face->vertex(j);
+        const auto b = face->vertex(k);
         // The two faces of an edge have its ends in opposite order.
         if (triangulation.is_infinite(a) || triangulation.is_infinite(b)) continue;
-        const Edge_ids edge = {a->point().id(), b->point().id()};
-        if (edge[0] < edge[1]) make(edge, block.now, block.made);
+        Disc other = itself(b->point().id());
+        if constexpr (is_periodic) other.offset = triangulation.offset(face, j, k);
+        const Point_id id = a->point().id();
+        if (is_first(id, other)) make(pair_from(id, other), block.now, block.made);
       }
       if constexpr (has_radii) {
         for (const auto& hidden : face->vertex_list()) {
@@ -186,19 +235,21 @@ std::vector<Made> Simulation_types<Traits>::Disc_geometry::make_for_edges(const 
 // ---- discs nearby ----
 
 template <class Traits>
-std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::overlapping_points(
-    Point_id id, const Traits& traits) const {
-  std::vector<Point_id> result;
-  const auto add_neighbors = [&](Point_id of) {
-    for_each_neighbor(of, [&](Point_id other) {
-      if (other != id && std::ranges::find(result, other) == result.end() &&
+auto Simulation_types<Traits>::Disc_geometry::overlapping_points(Point_id id,
+                                                                 const Traits& traits) const
+    -> std::vector<Disc> {
+  std::vector<Disc> result;
+  const auto add_neighbors = [&](const Disc& of) {
+    for_each_neighbor(id_of(of), [&](const Disc& neighbor) {
+      const Disc other = beyond(of, neighbor);
+      if (other != itself(id) && std::ranges::find(result, other) == result.end() &&
           may_touch(id, other, traits, current_time())) {
         result.push_back(other);
       }
     });
   };
-  add_neighbors(id);
-  for (std::size_t i = 0; i < result.size(); ++i) add_neighbors(result[i]);
+  add_neighbors(itself(id));
+  for (std::size_t i = 0; i < result.size(); ++i) add_neighbors(Disc(result[i]));
   return result;
 }
 
@@ -294,8 +345,8 @@ void Simulation_types<Traits>::Disc_geometry::for_each_exact_overlap(const Trait
     });
   } else {
     for (const Point_id a : present_points()) {
-      for (const Point_id b : overlapping_points(a, exact)) {
-        if (a < b) function(a, b);
+      for (const Disc& b : overlapping_points(a, exact)) {
+        if (is_first(a, b)) function(a, b);
       }
     }
   }

@@ -23,6 +23,9 @@
 //
 // All such v are found (Disc_geometry::discs_about); q is one of them, or overlaps one of them. For
 // radii 0 see find_overlaps_of_seeds and let_pass.
+//
+// In a periodic box all of that is said of images (docs/MATH.md, section 18): p < q means that p is
+// the first disc of the pair.
 #ifndef KINETRI_SRC_SIMULATION_OVERLAP_TRACKER_H
 #define KINETRI_SRC_SIMULATION_OVERLAP_TRACKER_H
 
@@ -73,7 +76,7 @@ class Simulation_types<Traits>::Overlap_tracker {
   // ---- contacts ----
 
   /// Two discs in contact overlap from now on, and have no contact until they have separated.
-  void let_pass(Point_id a, Point_id b, bool is_edge);
+  void let_pass(Point_id a, const Disc& b, bool is_edge);
   /// All contacts of one time must be found before the first of them is executed, since pairs are
   /// watched because of overlaps that begin with contacts (docs/MATH.md, section 8). Records the
   /// overlap of a contact of the present time that has left the queue, and returns the contact to
@@ -81,44 +84,44 @@ class Simulation_types<Traits>::Overlap_tracker {
   /// contact happens now and the two overlap no others.
   bool note_contact(const Contact_entry& contact);
   /// Records that a pair overlaps, and watches the pairs of the two with others.
-  void start_overlap(Point_id a, Point_id b, bool is_edge);
+  void start_overlap(Point_id a, const Disc& b, bool is_edge);
   /// The same for a pair that a response has let pass.
-  void start_pass(Point_id a, Point_id b, bool is_edge);
+  void start_pass(Point_id a, const Disc& b, bool is_edge);
   /// Removes a recorded pair. The points need not exist any more.
-  void end_overlap(Point_id a, Point_id b);
+  void end_overlap(Point_id a, const Disc& b);
 
   // ---- for audits ----
 
   /// Whether a pair that has an entry is still to be watched.
-  bool is_watched(const Edge_ids& pair) const;
-  /// Calls `function` with the greater point of each pair (first, greater) that is watched because
-  /// of a disc that overlaps both; perhaps more than once. counts(a, b) says whether a recorded
-  /// overlap counts.
+  bool is_watched(const Pair& pair) const;
+  /// Calls `function` with the second disc of each pair of which `first` is the first one, and that
+  /// is watched because of a disc that overlaps both; perhaps more than once. counts(a, b) says
+  /// whether a recorded overlap counts.
   template <class Counts, class Function>
   void for_each_pair_of(Point_id first, const Counts& counts, Function function) const;
 
  private:
-  bool is_overlapped(const Edge_ids& pair) const;
-  void watch(const Edge_ids& pair, bool is_edge);
-  void watch_beside(Point_id a, Point_id b, bool is_edge, Points changing = {});
-  void unwatch(const Edge_ids& pair);
-  void leave_edge(const Edge_ids& edge);
-  void follow_edge(const Edge_ids& edge, Points changing);
-  static bool is_changing(const Edge_ids& pair, Points changing);
+  bool is_overlapped(const Pair& pair) const;
+  void watch(const Pair& pair, bool is_edge);
+  void watch_beside(Point_id a, const Disc& b, bool is_edge, Points changing = {});
+  void unwatch(const Pair& pair);
+  void leave_edge(const Pair& edge);
+  void follow_edge(const Pair& edge, Points changing);
+  static bool is_changing(const Pair& pair, Points changing);
   void keep_links();
   void schedule_edges(Point_id id, Points points);
   void schedule_pairs_beside(Point_id id);
   template <class Function>
-  void for_each_pair_beside(Point_id a, Point_id b, bool is_edge, Function function) const;
+  void for_each_pair_beside(Point_id a, const Disc& b, bool is_edge, Function function) const;
   template <class Function>
-  void for_each_pair_over(const Edge_ids& edge, Function function) const;
-  bool is_passing(Point_id a, Point_id b);
+  void for_each_pair_over(const Pair& edge, Function function) const;
+  bool is_passing(Point_id a, const Disc& b);
   void update_overlaps(Points points);
   void drop_overlaps(Point_id id);
   void find_new_overlaps_of(Point_id id);
   void find_new_overlaps(Points points);
   void find_overlaps_of_seeds(Points points);
-  void examine(Point_id a, Point_id b);
+  void examine(Point_id a, const Disc& b);
 
   const Disc_geometry& geometry_;
   const Simulation_setup& setup_;

@@ -23,23 +23,29 @@ void Simulation_types<Traits>::Overlap_tracker::find_all() {
     std::ranges::copy_if(points, std::back_inserter(seeds_),
                          [this](Point_id id) { return geometry_.is_seed(id); });
     geometry_.for_each_close_pair(points, [&](Point_id a, Point_id b) {
-      if (geometry_.may_touch(a, b)) records_.start_overlap(a, b, geometry_.is_edge({a, b}));
+      if (geometry_.may_touch(a, b)) {
+        records_.start_overlap(a, b, geometry_.is_edge(pair_from(a, b)));
+      }
     });
   } else {
     // A point that overlaps others overlaps a neighbor.
     std::vector<bool> has_overlaps(geometry_.number_of_ids());
-    using Pairs = std::vector<Edge_ids>;
+    using Pairs = std::vector<Pair>;
     const auto blocks = geometry_.template make_for_edges<Pairs>(
-        [this](const Edge_ids& edge, const Time& now, Pairs& made) {
-          if (geometry_.may_touch(edge[0], edge[1], geometry_.traits(), now)) made.push_back(edge);
+        [this](const Pair& edge, const Time& now, Pairs& made) {
+          if (geometry_.may_touch(ids_of(edge)[0], second_of(edge), geometry_.traits(), now)) {
+            made.push_back(edge);
+          }
         });
     for (const Pairs& block : blocks) {
-      for (const auto& [a, b] : block) has_overlaps[a] = has_overlaps[b] = true;
+      for (const Pair& edge : block) {
+        for (const Point_id id : ids_of(edge)) has_overlaps[id] = true;
+      }
     }
     for (const Point_id id : geometry_.present_points()) {
       if (!has_overlaps[id]) continue;
-      for (const Point_id other : geometry_.overlapping_points(id, geometry_.traits())) {
-        records_.start_overlap(id, other, geometry_.is_edge({id, other}));
+      for (const Disc& other : geometry_.overlapping_points(id, geometry_.traits())) {
+        records_.start_overlap(id, other, geometry_.is_edge(pair_from(id, other)));
       }
     }
   }
@@ -49,11 +55,11 @@ template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::schedule_all_pairs() {
   if (!setup_.has_response()) return;
   struct Made {
-    std::vector<std::pair<Edge_ids, Certificate>> contacts;
+    std::vector<std::pair<Pair, Certificate>> contacts;
     Certificate_counters counters;
   };
   auto blocks = geometry_.template make_for_edges<Made>(
-      [this](const Edge_ids& edge, const Time& now, Made& made) {
+      [this](const Pair& edge, const Time& now, Made& made) {
         Certificate certificate = schedule_.pair_certificate(edge, now, geometry_.traits());
         made.counters.count(certificate);
         if (certificate.kind == Certificate::Kind::never_fails) return;
@@ -68,13 +74,14 @@ void Simulation_types<Traits>::Overlap_tracker::schedule_all_pairs() {
   }
   keep_links();
   // Each pair once, even if several discs overlap both.
-  const Point_id ids = geometry_.number_of_ids();
-  std::vector<Point_id> last_first(ids, no_point);
-  const auto count_all = [](Point_id /*a*/, Point_id /*b*/) { return true; };
-  for (Point_id id = 0; id < ids; ++id) {
-    for_each_pair_of(id, count_all, [&](Point_id other) {
-      if (std::exchange(last_first[other], id) != id) watch({id, other}, false);
-    });
+  const auto count_all = [](Point_id /*a*/, const Disc& /*b*/) { return true; };
+  std::vector<Disc> others;
+  for (Point_id id = 0; id < geometry_.number_of_ids(); ++id) {
+    others.clear();
+    for_each_pair_of(id, count_all, [&](const Disc& other) { others.push_back(other); });
+    std::ranges::sort(others);
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    for (const Disc& other : others) watch(pair_from(id, other), false);
   }
 }
 
@@ -84,7 +91,7 @@ void Simulation_types<Traits>::Overlap_tracker::keep_links() {
   if constexpr (has_radii) {
     records_.for_each([](Contact_record& record) { record.corners.clear(); });
     for (const Point_id id : geometry_.present_points()) {
-      std::vector<Point_id> corners = geometry_.corners_of(id);
+      std::vector<Disc> corners = geometry_.corners_of(id);
       if (!corners.empty()) records_.of(id).corners = std::move(corners);
     }
   }
@@ -94,7 +101,7 @@ void Simulation_types<Traits>::Overlap_tracker::keep_links() {
 
 // Watches a pair, because it has an edge or a disc overlaps both.
 template <class Traits>
-void Simulation_types<Traits>::Overlap_tracker::watch(const Edge_ids& pair, bool is_edge) {
+void Simulation_types<Traits>::Overlap_tracker::watch(const Pair& pair, bool is_edge) {
   const Queue_handle event = records_.pair_event(pair);
   if (event == no_event) {
     schedule_.schedule_pair(pair, is_edge, geometry_.current_time());
@@ -105,66 +112,68 @@ void Simulation_types<Traits>::Overlap_tracker::watch(const Edge_ids& pair, bool
 
 // Watches the pairs that follow from the overlap of a and b.
 template <class Traits>
-void Simulation_types<Traits>::Overlap_tracker::watch_beside(Point_id a, Point_id b, bool is_edge,
-                                                             Points changing) {
-  for_each_pair_beside(a, b, is_edge, [&](const Edge_ids& pair) {
+void Simulation_types<Traits>::Overlap_tracker::watch_beside(Point_id a, const Disc& b,
+                                                             bool is_edge, Points changing) {
+  for_each_pair_beside(a, b, is_edge, [&](const Pair& pair) {
     if (!is_changing(pair, changing)) watch(pair, false);
   });
 }
 
 // Called when a reason to watch the pair has ended.
 template <class Traits>
-void Simulation_types<Traits>::Overlap_tracker::unwatch(const Edge_ids& pair) {
+void Simulation_types<Traits>::Overlap_tracker::unwatch(const Pair& pair) {
   if (records_.pair_event(pair) != no_event && !is_watched(pair)) schedule_.unschedule_pair(pair);
 }
 
 template <class Traits>
-bool Simulation_types<Traits>::Overlap_tracker::is_watched(const Edge_ids& pair) const {
+bool Simulation_types<Traits>::Overlap_tracker::is_watched(const Pair& pair) const {
   return schedule_.queue()[records_.pair_event(pair)].is_edge || is_overlapped(pair);
 }
 
 // Whether the pair is watched because of a disc that overlaps both or, with radii of their own,
 // because they overlap.
 template <class Traits>
-bool Simulation_types<Traits>::Overlap_tracker::is_overlapped(const Edge_ids& pair) const {
+bool Simulation_types<Traits>::Overlap_tracker::is_overlapped(const Pair& pair) const {
+  const Point_id a = ids_of(pair)[0];
+  const Disc b = second_of(pair);
   if constexpr (has_radii) {
     if (records_.find_overlap(pair) != nullptr) return true;
-    const bool is_second_shorter =
-        records_.overlaps(pair[1]).size() < records_.overlaps(pair[0]).size();
-    const Point_id few = pair[is_second_shorter ? 1 : 0];
-    const Point_id many = pair[is_second_shorter ? 0 : 1];
-    return std::ranges::any_of(records_.overlaps(few), [&](const Disc_overlap& overlap) {
-      return records_.find_overlap({overlap.id, many}) != nullptr;
-    });
+    if (records_.overlaps(id_of(b)).size() < records_.overlaps(a).size()) {
+      return std::ranges::any_of(records_.overlaps(id_of(b)), [&](const Disc_overlap& overlap) {
+        return records_.find_overlap(pair_from(a, beyond(b, overlap.disc))) != nullptr;
+      });
+    }
   }
-  return std::ranges::any_of(records_.overlaps(pair[0]), [&](const Disc_overlap& overlap) {
-    const Disc_overlap* const beside = records_.find_overlap({overlap.id, pair[1]});
-    return beside != nullptr && beside->is_edge;
+  return std::ranges::any_of(records_.overlaps(a), [&](const Disc_overlap& overlap) {
+    const Disc_overlap* const beside =
+        records_.find_overlap(pair_from(id_of(overlap.disc), seen_from(overlap.disc, b)));
+    return beside != nullptr && (has_radii || beside->is_edge);
   });
 }
 
-// Calls `function` with the pairs that are watched because the discs of a and b overlap.
+// Calls `function` with the pairs that are watched because the discs a and b overlap.
 template <class Traits>
 template <class Function>
-void Simulation_types<Traits>::Overlap_tracker::for_each_pair_beside(Point_id a, Point_id b,
+void Simulation_types<Traits>::Overlap_tracker::for_each_pair_beside(Point_id a, const Disc& b,
                                                                      bool is_edge,
                                                                      Function function) const {
-  if constexpr (has_radii) function(edge_ids(a, b));
-  const auto has_others = [&](Point_id p, Point_id w) {
+  if constexpr (has_radii) function(pair_of(a, b));
+  const auto has_others = [&](Point_id p, const Disc& w) {
     return std::ranges::any_of(records_.overlaps(p),
-                               [w](const Disc_overlap& other) { return other.id != w; });
+                               [&w](const Disc_overlap& other) { return other.disc != w; });
   };
-  if (!has_others(a, b) && !has_others(b, a)) return;
-  const auto as_first = [&](Point_id p, Point_id w) {
-    for (const Disc_overlap& overlap : records_.overlaps(w)) {
-      if (has_radii ? p != overlap.id : p < overlap.id && overlap.is_edge) {
-        function(edge_ids(p, overlap.id));
+  if (!has_others(a, b) && !has_others(id_of(b), back_from(b, a))) return;
+  const auto as_first = [&](Point_id p, const Disc& w) {
+    for (const Disc_overlap& overlap : records_.overlaps(id_of(w))) {
+      const Disc q = beyond(w, overlap.disc);
+      if (has_radii ? q != geometry_.itself(p) : is_first(p, q) && overlap.is_edge) {
+        function(pair_of(p, q));
       }
     }
   };
   as_first(a, b);
-  as_first(b, a);
-  if (!has_radii && is_edge) for_each_pair_over({a, b}, function);
+  as_first(id_of(b), back_from(b, a));
+  if (!has_radii && is_edge) for_each_pair_over(pair_from(a, b), function);
 }
 
 template <class Traits>
@@ -173,11 +182,13 @@ void Simulation_types<Traits>::Overlap_tracker::for_each_pair_of(Point_id first,
                                                                  const Counts& counts,
                                                                  Function function) const {
   for (const Disc_overlap& between : records_.overlaps(first)) {
-    if (!counts(first, between.id)) continue;
-    if (has_radii && first < between.id) function(between.id);
-    for (const Disc_overlap& overlap : records_.overlaps(between.id)) {
-      if (first < overlap.id && (has_radii || overlap.is_edge) && counts(between.id, overlap.id)) {
-        function(overlap.id);
+    if (!counts(first, between.disc)) continue;
+    if (has_radii && is_first(first, between.disc)) function(between.disc);
+    for (const Disc_overlap& overlap : records_.overlaps(id_of(between.disc))) {
+      const Disc other = beyond(between.disc, overlap.disc);
+      if (is_first(first, other) && (has_radii || overlap.is_edge) &&
+          counts(id_of(between.disc), overlap.disc)) {
+        function(other);
       }
     }
   }
@@ -187,15 +198,19 @@ void Simulation_types<Traits>::Overlap_tracker::for_each_pair_of(Point_id first,
 // discs at its ends overlap.
 template <class Traits>
 template <class Function>
-void Simulation_types<Traits>::Overlap_tracker::for_each_pair_over(const Edge_ids& edge,
+void Simulation_types<Traits>::Overlap_tracker::for_each_pair_over(const Pair& edge,
                                                                    Function function) const {
-  const auto [a, b] = edge;
-  for (const Disc_overlap& overlap : records_.overlaps(a)) {
-    if (overlap.id < b) function(Edge_ids{overlap.id, b});
-  }
-  for (const Disc_overlap& overlap : records_.overlaps(b)) {
-    if (overlap.id < a) function(Edge_ids{overlap.id, a});
-  }
+  const auto as_second = [&](Point_id w, const Disc& q) {
+    for (const Disc_overlap& overlap : records_.overlaps(w)) {
+      const Point_id p = id_of(overlap.disc);
+      const Disc from_p = seen_from(overlap.disc, q);
+      if (is_first(p, from_p)) function(pair_from(p, from_p));
+    }
+  };
+  const Point_id a = ids_of(edge)[0];
+  const Disc b = second_of(edge);
+  as_second(a, b);
+  as_second(id_of(b), back_from(b, a));
 }
 
 // ---- added and removed edges ----
@@ -213,13 +228,13 @@ void Simulation_types<Traits>::Overlap_tracker::follow(const Edge_trail& trail, 
 
 // Whether one of the two is being changed.
 template <class Traits>
-bool Simulation_types<Traits>::Overlap_tracker::is_changing(const Edge_ids& pair, Points changing) {
-  return std::ranges::any_of(pair,
+bool Simulation_types<Traits>::Overlap_tracker::is_changing(const Pair& pair, Points changing) {
+  return std::ranges::any_of(ids_of(pair),
                              [&](Point_id id) { return std::ranges::binary_search(changing, id); });
 }
 
 template <class Traits>
-void Simulation_types<Traits>::Overlap_tracker::leave_edge(const Edge_ids& edge) {
+void Simulation_types<Traits>::Overlap_tracker::leave_edge(const Pair& edge) {
   const bool do_overlap = records_.find_overlap(edge) != nullptr;
   if (do_overlap) records_.mark_edge(edge, false);
   if (const Queue_handle event = records_.pair_event(edge); event != no_event) {
@@ -230,17 +245,17 @@ void Simulation_types<Traits>::Overlap_tracker::leave_edge(const Edge_ids& edge)
     }
   }
   if (do_overlap && !has_radii) {
-    for_each_pair_over(edge, [this](const Edge_ids& pair) { unwatch(pair); });
+    for_each_pair_over(edge, [this](const Pair& pair) { unwatch(pair); });
   }
 }
 
 template <class Traits>
-void Simulation_types<Traits>::Overlap_tracker::follow_edge(const Edge_ids& edge, Points changing) {
+void Simulation_types<Traits>::Overlap_tracker::follow_edge(const Pair& edge, Points changing) {
   if (!is_changing(edge, changing)) watch(edge, true);
   if (records_.find_overlap(edge) == nullptr) return;
   records_.mark_edge(edge, true);
   if (!has_radii) {
-    for_each_pair_over(edge, [&](const Edge_ids& pair) {
+    for_each_pair_over(edge, [&](const Pair& pair) {
       if (!is_changing(pair, changing)) watch(pair, false);
     });
   }
@@ -248,16 +263,16 @@ void Simulation_types<Traits>::Overlap_tracker::follow_edge(const Edge_ids& edge
 
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::follow_links(Point_id id, Points changing) {
-  const std::vector<Point_id> corners = geometry_.corners_of(id);
+  const std::vector<Disc> corners = geometry_.corners_of(id);
   const Contact_record* const known = records_.find(id);
   if (corners.empty() && (known == nullptr || known->corners.empty())) return;
-  const std::vector<Point_id> before = std::exchange(records_.of(id).corners, corners);
-  for (const Point_id corner : before) {
-    const Edge_ids pair = edge_ids(id, corner);
+  const std::vector<Disc> before = std::exchange(records_.of(id).corners, corners);
+  for (const Disc& corner : before) {
+    const Pair pair = pair_of(id, corner);
     if (!geometry_.is_edge(pair)) leave_edge(pair);
   }
-  for (const Point_id corner : corners) {
-    const Edge_ids pair = edge_ids(id, corner);
+  for (const Disc& corner : corners) {
+    const Pair pair = pair_of(id, corner);
     follow_edge(pair, changing);
     // The point may stay on the boundary circle.
     if (is_changing(pair, changing) || records_.find_overlap(pair) != nullptr ||
@@ -292,10 +307,12 @@ void Simulation_types<Traits>::Overlap_tracker::schedule_pairs(Points points) {
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::schedule_edges(Point_id id, Points points) {
   if (!setup_.has_response()) return;
-  geometry_.for_each_neighbor(id, [&](Point_id other) {
-    const bool is_done = other < id && std::ranges::binary_search(points, other);
+  geometry_.for_each_neighbor(id, [&](const Disc& other) {
+    const bool is_done =
+        id_of(other) == id ? !is_first(id, other)  // the edge to its own image comes twice
+                           : id_of(other) < id && std::ranges::binary_search(points, id_of(other));
     if (is_done ||
-        !schedule_.schedule_new_pair(edge_ids(id, other), true, geometry_.current_time())) {
+        !schedule_.schedule_new_pair(pair_of(id, other), true, geometry_.current_time())) {
       return;
     }
     if (geometry_.may_touch(id, other)) records_.start_overlap(id, other, true);
@@ -306,44 +323,49 @@ void Simulation_types<Traits>::Overlap_tracker::schedule_edges(Point_id id, Poin
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::schedule_pairs_beside(Point_id id) {
   for (const Disc_overlap& overlap : records_.overlaps(id)) {
-    watch_beside(id, overlap.id, overlap.is_edge);
+    watch_beside(id, overlap.disc, overlap.is_edge);
   }
 }
 
 // ---- overlaps ----
 
 template <class Traits>
-void Simulation_types<Traits>::Overlap_tracker::start_overlap(Point_id a, Point_id b,
+void Simulation_types<Traits>::Overlap_tracker::start_overlap(Point_id a, const Disc& b,
                                                               bool is_edge) {
   records_.start_overlap(a, b, is_edge);
   watch_beside(a, b, is_edge);
 }
 
 template <class Traits>
-void Simulation_types<Traits>::Overlap_tracker::start_pass(Point_id a, Point_id b, bool is_edge) {
+void Simulation_types<Traits>::Overlap_tracker::start_pass(Point_id a, const Disc& b,
+                                                           bool is_edge) {
   records_.start_overlap(a, b, is_edge);
   records_.mark_passing(a, b, true);
   watch_beside(a, b, is_edge);
 }
 
 template <class Traits>
-void Simulation_types<Traits>::Overlap_tracker::end_overlap(Point_id a, Point_id b) {
-  const bool is_edge = records_.find_overlap({a, b})->is_edge;
-  records_.forget_overlap(a, b);
-  for_each_pair_beside(a, b, is_edge, [this](const Edge_ids& pair) { unwatch(pair); });
+void Simulation_types<Traits>::Overlap_tracker::end_overlap(Point_id a, const Disc& b) {
+  const Disc other = b;  // it may be in the record
+  const bool is_edge = records_.find_overlap(pair_from(a, other))->is_edge;
+  records_.forget_overlap(a, other);
+  for_each_pair_beside(a, other, is_edge, [this](const Pair& pair) { unwatch(pair); });
 }
 
 template <class Traits>
 bool Simulation_types<Traits>::Overlap_tracker::note_contact(const Contact_entry& contact) {
   if (contact.is_noted) return false;
   const Point_id a = contact.point_a;
-  const Point_id b = contact.point_b;
-  for (const Point_id id : {a, b}) drop_overlaps(id);
-  const auto overlaps_others = [&](Point_id id, Point_id other) {
+  const Disc b = contact.disc_b();
+  for (const Point_id id : {a, id_of(b)}) drop_overlaps(id);
+  const auto overlaps_others = [&](Point_id id, const Disc& other) {
     return std::ranges::any_of(records_.overlaps(id),
-                               [&](const Disc_overlap& overlap) { return overlap.id != other; });
+                               [&](const Disc_overlap& overlap) { return overlap.disc != other; });
   };
-  if (!overlaps_others(a, b) && !overlaps_others(b, a) && !schedule_.is_contact_due()) return false;
+  if (!overlaps_others(a, b) && !overlaps_others(id_of(b), back_from(b, a)) &&
+      !schedule_.is_contact_due()) {
+    return false;
+  }
   Contact_entry noted = contact;
   noted.is_noted = true;
   schedule_.put_contact(noted);
@@ -352,14 +374,14 @@ bool Simulation_types<Traits>::Overlap_tracker::note_contact(const Contact_entry
 }
 
 template <class Traits>
-void Simulation_types<Traits>::Overlap_tracker::let_pass(Point_id a, Point_id b, bool is_edge) {
-  for (const Point_id id : {a, b}) {
+void Simulation_types<Traits>::Overlap_tracker::let_pass(Point_id a, const Disc& b, bool is_edge) {
+  for (const Point_id id : {a, id_of(b)}) {
     end_passes(id);
     drop_overlaps(id);
     if constexpr (!has_radii) find_new_overlaps_of(id);
   }
   start_pass(a, b, is_edge);
-  for (const Point_id id : {a, b}) {
+  for (const Point_id id : {a, id_of(b)}) {
     if (!geometry_.is_without_area(id)) continue;
     find_new_overlaps_of(id);
     schedule_pairs_beside(id);
@@ -371,20 +393,20 @@ void Simulation_types<Traits>::Overlap_tracker::end_passes(Point_id id) {
   if (std::ranges::none_of(records_.overlaps(id), &Disc_overlap::passes)) return;
   const std::vector<Disc_overlap> known = records_.overlaps(id);
   for (const Disc_overlap& overlap : known) {
-    if (overlap.passes && !is_passing(id, overlap.id)) end_overlap(id, overlap.id);
+    if (overlap.passes && !is_passing(id, overlap.disc)) end_overlap(id, overlap.disc);
   }
 }
 
 // Whether two discs that a response has let pass have not separated since. If their next contact is
 // now, they have.
 template <class Traits>
-bool Simulation_types<Traits>::Overlap_tracker::is_passing(Point_id a, Point_id b) {
-  if (!geometry_.contains(a) || !geometry_.contains(b) ||
+bool Simulation_types<Traits>::Overlap_tracker::is_passing(Point_id a, const Disc& b) {
+  if (!geometry_.contains(a) || !geometry_.contains(id_of(b)) ||
       !geometry_.do_touch(a, b, geometry_.current_time())) {
     return false;
   }
   auto& queue = schedule_.queue();
-  const Queue_handle event = records_.pair_event({a, b});
+  const Queue_handle event = records_.pair_event(pair_from(a, b));
   return event == no_event || !queue[event].is_event ||
          queue.time(queue[event]) > geometry_.current_time();
 }
@@ -406,8 +428,8 @@ template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::drop_overlaps(Point_id id) {
   for (std::size_t i = 0; i < records_.overlaps(id).size();) {
     const auto [other, passes, is_edge] = records_.overlaps(id)[i];
-    if (passes ||
-        (geometry_.contains(id) && geometry_.contains(other) && geometry_.may_touch(id, other))) {
+    if (passes || (geometry_.contains(id) && geometry_.contains(id_of(other)) &&
+                   geometry_.may_touch(id, other))) {
       ++i;
     } else {
       end_overlap(id, other);
@@ -422,12 +444,12 @@ void Simulation_types<Traits>::Overlap_tracker::drop_overlaps(Point_id id) {
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::find_new_overlaps_of(Point_id id) {
   for (std::size_t i = 0; i < records_.overlaps(id).size(); ++i) {
-    const Point_id between = records_.overlaps(id)[i].id;
-    for (std::size_t k = 0; k < records_.overlaps(between).size(); ++k) {
-      const Point_id other = records_.overlaps(between)[k].id;
-      if (other != id && records_.find_overlap({id, other}) == nullptr &&
-          geometry_.contains(other) && geometry_.may_touch(id, other)) {
-        const Queue_handle event = records_.pair_event({id, other});
+    const Disc between = records_.overlaps(id)[i].disc;
+    for (std::size_t k = 0; k < records_.overlaps(id_of(between)).size(); ++k) {
+      const Disc other = beyond(between, records_.overlaps(id_of(between))[k].disc);
+      if (other != geometry_.itself(id) && records_.find_overlap(pair_from(id, other)) == nullptr &&
+          geometry_.contains(id_of(other)) && geometry_.may_touch(id, other)) {
+        const Queue_handle event = records_.pair_event(pair_from(id, other));
         records_.start_overlap(id, other, event != no_event && schedule_.queue()[event].is_edge);
       }
     }
@@ -436,9 +458,10 @@ void Simulation_types<Traits>::Overlap_tracker::find_new_overlaps_of(Point_id id
 
 // Records whether two discs overlap.
 template <class Traits>
-void Simulation_types<Traits>::Overlap_tracker::examine(Point_id a, Point_id b) {
-  if (a != b && records_.find_overlap({a, b}) == nullptr && geometry_.may_touch(a, b)) {
-    records_.start_overlap(a, b, geometry_.is_edge({a, b}));
+void Simulation_types<Traits>::Overlap_tracker::examine(Point_id a, const Disc& b) {
+  if (b != geometry_.itself(a) && records_.find_overlap(pair_from(a, b)) == nullptr &&
+      geometry_.may_touch(a, b)) {
+    records_.start_overlap(a, b, geometry_.is_edge(pair_from(a, b)));
   }
 }
 
@@ -449,7 +472,7 @@ void Simulation_types<Traits>::Overlap_tracker::find_new_overlaps(Points points)
   candidates.insert(candidates.end(), points.begin(), points.end());
   for (std::size_t i = 0, number = candidates.size(); i < number; ++i) {
     for (const Disc_overlap& overlap : records_.overlaps(candidates[i])) {
-      candidates.push_back(overlap.id);
+      candidates.push_back(id_of(overlap.disc));
     }
   }
   std::ranges::sort(candidates);

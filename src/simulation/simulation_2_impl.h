@@ -19,14 +19,27 @@
 
 namespace kinetri {
 
+namespace detail {
+
+// Links of points that coincide have no offsets, so that in a periodic box discs with a response
+// may not coincide.
+template <class Traits>
+Coincident_points coincident_for(Coincident_points given, bool has_response) {
+  return PeriodicKineticTraits_2<Traits> && has_response ? Coincident_points::refuse : given;
+}
+
+}  // namespace detail
+
 // ---- construction ----
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
                                    const Simulation_options& options, const Time& start,
                                    const Traits& traits)
     : core_(std::make_unique<detail::Simulation_core<Traits>>(traits, options, [&] {
-        return Triangulation(motions, start, traits, options.coincident);
+        return Triangulation(
+            motions, start, traits,
+            detail::coincident_for<Traits>(options.coincident, options.response != nullptr));
       })) {
   KINETRI_PRECONDITION(core_->setup.problem().empty(), core_->setup.problem());
   KINETRI_PRECONDITION(options.masses.empty() || options.masses.size() == motions.size(),
@@ -34,34 +47,35 @@ Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
   for (Point_id id = 0; id < motions.size(); ++id) {
     core_->setup.check_place(core_->geometry.point(id), current_time());
   }
+  core_->check_own_images();
   core_->start();
   if (options.refuses_overlaps) core_->loop.refuse_overlaps();
   core_->schedule_all();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 Simulation_2<Traits>::~Simulation_2() = default;
 
 // ---- the present ----
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 auto Simulation_2<Traits>::triangulation() const -> const Triangulation& {
   return core_->triangulation;
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 const Simulation_options& Simulation_2<Traits>::options() const {
   return core_->setup.options();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 double Simulation_2<Traits>::mass(Point_id id) const {
   return core_->setup.mass(id);
 }
 
 // ---- snapshots ----
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 auto Simulation_2<Traits>::snapshot() const -> Snapshot {
   KINETRI_PRECONDITION(
       !core_->loop.is_within_instant(),
@@ -75,18 +89,21 @@ auto Simulation_2<Traits>::snapshot() const -> Snapshot {
   result.counters = core_->counters;
   result.certificates = core_->schedule.certificate_counters();
   for (Point_id a = 0; a < core_->records.size(); ++a) {
-    for (const detail::Disc_overlap& overlap : core_->records.overlaps(a)) {
-      if (overlap.passes && a < overlap.id) result.in_contact.push_back({a, overlap.id});
+    for (const auto& overlap : core_->records.overlaps(a)) {
+      if (overlap.passes && detail::is_first(a, overlap.disc)) {
+        result.in_contact.push_back(detail::pair_from(a, overlap.disc));
+      }
     }
   }
   std::ranges::sort(result.in_contact);
   const auto& queue = core_->schedule.queue();
-  std::vector<detail::Contact_entry> changes;
-  queue.for_each([&](const detail::Contact_entry& entry) {
+  using Entry = typename detail::Simulation_types<Traits>::Entry;
+  std::vector<Entry> changes;
+  queue.for_each([&](const Entry& entry) {
     if (is_change(entry.kind)) changes.push_back(entry);
   });
-  std::ranges::sort(changes, {}, &detail::Contact_entry::point_b);
-  for (const detail::Contact_entry& change : changes) {
+  std::ranges::sort(changes, {}, &Entry::point_b);
+  for (const Entry& change : changes) {
     result.scheduled.push_back({queue.time_of(change).detached(),
                                 change.kind == Contact_kind::erase    ? Event_kind::erase
                                 : change.kind == Contact_kind::insert ? Event_kind::insert
@@ -96,11 +113,13 @@ auto Simulation_2<Traits>::snapshot() const -> Snapshot {
   return result;
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 Simulation_2<Traits>::Simulation_2(Restoration /*restores*/, const Snapshot& snapshot,
                                    Collision_response response, const Traits& traits)
     : core_(std::make_unique<detail::Simulation_core<Traits>>(traits, snapshot.options, [&] {
-        return Triangulation::restore(snapshot.triangulation, traits, snapshot.options.coincident);
+        return Triangulation::restore(
+            snapshot.triangulation, traits,
+            detail::coincident_for<Traits>(snapshot.options.coincident, snapshot.has_response));
       })) {
   KINETRI_PRECONDITION(
       !snapshot.has_response == !response,
@@ -120,19 +139,21 @@ Simulation_2<Traits>::Simulation_2(Restoration /*restores*/, const Snapshot& sna
   restore_changes(snapshot);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
   core_->start();
   for (std::size_t i = 0; i < snapshot.in_contact.size(); ++i) {
-    const auto [a, b] = snapshot.in_contact[i];
+    const typename Snapshot::Pair& pair = snapshot.in_contact[i];
+    const auto [a, b] = detail::ids_of(pair);
+    const auto other = detail::second_of(pair);
     if (!core_->setup.has_response() || a >= b || !triangulation().contains(a) ||
-        !triangulation().contains(b) || (i > 0 && !(snapshot.in_contact[i - 1] < Edge_ids{a, b}))) {
+        !triangulation().contains(b) || (i > 0 && !(snapshot.in_contact[i - 1] < pair))) {
       throw Snapshot_error("the snapshot has points " + std::to_string(a) + " and " +
                            std::to_string(b) +
                            " in contact; expected two points that are there, once, and a response");
     }
-    core_->records.start_overlap(a, b, core_->geometry.is_edge({a, b}));
-    core_->records.mark_passing(a, b, true);
+    core_->records.start_overlap(a, other, core_->geometry.is_edge(pair));
+    core_->records.mark_passing(a, other, true);
   }
   for (const Point_id id : core_->geometry.present_points()) {
     const auto refuse = [&](const Error& error) {
@@ -149,7 +170,7 @@ void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
   core_->schedule_all();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::restore_changes(const Snapshot& snapshot) {
   using detail::Contact_kind;
   std::vector<bool> is_inserted(triangulation().next_id());
@@ -176,7 +197,7 @@ void Simulation_2<Traits>::restore_changes(const Snapshot& snapshot) {
 
 // ---- calls within calls ----
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::check_may_change() const {
   KINETRI_PRECONDITION(!is_changing_,
                        "a change of the simulation within an event, or while another change is "
@@ -185,7 +206,7 @@ void Simulation_2<Traits>::check_may_change() const {
   check_is_whole();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::check_is_whole() const {
   KINETRI_PRECONDITION(!core_->loop.is_within_contact() || is_changing_,
                        "an error has left the simulation within a contact; make another one, or "
@@ -195,19 +216,19 @@ void Simulation_2<Traits>::check_is_whole() const {
 
 // ---- time ----
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::step() {
   const detail::Flag_while changing = start_change();
   return core_->step(nullptr);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::step(const Time& until) {
   const detail::Flag_while changing = start_change();
   return core_->step(&until);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::advance_to(const Time& time,
                                              const std::function<bool()>& may_go_on) {
   const detail::Flag_while changing = start_change();
@@ -217,7 +238,7 @@ std::size_t Simulation_2<Traits>::advance_to(const Time& time,
   return core_->advance_to(time, may_go_on);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::set_threads(std::size_t most) {
   core_->threads = most;
   core_->triangulation.set_threads(most);
@@ -225,7 +246,7 @@ void Simulation_2<Traits>::set_threads(std::size_t most) {
 
 // ---- changes, now ----
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 Point_id Simulation_2<Traits>::insert(const Motion& motion, double mass) {
   const detail::Flag_while changing = start_change();
   const Point_id id = triangulation().next_id();
@@ -235,19 +256,19 @@ Point_id Simulation_2<Traits>::insert(const Motion& motion, double mass) {
   return id;
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::set_motion(Point_id id, const Motion& motion) {
   set_motions({&id, 1}, {&motion, 1});
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::set_motions(std::span<const Point_id> ids,
                                        std::span<const Motion> motions) {
   const detail::Flag_while changing = start_change();
   core_->loop.set_motions(ids, motions);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::set_velocities(std::span<const Point_id> ids,
                                           std::span<const Vector_2> velocities) {
   const detail::Flag_while changing = start_change();
@@ -261,13 +282,13 @@ void Simulation_2<Traits>::set_velocities(std::span<const Point_id> ids,
   core_->loop.set_motions(ids, motions);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::erase(Point_id id) {
   const detail::Flag_while changing = start_change();
   core_->loop.erase(id);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::set_mass(Point_id id, double mass) {
   const detail::Flag_while changing = start_change();
   KINETRI_PRECONDITION(triangulation().contains(id), detail::unknown_id_problem(id));
@@ -277,7 +298,7 @@ void Simulation_2<Traits>::set_mass(Point_id id, double mass) {
 
 // ---- changes, scheduled ----
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule(const Time& time, detail::Contact_kind kind, Point_id id,
                                     const std::optional<Motion>& motion) {
   check_is_whole();
@@ -290,7 +311,7 @@ void Simulation_2<Traits>::schedule(const Time& time, detail::Contact_kind kind,
   core_->schedule.schedule_change(time, kind, id, motion);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 Point_id Simulation_2<Traits>::schedule_insert(const Time& time, const Motion& motion,
                                                double mass) {
   const Point_id id = triangulation().next_id();
@@ -302,51 +323,51 @@ Point_id Simulation_2<Traits>::schedule_insert(const Time& time, const Motion& m
   return id;
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_motion(const Time& time, Point_id id, const Motion& motion) {
   schedule(time, detail::Contact_kind::trajectory, id, motion);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::schedule_erase(const Time& time, Point_id id) {
   schedule(time, detail::Contact_kind::erase, id, std::nullopt);
 }
 
 // ---- watching ----
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::add_observer(Observer& observer) {
   check_may_change();
   core_->triangulation.add_observer(observer);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::remove_observer(Observer& observer) {
   core_->triangulation.remove_observer(observer);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::add_overlap_observer(Overlap_observer& observer) {
   check_may_change();
   core_->loop.overlap_observers().add(observer);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::remove_overlap_observer(Overlap_observer& observer) {
   core_->loop.overlap_observers().remove(observer);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::queue_size() const noexcept {
   return core_->schedule.queue().size();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 std::uint64_t Simulation_2<Traits>::number_of_passes() const noexcept {
   return core_->loop.number_of_passes();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 std::vector<Point_id> Simulation_2<Traits>::overlapping_discs(Point_id id) const {
   KINETRI_PRECONDITION(core_->setup.has_response(),
                        "overlaps are followed only with a response; log_contact changes nothing");
@@ -354,31 +375,32 @@ std::vector<Point_id> Simulation_2<Traits>::overlapping_discs(Point_id id) const
   const detail::Disc_geometry<Traits>& geometry = core_->geometry;
   const Traits exact = geometry.traits().exact();
   std::vector<Point_id> result;
-  for (const detail::Disc_overlap& overlap : core_->records.overlaps(id)) {
-    if (geometry.contains(overlap.id) && geometry.may_touch(id, overlap.id) &&
-        exact.may_overlap(geometry.point(id), geometry.point(overlap.id), core_->setup.diameter(),
-                          current_time())) {
-      result.push_back(overlap.id);
+  for (const auto& overlap : core_->records.overlaps(id)) {
+    const Point_id other = detail::id_of(overlap.disc);
+    if (geometry.contains(other) && geometry.may_touch(id, overlap.disc) &&
+        exact.may_overlap(geometry.point_of(geometry.itself(id)), geometry.point_of(overlap.disc),
+                          core_->setup.diameter(), current_time())) {
+      result.push_back(other);
     }
   }
   std::ranges::sort(result);
   return result;
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 Contact_counters Simulation_2<Traits>::contact_counters() const {
   Contact_counters result = core_->counters;
   result.queue = core_->schedule.queue().counters();
   return result;
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 Certificate_counters Simulation_2<Traits>::certificate_counters() const {
   Certificate_counters result = triangulation().certificate_counters();
   return result += core_->schedule.certificate_counters();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 Audit_report Simulation_2<Traits>::audit(Audit_level level) const {
   return typename detail::Simulation_types<Traits>::Simulation_auditor(*core_).run(level);
 }

@@ -33,8 +33,12 @@ Audit_report Simulation_types<Traits>::Simulation_auditor::run(Audit_level level
   const Contact_records& records = core_.records;
   const auto& queue = core_.schedule.queue();
   const auto fail = [&](std::string text) { report.failures.push_back(std::move(text)); };
-  const auto pair_name = [](Point_id a, Point_id b) {
-    return "points " + std::to_string(a) + " and " + std::to_string(b);
+  const auto pair_name = [](Point_id a, const Disc& b) {
+    std::string result = "points " + std::to_string(a) + " and " + std::to_string(id_of(b));
+    if constexpr (is_periodic) {
+      result += " (image " + std::to_string(b.offset.x) + ", " + std::to_string(b.offset.y) + ")";
+    }
+    return result;
   };
   if (!queue.is_valid()) fail("the queue of contacts is out of order");
   if (!queue.empty() && queue.time_of(queue.top()) < geometry.current_time())
@@ -54,13 +58,14 @@ Audit_report Simulation_types<Traits>::Simulation_auditor::run(Audit_level level
       if (event != no_event) ++entries;
     }
     for (const auto& [b, event] : contacts(a).partners) {
-      if (b < a) continue;
+      if (!is_first(a, b)) continue;
       ++entries;
       const Contact_entry& contact = queue[event];
-      if (contact.is_edge != geometry.is_edge({a, b}) && (contact.is_edge || contact.is_event)) {
+      if (contact.is_edge != geometry.is_edge(pair_from(a, b)) &&
+          (contact.is_edge || contact.is_event)) {
         fail("the contact of " + pair_name(a, b) + " says wrongly whether there is an edge");
       }
-      if (!core_.tracker.is_watched({a, b})) {
+      if (!core_.tracker.is_watched(pair_from(a, b))) {
         fail(pair_name(a, b) +
              " have a contact but neither an edge nor a third disc that overlaps");
       }
@@ -83,7 +88,7 @@ Audit_report Simulation_types<Traits>::Simulation_auditor::run(Audit_level level
     }
   };
   // At the start, and after Endless_contacts_error, contacts of the present time may be due.
-  const auto is_contact_due = [&](const Edge_ids& pair) {
+  const auto is_contact_due = [&](const Pair& pair) {
     const Queue_handle event = records.pair_event(pair);
     return event != no_event && queue[event].is_event &&
            queue.time_of(queue[event]) == geometry.current_time();
@@ -95,63 +100,78 @@ Audit_report Simulation_types<Traits>::Simulation_auditor::run(Audit_level level
     return certificate.failure ? *certificate.failure : from_bounds(certificate.bounds);
   };
   const Traits exact = geometry.traits().exact();
-  for (Point_id id = 0; core_.setup.has_box() && id < geometry.number_of_ids(); ++id) {
-    if (!geometry.contains(id)) continue;
-    std::optional<Algebraic_number> first;
-    for (const Wall_2& wall : core_.setup.walls()) {
-      if (!exact.is_inside(geometry.point(id), wall, geometry.current_time())) {
-        fail("point " + std::to_string(id) + " is outside of the box");
+  if constexpr (!is_periodic) {
+    for (Point_id id = 0; core_.setup.has_box() && id < geometry.number_of_ids(); ++id) {
+      if (!geometry.contains(id)) continue;
+      std::optional<Algebraic_number> first;
+      for (const Wall_2& wall : core_.setup.walls()) {
+        if (!exact.is_inside(geometry.point(id), wall, geometry.current_time())) {
+          fail("point " + std::to_string(id) + " is outside of the box");
+        }
+        if (level < Audit_level::certificates) continue;
+        const Certificate certificate =
+            exact.wall_certificate(geometry.point(id), wall, geometry.current_time());
+        const std::optional<Algebraic_number> failure =
+            failure_of(certificate, [&](const auto& bounds) {
+              return exact.wall_failure(geometry.point(id), wall, bounds);
+            });
+        if (failure && (!first || *failure < *first)) first = failure;
       }
       if (level < Audit_level::certificates) continue;
-      const Certificate certificate =
-          exact.wall_certificate(geometry.point(id), wall, geometry.current_time());
-      const std::optional<Algebraic_number> failure = failure_of(
-          certificate,
-          [&](const auto& bounds) { return exact.wall_failure(geometry.point(id), wall, bounds); });
-      if (failure && (!first || *failure < *first)) first = failure;
+      compare("point " + std::to_string(id), contacts(id).wall_event, first);
     }
-    if (level < Audit_level::certificates) continue;
-    compare("point " + std::to_string(id), contacts(id).wall_event, first);
   }
   if (!core_.setup.has_response()) return report;
   // Every overlap is recorded; and overlapping discs separate, or a response has let them pass.
-  geometry.for_each_exact_overlap(exact, [&](Point_id a, Point_id b) {
-    const Disc_overlap* const overlap = records.find_overlap({a, b});
+  geometry.for_each_exact_overlap(exact, [&](Point_id a, const Disc& b) {
+    const Pair pair = pair_from(a, b);
+    const Disc_overlap* const overlap = records.find_overlap(pair);
     if (overlap == nullptr) {  // its contact will record it
-      if (is_contact_due({a, b})) return;
+      if (is_contact_due(pair)) return;
       fail(pair_name(a, b) + " overlap, of which the simulation does not know");
-    } else if (overlap->is_edge != geometry.is_edge({a, b})) {
+    } else if (overlap->is_edge != geometry.is_edge(pair)) {
       fail("the overlap of " + pair_name(a, b) + " says wrongly whether there is an edge");
-    } else if (!overlap->passes && !is_contact_due({a, b}) &&
-               exact.do_approach(geometry.point(a), geometry.point(b), geometry.current_time())) {
+    } else if (!overlap->passes && !is_contact_due(pair) &&
+               exact.do_approach(geometry.point_of(geometry.itself(a)), geometry.point_of(b),
+                                 geometry.current_time())) {
       fail(pair_name(a, b) + " overlap and approach each other");
     }
   });
   if (level < Audit_level::certificates) return report;
-  std::vector<Edge_ids> watched = core_.triangulation.finite_edge_ids();
+  std::vector<Pair> watched;
+  if constexpr (is_periodic) {
+    watched = core_.triangulation.periodic_edges();
+  } else {
+    watched = core_.triangulation.finite_edge_ids();
+  }
   for (const Point_id id : geometry.present_points()) {
-    if (geometry.shown(id) != id) watched.push_back({geometry.shown(id), id});
-    geometry.for_each_corner(id, [&](Point_id corner) { watched.push_back(edge_ids(id, corner)); });
+    if constexpr (!is_periodic) {
+      if (geometry.shown(id) != id) watched.push_back({geometry.shown(id), id});
+    }
+    for (const Disc& corner : geometry.corners_of(id)) watched.push_back(pair_of(id, corner));
     if (records.find(id) != nullptr && contacts(id).corners != geometry.corners_of(id)) {
       fail("the simulation does not know which triangle hides point " + std::to_string(id));
     }
   }
   // Recorded discs may have separated, or only touch.
-  const auto overlap_now = [&](Point_id a, Point_id b) {
+  const auto overlap_now = [&](Point_id a, const Disc& b) {
     return geometry.may_touch(a, b, exact, geometry.current_time());
   };
   for (Point_id a = 0; a < geometry.number_of_ids(); ++a) {
-    core_.tracker.for_each_pair_of(a, overlap_now, [&](Point_id b) { watched.push_back({a, b}); });
+    core_.tracker.for_each_pair_of(a, overlap_now,
+                                   [&](const Disc& b) { watched.push_back(pair_from(a, b)); });
   }
   std::ranges::sort(watched);
   watched.erase(std::unique(watched.begin(), watched.end()), watched.end());
-  for (const auto& [a, b] : watched) {
+  for (const Pair& pair : watched) {
+    const Point_id a = ids_of(pair)[0];
+    const Disc b = second_of(pair);
     const Certificate certificate =
-        core_.schedule.pair_certificate({a, b}, geometry.current_time(), exact);
-    compare(pair_name(a, b), records.pair_event({a, b}),
-            failure_of(certificate, [&, a = a, b = b](const auto& bounds) {
-              return exact.contact_failure(geometry.point(a), geometry.point(b),
-                                           core_.setup.diameter(), bounds);
+        core_.schedule.pair_certificate(pair, geometry.current_time(), exact);
+    compare(pair_name(a, b), records.pair_event(pair),
+            failure_of(certificate, [&](const auto& bounds) {
+              return exact.contact_failure(geometry.point_of(geometry.itself(a)),
+                                           geometry.point_of(b), core_.setup.diameter(), bounds);
             }));
   }
   return report;

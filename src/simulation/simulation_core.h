@@ -48,7 +48,9 @@ struct Simulation_core {
   Kinetic_core& kinetic() { return Core_access::core(triangulation); }
   const Kinetic_core& kinetic() const { return Core_access::core(triangulation); }
 
-  /// Finds all overlaps.
+  /// In a periodic box, throws Own_image_error if a disc overlaps an image of itself.
+  void check_own_images() const;
+  /// Finds all overlaps. Precondition: no disc overlaps an image of itself.
   void start();
   /// Schedules the contacts of all points. Precondition: all overlaps are recorded; only changes
   /// are scheduled.
@@ -71,7 +73,7 @@ struct Simulation_core {
   typename Types::Simulation_setup setup;
   Triangulation triangulation;
   Disc_geometry<Traits> geometry{setup, triangulation};
-  Contact_records records;
+  typename Types::Contact_records records;
   Contact_schedule<Traits> schedule{geometry, records, kinetic().schedule.division(), counters};
   Overlap_tracker<Traits> tracker{geometry, records, schedule};
   typename Types::Contact_outcomes outcomes{geometry};
@@ -96,6 +98,7 @@ KINETRI_SIMULATION_PARTS(extern template, Linear_kinetic_traits_2);
 KINETRI_SIMULATION_PARTS(extern template, Polynomial_kinetic_traits_2);
 KINETRI_SIMULATION_PARTS(extern template, Disc_kinetic_traits_2);
 KINETRI_SIMULATION_PARTS(extern template, Polynomial_disc_kinetic_traits_2);
+KINETRI_SIMULATION_PARTS(extern template, Periodic_kinetic_traits_2);
 
 }  // namespace kinetri::detail
 

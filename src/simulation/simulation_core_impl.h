@@ -11,6 +11,18 @@
 namespace kinetri::detail {
 
 template <class Traits>
+void Simulation_core<Traits>::check_own_images() const {
+  if constexpr (Types::is_periodic) {
+    std::vector<typename Types::Point_2> discs;
+    for (const Point_id id : geometry.present_points()) {
+      discs.push_back(geometry.point(id));
+      if (!Types::has_radii) break;
+    }
+    geometry.check_own_images(discs);
+  }
+}
+
+template <class Traits>
 void Simulation_core<Traits>::start() {
   records.make_room(geometry.number_of_ids());
   if (setup.has_response()) kinetic().reporter.keep_trail();

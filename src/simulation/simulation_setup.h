@@ -79,6 +79,7 @@ std::string Simulation_types<Traits>::Simulation_setup::problem() const {
     if (!problem.empty()) return problem;
   }
   if (!options_.box) return {};
+  if (is_periodic) return "a box with walls, besides the periodic box of the traits; take one";
   const auto& [xmin, ymin, xmax, ymax] = *options_.box;
   if (!std::isfinite(xmin) || !std::isfinite(ymin) || !std::isfinite(xmax) ||
       !std::isfinite(ymax) || !(xmin < xmax && ymin < ymax)) {
@@ -96,17 +97,19 @@ template <class Traits>
 void Simulation_types<Traits>::Simulation_setup::check_place(const Point_2& p,
                                                              const Time& now) const {
   if constexpr (has_radii) check_radius(p, now);
-  if (!options_.box) return;
-  for (const Wall_2& wall : walls_) {
-    if (traits_.is_inside(p, wall, now)) continue;
-    const double time = now.to_double();
-    const Vector_2 place = rounded_place(p.motion(), time);
-    throw Outside_box_error(
-        p.id(), "point " + std::to_string(p.id()) + " is outside of the box at t = " + text(time) +
-                    ": at " + text(place.x) + ", " + text(place.y) +
-                    (wall.clearance > 0 || wall.rim_touches ? ", its rim" : "") + " beyond the " +
-                    std::string(name(wall.side)) + " side at " + text(wall.position) +
-                    "; expected every point inside of the box or on its sides");
+  if constexpr (!is_periodic) {
+    if (!options_.box) return;
+    for (const Wall_2& wall : walls_) {
+      if (traits_.is_inside(p, wall, now)) continue;
+      const double time = now.to_double();
+      const Vector_2 place = rounded_place(p.motion(), time);
+      throw Outside_box_error(
+          p.id(), "point " + std::to_string(p.id()) + " is outside of the box at t = " +
+                      text(time) + ": at " + text(place.x) + ", " + text(place.y) +
+                      (wall.clearance > 0 || wall.rim_touches ? ", its rim" : "") + " beyond the " +
+                      std::string(name(wall.side)) + " side at " + text(wall.position) +
+                      "; expected every point inside of the box or on its sides");
+    }
   }
 }
 

@@ -5,10 +5,11 @@
 #define KINETRI_SRC_SIMULATION_SIMULATION_TYPES_H
 
 #include <optional>
+#include <type_traits>
 
 #include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
-#include "simulation/simulation_entry.h"
+#include "simulation/contact_records.h"
 
 namespace kinetri::detail {
 
@@ -24,11 +25,26 @@ struct Simulation_types {
   using Point_2 = typename Traits::Point_2;
   using Change = Point_change<Motion>;
   using Time = Algebraic_number;
-  using Entry = Contact_entry;
-  using Subject = Contact_subject;
 
   /// Whether discs have radii of their own.
   static constexpr bool has_radii = HasWeight<Motion>;
+  /// Whether points are in a periodic box.
+  static constexpr bool is_periodic = PeriodicKineticTraits_2<Traits>;
+
+  /// How one disc names another, and what names two (disc_names.h).
+  using Disc = std::conditional_t<is_periodic, Periodic_image, Point_id>;
+  using Pair = typename Kinetic_types<Traits>::Edge_name;
+  /// What certificates of contacts take: in the plane, the point.
+  using Image_2 = typename Kinetic_types<Traits>::Image_2;
+
+  using Contact_entry = Basic_contact_entry<Disc>;
+  using Contact_subject = Basic_contact_subject<Disc>;
+  using Contact_record = Basic_contact_record<Disc>;
+  using Contact_records = Basic_contact_records<Disc>;
+  using Disc_overlap = Basic_disc_overlap<Disc>;
+  using Edge_trail = Basic_edge_trail<Pair>;
+  using Entry = Contact_entry;
+  using Subject = Contact_subject;
 
   /// A scheduled change that has left the queue, with its new motion.
   struct Due_change {

@@ -83,6 +83,45 @@ TEST(Contact_records, of_an_overlap_are_made_once_and_say_the_same_at_both_point
   EXPECT_NE(records.find_overlap({1, 2}), nullptr);
 }
 
+// In a periodic box two points are as many pairs as they have images that meet.
+TEST(Contact_records, tell_images_of_one_point_apart) {
+  detail::Basic_contact_records<Periodic_image> records;
+  const auto subject = [](Point_id a, Point_id b, Lattice_offset_2 offset) {
+    return detail::Basic_contact_subject<Periodic_image>{Contact_kind::collision, a, b, offset};
+  };
+  records.add_event(subject(2, 5, {0, 0}), 17);
+  records.add_event(subject(2, 5, {1, -3}), 18);
+  EXPECT_EQ(records.pair_event({{2, 5}, {1, -3}}), 18u);
+  EXPECT_EQ(records.pair_event({{5, 2}, {-1, 3}}), 18u) << "the same from the other end";
+  EXPECT_EQ(records.pair_event({{5, 2}, {1, -3}}), no_event);
+  EXPECT_EQ(records.forget_pair({{2, 5}, {0, 0}}), 17u);
+  EXPECT_EQ(records.pair_event({{2, 5}, {1, -3}}), 18u) << "another pair stays";
+  records.start_overlap(2, {5, {1, -3}}, true);
+  EXPECT_NE(records.find_overlap({{5, 2}, {-1, 3}}), nullptr);
+  EXPECT_EQ(records.find_overlap({{2, 5}, {0, 0}}), nullptr);
+  records.forget_overlap(5, {2, {-1, 3}});
+  EXPECT_EQ(records.find_overlap({{2, 5}, {1, -3}}), nullptr);
+}
+
+TEST(Contact_records, have_the_pair_of_a_point_with_its_own_image_from_both_ends) {
+  detail::Basic_contact_records<Periodic_image> records;
+  records.add_event({Contact_kind::collision, 4, 4, {0, 1}}, 9);
+  EXPECT_EQ(records.of(4).partners.size(), 2u);
+  EXPECT_EQ(records.pair_event({{4, 4}, {0, 1}}), 9u);
+  EXPECT_EQ(records.pair_event({{4, 4}, {0, -1}}), 9u);
+  EXPECT_EQ(records.forget_pair({{4, 4}, {0, -1}}), 9u);
+  EXPECT_TRUE(records.of(4).partners.empty());
+  records.start_overlap(4, {4, {0, 1}}, false);
+  records.mark_edge({{4, 4}, {0, -1}}, true);
+  EXPECT_TRUE(records.find_overlap({{4, 4}, {0, 1}})->is_edge);
+  records.forget_overlap(4, {4, {0, 1}});
+  EXPECT_TRUE(records.overlaps(4).empty());
+}
+
+// An offset costs nothing in the plane.
+static_assert(sizeof(Contact_subject) == 3 * sizeof(Point_id));
+static_assert(sizeof(detail::Contact_partner<Point_id>) == 2 * sizeof(Point_id));
+
 TEST(Contact_records, come_with_what_they_have_and_go_with_their_points) {
   Contact_records records;
   EXPECT_EQ(records.find(9), nullptr);

@@ -36,7 +36,7 @@ template <class Any_part>
 Pairs recorded_overlaps(const Any_part& part) {
   Pairs result;
   for (Point_id id = 0; id < part.geometry.number_of_ids(); ++id) {
-    for (const auto& overlap : part.records.overlaps(id)) result.insert(edge_ids(id, overlap.id));
+    for (const auto& overlap : part.records.overlaps(id)) result.insert(edge_ids(id, overlap.disc));
   }
   return result;
 }

@@ -25,6 +25,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,7 @@
 #include "kinetri/impl/base/flag_while.h"
 #include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/kinetic/kinetic_traits_2.h"
+#include "kinetri/kinetic/periodic_kinetic_traits_2.h"
 #include "kinetri/simulation/simulation_errors.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
@@ -51,6 +53,8 @@ template <KineticTraits_2 Traits>
 struct Simulation_snapshot {
   using Motion = typename Traits::Motion;  ///< of the traits
   using Time = Algebraic_number;           ///< of events
+  /// What names two discs.
+  using Pair = std::conditional_t<PeriodicKineticTraits_2<Traits>, Periodic_edge, Edge_ids>;
 
   /// A scheduled change of a point that is still to be made.
   struct Change {
@@ -63,9 +67,9 @@ struct Simulation_snapshot {
   Triangulation_snapshot<Traits> triangulation;  ///< of the simulation's triangulation
   Simulation_options options;                    ///< without the response
   bool has_response = false;                     ///< whether there was one
-  std::vector<Edge_ids> in_contact;  ///< pairs of discs that a response has left in contact; sorted
-  std::vector<Change> scheduled;     ///< in the order of the calls that scheduled them
-  Contact_counters counters;         ///< without the counters of the queue
+  std::vector<Pair> in_contact;   ///< pairs of discs that a response has left in contact; sorted
+  std::vector<Change> scheduled;  ///< in the order of the calls that scheduled them
+  Contact_counters counters;      ///< without the counters of the queue
   Certificate_counters certificates;  ///< of contacts
 };
 
@@ -101,6 +105,19 @@ class Overlap_observer {
 /// to suffice. So points are never outside of the box, exactly, and all events are exact for these
 /// motions.
 ///
+/// With PeriodicContactKineticTraits_2 the discs are in a periodic box, without walls
+/// (Simulation_options::box is empty). A contact is then one of a disc and an image of another one:
+/// the offset of the image against point_b is added_offset of the event. Points may leave the box,
+/// and positions are rounded after contacts as in the plane; nothing is wrapped. All responses
+/// work. They are told the position and the velocity of the image, which differs from that of
+/// point_b by the rates of the lattice vectors, and a new velocity is one of the image. So elastic
+/// collisions conserve momentum, and in a box at rest energy, up to rounding. In a box that moves,
+/// images of a disc that is stopped go on: discs that are stopped already pass through each other.
+/// An own image stops the run: Own_image_error is thrown if a disc overlaps one at the start or
+/// when it is inserted, and instead of the contact of a disc with one, at the exact time. With a
+/// response discs may not coincide for a while: Coincident_trajectories_error, whatever
+/// Simulation_options::coincident says. One thread executes the events.
+///
 /// Functions that are not const change the simulation, except set_threads and those that remove
 /// observers. They throw Precondition_error if called while another one of them runs: by an
 /// observer, a response, or the stop token `may_go_on`. Within an event only the functions
@@ -108,16 +125,17 @@ class Overlap_observer {
 /// observer has thrown within an event, or an exception (Contact_error, or one of a response) has
 /// left the simulation within a contact: then only const functions may be called; construct another
 /// simulation, or restore a snapshot.
-template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
+template <SimulationKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Simulation_2 {
   static_assert(std::same_as<Traits, Linear_kinetic_traits_2> ||
                     std::same_as<Traits, Polynomial_kinetic_traits_2> ||
                     std::same_as<Traits, Disc_kinetic_traits_2> ||
-                    std::same_as<Traits, Polynomial_disc_kinetic_traits_2>,
-                "Simulation_2 is compiled into the library for four traits: use one of "
-                "Linear_kinetic_traits_2, Polynomial_kinetic_traits_2, Disc_kinetic_traits_2 and "
-                "Polynomial_disc_kinetic_traits_2; or Kinetic_triangulation_2, which works with "
-                "traits of your own");
+                    std::same_as<Traits, Polynomial_disc_kinetic_traits_2> ||
+                    std::same_as<Traits, Periodic_kinetic_traits_2>,
+                "Simulation_2 is compiled into the library for five traits: use one of "
+                "Linear_kinetic_traits_2, Polynomial_kinetic_traits_2, Disc_kinetic_traits_2, "
+                "Polynomial_disc_kinetic_traits_2 and Periodic_kinetic_traits_2; or "
+                "Kinetic_triangulation_2, which works with traits of your own");
 
  public:
   using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what a simulation owns
@@ -130,10 +148,10 @@ class Simulation_2 {
   /// Throws Precondition_error for invalid options: a box without area, or not finite; a radius
   /// that is negative or not finite; collisions of discs without a radius; a box that is not wider
   /// than a disc whose boundary circle touches it; masses that are not positive and finite, or not
-  /// as many as points. Throws Outside_box_error, Negative_radius_error or Overlapping_discs_error
-  /// if a point, radius or pair of discs is invalid at the start, and as the constructor of the
-  /// triangulation. Cost: that of the triangulation, and a contact certificate for each edge and
-  /// wall.
+  /// as many as points; a box besides a periodic box. Throws Outside_box_error,
+  /// Negative_radius_error, Overlapping_discs_error or Own_image_error if a point, radius, pair of
+  /// discs or disc is invalid at the start, and as the constructor of the triangulation. Cost: that
+  /// of the triangulation, and a contact certificate for each edge and wall.
   Simulation_2(const std::vector<Motion>& motions, const Simulation_options& options,
                const Time& start = Time(), const Traits& traits = Traits());
 
@@ -172,10 +190,11 @@ class Simulation_2 {
   // ---- time ----
 
   /// Goes to the time of the next event and executes all events of that time, contacts included.
-  /// Returns their number; 0 if there is no next event. Throws Endless_contacts_error before the
-  /// contact that it names. After another Contact_error the simulation is left within the contact,
-  /// and cannot continue. Throws Negative_radius_error instead of passing the time at which a
-  /// shrinking radius reaches zero; to continue, change that motion or erase the point.
+  /// Returns their number; 0 if there is no next event. Throws Endless_contacts_error or
+  /// Own_image_error before the contact that it names. After another Contact_error the simulation
+  /// is left within the contact, and cannot continue. Throws Negative_radius_error instead of
+  /// passing the time at which a shrinking radius reaches zero; to continue, change that motion or
+  /// erase the point.
   std::size_t step();
 
   /// As step(), if the next event is at or before `until`; else returns 0.
@@ -205,8 +224,8 @@ class Simulation_2 {
   /// @{
   /// Changes a point at current_time(), as the functions of the triangulation of these names do.
   /// Throws Outside_box_error or Negative_radius_error if the new motion is invalid now, and
-  /// insert() Overlapping_discs_error if the options refuse overlaps. Precondition:
-  /// triangulation().contains(id); the mass is positive and finite.
+  /// insert() Overlapping_discs_error if the options refuse overlaps, and Own_image_error.
+  /// Precondition: triangulation().contains(id); the mass is positive and finite.
   Point_id insert(const Motion& motion, double mass = 1);
   void set_motion(Point_id id, const Motion& motion);
   void set_motions(std::span<const Point_id> ids, std::span<const Motion> motions);
@@ -253,9 +272,9 @@ class Simulation_2 {
   /// @}
 
   /// The points whose discs overlap that of the point just after the current time, exactly; sorted.
-  /// Precondition: there is a response, since overlaps are not tracked without one;
-  /// triangulation().contains(id). Cost: an exact predicate for each disc that overlaps or almost
-  /// does.
+  /// In a periodic box a point comes as often as images of it overlap. Precondition: there is a
+  /// response, since overlaps are not tracked without one; triangulation().contains(id). Cost: an
+  /// exact predicate for each disc that overlaps or almost does.
   std::vector<Point_id> overlapping_discs(Point_id id) const;
 
   /// @{
@@ -316,6 +335,7 @@ extern template class Simulation_2<Linear_kinetic_traits_2>;
 extern template class Simulation_2<Polynomial_kinetic_traits_2>;
 extern template class Simulation_2<Disc_kinetic_traits_2>;
 extern template class Simulation_2<Polynomial_disc_kinetic_traits_2>;
+extern template class Simulation_2<Periodic_kinetic_traits_2>;
 
 }  // namespace kinetri
 

@@ -42,6 +42,26 @@ class Contact_overflow_error : public Contact_error {
   using Contact_error::Contact_error;
 };
 
+/// A disc in a periodic box overlaps an image of itself, at the start or when it is inserted or
+/// gets another motion; or the two have a contact, since the box shrinks or is sheared, or the disc
+/// grows. In the second case the contact has not been executed and is due at the present time;
+/// until then the simulation is as between two events, and so is its snapshot.
+class Own_image_error : public Contact_error {
+ public:
+  /// About the disc and its image with the offset at the time, with the message that what() gives.
+  Own_image_error(Point_id point, Lattice_offset_2 offset, Algebraic_number time,
+                  const std::string& message)
+      : Contact_error(point, message), offset_(offset), time_(std::move(time)) {}
+  /// Of the image.
+  Lattice_offset_2 offset() const noexcept { return offset_; }
+  /// When, exactly.
+  const Algebraic_number& time() const noexcept { return time_; }
+
+ private:
+  Lattice_offset_2 offset_;
+  Algebraic_number time_;
+};
+
 /// Discs overlap at the start, or when one is inserted, and the options refuse that.
 class Overlapping_discs_error : public Error {
  public:

@@ -95,7 +95,8 @@ struct Changed_edges {
 /// point_b of `hide` or `reveal`. It may be erased at that time.
 ///
 /// In a periodic box several edges may have the same ends. `removed` and `removed_offset` together
-/// are a Periodic_edge, as are `added` and `added_offset`.
+/// are a Periodic_edge, as are `added` and `added_offset`. A `collision` is one of point_a and of the
+/// image of point_b with `added_offset`.
 template <class Time>
 struct Basic_event {
   std::uint64_t number = 0;            ///< 0 for the first event of a run, then one more each
@@ -108,7 +109,7 @@ struct Basic_event {
   /// The third corner of the triangle removed or added at a hull edge. Not in files.
   std::optional<Point_id> apex = std::nullopt;
   Lattice_offset_2 removed_offset = {};  ///< of the removed edge, in a periodic box
-  Lattice_offset_2 added_offset = {};    ///< of the added edge, in a periodic box
+  Lattice_offset_2 added_offset = {};    ///< of the added edge, or of point_b, in a periodic box
 };
 
 }  // namespace kinetri

@@ -52,15 +52,17 @@ inline Event flip_event(Event_kind kind, const std::pair<Edge_ids, Edge_ids>& re
 }
 
 /// Edges, and links of twins with the points that hide them, added and removed in that order; and
-/// hidden points that may have other triangles now.
-struct Edge_trail {
+/// hidden points that may have other triangles now. In a periodic box links have no names.
+template <class Edge_name>
+struct Basic_edge_trail {
   struct Step {
-    std::optional<Edge_ids> removed;
-    std::optional<Edge_ids> added;
+    std::optional<Edge_name> removed;
+    std::optional<Edge_name> added;
   };
   std::vector<Step> edges;
   std::vector<Point_id> hidden;
 };
+using Edge_trail = Basic_edge_trail<Edge_ids>;  ///< in the plane
 
 /// Observers, counts, and edges that are reported together.
 ///
@@ -69,6 +71,8 @@ struct Edge_trail {
 template <class Traits>
 class Kinetic_types<Traits>::Event_reporter {
  public:
+  using Edge_trail = Basic_edge_trail<Edge_name>;
+
   /// The others must outlive this object.
   Event_reporter(const Topology& topology, const Schedule& schedule,
                  Triangulation_counters& counters)
@@ -117,7 +121,7 @@ class Kinetic_types<Traits>::Event_reporter {
   /// From now on keeps added and removed edges and links for the owner of the triangulation.
   void keep_trail() { keeps_trail_ = true; }
   Edge_trail take_trail() { return std::exchange(trail_, {}); }
-  void trail(const Edge_trail::Step& step) {
+  void trail(const typename Edge_trail::Step& step) {
     if (keeps_trail_) trail_.edges.push_back(step);
   }
 
@@ -136,7 +140,9 @@ class Kinetic_types<Traits>::Event_reporter {
       observers_.call([&](Event_observer& observer) { observer.before_event(event); });
       change();
       count_event(event.kind);
-      if (event.removed || event.added) trail({event.removed, event.added});
+      if (event.removed || event.added) {
+        trail({named(event.removed, event.removed_offset), named(event.added, event.added_offset)});
+      }
       observers_.call([&](Event_observer& observer) { observer.after_event(event); });
     });
   }
@@ -204,6 +210,11 @@ class Kinetic_types<Traits>::Event_reporter {
     } else {
       return ids;
     }
+  }
+
+  static std::optional<Edge_name> named(const std::optional<Edge_ids>& ids,
+                                        Lattice_offset_2 offset) {
+    return ids ? std::optional(named(*ids, offset)) : std::nullopt;
   }
 
   const Topology& topology_;

@@ -50,10 +50,15 @@ Changed_edges Kinetic_types<Traits>::Point_changes::perform(std::span<const Even
     links = set_twins(planned);
   });
   reporter_.report_happened(events.subspan(1));
-  // A link may have the ends of an edge that is added or removed.
-  for (const Edge_ids& link : links.removed) reporter_.trail({link, std::nullopt});
+  // A link may have the ends of an edge that is added or removed. In a periodic box a simulation of
+  // discs has none.
+  if constexpr (!is_periodic) {
+    for (const Edge_ids& link : links.removed) reporter_.trail({link, std::nullopt});
+  }
   Changed_edges result = reporter_.report_edges();
-  for (const Edge_ids& link : links.added) reporter_.trail({std::nullopt, link});
+  if constexpr (!is_periodic) {
+    for (const Edge_ids& link : links.added) reporter_.trail({std::nullopt, link});
+  }
   reporter_.report_hiding();
   return result;
 }

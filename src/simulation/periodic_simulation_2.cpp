@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Simulation_2 of discs in a periodic box. The members of the parts of the triangulation that it
+// uses are instantiated here.
+#include "kinetri/simulation/simulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
+#include "simulation/simulation_2_impl.h"
+
+namespace kinetri {
+
+template class Simulation_2<Periodic_kinetic_traits_2>;
+
+namespace detail {
+KINETRI_SIMULATION_PARTS(template, Periodic_kinetic_traits_2);
+}  // namespace detail
+
+}  // namespace kinetri

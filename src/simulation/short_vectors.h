@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shortest vectors of the lattice of a periodic box at one time, exactly; and discs that overlap an
+// image of themselves, since they are greater than such a vector.
+#ifndef KINETRI_SRC_SIMULATION_SHORT_VECTORS_H
+#define KINETRI_SRC_SIMULATION_SHORT_VECTORS_H
+
+#include <string>
+
+#include "kinetri/impl/triangulation/wrapping.h"
+#include "kinetri/simulation/simulation_errors.h"
+#include "simulation/shortest_text.h"
+#include "triangulation/whole_vectors.h"
+
+namespace kinetri::detail {
+
+/// A basis (a, b) of the lattice that is reduced in the sense of Lagrange: |a| <= |b|, |b| <= |b +
+/// a| and |b| <= |b - a|. So a is a shortest vector of the lattice. Exact.
+template <class Traits>
+class Short_vectors {
+ public:
+  using Point_2 = typename Traits::Point_2;
+
+  /// At a time at which the box has an area.
+  Short_vectors(const Traits& traits, const Algebraic_number& time)
+      : at_(traits.instantaneous_traits(Instant{time, Time_side::at})),
+        basis_(Wrapping(traits.box(), time.to_double()).basis()) {
+    // Mostly it is reduced already. Each step makes a vector shorter, and no other change longer.
+    auto& [a, b] = basis_;
+    for (;;) {
+      if (is_shorter(b, a)) {
+        const Lattice_offset_2 before = a;
+        a = b;
+        b = reversed(before);
+        continue;
+      }
+      const Lattice_offset_2 less = sum(b, reversed(a));
+      const Lattice_offset_2 more = sum(b, a);
+      if (is_shorter(less, b)) {
+        b = less;
+      } else if (is_shorter(more, b)) {
+        b = more;
+      } else {
+        return;
+      }
+    }
+  }
+
+  const Lattice_offset_2& shortest() const { return basis_[0]; }
+
+  /// Whether `is_one` is true of the offset of an image of q that is no farther from p than the
+  /// shortest vector is long. It is asked of others, too.
+  template <class Is_one>
+  bool any_near(const Point_2& p, const Point_2& q, const Is_one& is_one) const {
+    // p is in the parallelogram at the image of q with the offset `whole`. The parallelogram is at
+    // least sqrt(3) / 2 times the shortest vector wide in both directions.
+    const Lattice_offset_2 whole = whole_vectors(at_, q, at_.image(p, {}), basis_);
+    const auto& [a, b] = basis_;
+    for (std::int64_t i = -1; i <= 2; ++i) {
+      for (std::int64_t j = -1; j <= 2; ++j) {
+        const auto offset = to_offset(whole.x + i * a.x + j * b.x, whole.y + i * a.y + j * b.y);
+        if (offset && is_one(*offset)) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  bool is_shorter(const Lattice_offset_2& u, const Lattice_offset_2& v) const {
+    const Point_2 origin(typename Traits::Motion(), no_point);
+    return at_.compare_distance_2_object()(at_.image(origin, {}), at_.image(origin, u),
+                                           at_.image(origin, v)) == CGAL::SMALLER;
+  }
+
+  typename Traits::Instantaneous_traits at_;
+  Lattice_basis_2 basis_;
+};
+
+/// Throws that a disc and an image of itself overlap or have a contact at a time.
+[[noreturn]] inline void throw_own_image_error(const Periodic_image& image,
+                                               const Algebraic_number& time) {
+  throw Own_image_error(image.id, image.offset, time.detached(),
+                        "disc " + std::to_string(image.id) + " meets its own image (" +
+                            std::to_string(image.offset.x) + ", " + std::to_string(image.offset.y) +
+                            ") at t = " + text(time) +
+                            "; expected lattice vectors that stay longer than the diameter: take "
+                            "smaller discs or a larger periodic box, or end before that time");
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_SRC_SIMULATION_SHORT_VECTORS_H
