@@ -583,30 +583,45 @@ template class Basic_kinetic_traits_2<Disc_motion_2>;
 template class Basic_kinetic_traits_2<Polynomial_disc_motion_2>;
 
 // Of images, the certificates of triangulations.
+#define KINETRI_OF_IMAGES(Traits, Image)                                                           \
+  template Certificate Traits::in_circle_certificate(const Image&, const Image&, const Image&,     \
+                                                     const Image&, const Time&, Certificate_state) \
+      const;                                                                                       \
+  template Certificate Traits::orientation_certificate(const Image&, const Image&, const Image&,   \
+                                                       const Time&, Certificate_state) const;      \
+  template Certificate Traits::flatness_certificate(const Image&, const Image&, const Image&,      \
+                                                    const Time&, Certificate_state) const;         \
+  template Certificate Traits::coincidence_certificate(const Image&, const Image&, const Time&,    \
+                                                       const Double_interval&) const;              \
+  template Time Traits::in_circle_failure(const Image&, const Image&, const Image&, const Image&,  \
+                                          const Double_interval&) const;                           \
+  template Time Traits::orientation_failure(const Image&, const Image&, const Image&,              \
+                                            const Double_interval&) const;                         \
+  template std::array<Certificate, 2> Traits::in_circle_certificates(                              \
+      const std::array<Quadruple<Image>, 2>&, const Time&) const;                                  \
+  template std::array<Certificate, 5> Traits::certificates_after_flip(                             \
+      const Flip_neighborhood<Image>&, const Double_interval&) const;                              \
+  template bool Traits::is_surrounded(const Image&, std::span<const Image* const>,                 \
+                                      const Double_interval&) const
 using Of_images = Basic_kinetic_traits_2<Image_motion_2>;
-template Certificate Of_images::in_circle_certificate(const Moving_image_2&, const Moving_image_2&,
-                                                      const Moving_image_2&, const Moving_image_2&,
-                                                      const Time&, Certificate_state) const;
-template Certificate Of_images::orientation_certificate(const Moving_image_2&,
-                                                        const Moving_image_2&,
-                                                        const Moving_image_2&, const Time&,
-                                                        Certificate_state) const;
-template Certificate Of_images::flatness_certificate(const Moving_image_2&, const Moving_image_2&,
-                                                     const Moving_image_2&, const Time&,
-                                                     Certificate_state) const;
-template Certificate Of_images::coincidence_certificate(const Moving_image_2&,
-                                                        const Moving_image_2&, const Time&,
-                                                        const Double_interval&) const;
-template Time Of_images::in_circle_failure(const Moving_image_2&, const Moving_image_2&,
-                                           const Moving_image_2&, const Moving_image_2&,
-                                           const Double_interval&) const;
-template Time Of_images::orientation_failure(const Moving_image_2&, const Moving_image_2&,
-                                             const Moving_image_2&, const Double_interval&) const;
-template std::array<Certificate, 2> Of_images::in_circle_certificates(
-    const std::array<Quadruple<Moving_image_2>, 2>&, const Time&) const;
-template std::array<Certificate, 5> Of_images::certificates_after_flip(
-    const Flip_neighborhood<Moving_image_2>&, const Double_interval&) const;
-// And those of discs about them.
+using Of_discs = Basic_kinetic_traits_2<Image_disc_motion_2>;
+KINETRI_OF_IMAGES(Of_images, Moving_image_2);
+KINETRI_OF_IMAGES(Of_discs, Moving_image_disc_2);
+#undef KINETRI_OF_IMAGES
+template Certificate Of_discs::segment_certificate(const Moving_image_disc_2&,
+                                                   const Moving_image_disc_2&,
+                                                   const Moving_image_disc_2&, const Time&) const;
+template Certificate Of_discs::hiding_certificate(const Moving_image_disc_2&,
+                                                  const Moving_image_disc_2&,
+                                                  const Moving_image_disc_2&, const Time&) const;
+template Certificate Of_discs::weight_certificate(const Moving_image_disc_2&,
+                                                  const Moving_image_disc_2&, const Time&) const;
+template Certificate Of_discs::meeting_certificate(const Moving_image_disc_2&,
+                                                   const Moving_image_disc_2&, const Time&,
+                                                   const Double_interval&) const;
+template Sign Of_discs::certain_turn(const Moving_image_disc_2&, const Moving_image_disc_2&,
+                                     const Moving_image_disc_2&, const Double_interval&) const;
+// Of images of points, the contacts of discs of one radius about them.
 template Certificate Of_images::contact_certificate(const Moving_image_2&, const Moving_image_2&,
                                                     double, const Time&) const;
 template Certificate Of_images::next_contact_certificate(const Moving_image_2&,
@@ -622,8 +637,5 @@ template bool Of_images::do_touch(const Moving_image_2&, const Moving_image_2&, 
                                   const Time&) const;
 template bool Of_images::may_overlap(const Moving_image_2&, const Moving_image_2&, double,
                                      const Time&) const;
-template bool Of_images::is_surrounded(const Moving_image_2&,
-                                       std::span<const Moving_image_2* const>,
-                                       const Double_interval&) const;
 
 }  // namespace kinetri

@@ -161,6 +161,7 @@ Trajectory_2 weighted_circumcenter_trajectory(const Point& p, const Point& q, co
   template Trajectory_2 weighted_circumcenter_trajectory(const Point&, const Point&, const Point&)
 KINETRI_INSTANTIATE(Moving_point_2);
 KINETRI_INSTANTIATE(Moving_image_2);
+KINETRI_INSTANTIATE(Moving_image_disc_2);
 KINETRI_INSTANTIATE(Basic_moving_point_2<Polynomial_motion_2>);
 KINETRI_INSTANTIATE(Basic_moving_point_2<Disc_motion_2>);
 KINETRI_INSTANTIATE(Basic_moving_point_2<Polynomial_disc_motion_2>);

@@ -6,6 +6,7 @@
 #define KINETRI_SRC_KINETIC_FAILURE_ROOTS_H
 
 #include <array>
+#include <concepts>
 #include <optional>
 
 #include "filter/disc_filter.h"
@@ -25,13 +26,16 @@ template <class Motion>
 struct Kept {
   const Motion& operator()(const Motion& motion) const { return motion; }
 };
-template <>
-struct Kept<Image_motion_2> {
-  Image_motion_2 operator()(const Image_motion_2& image) {
+template <class Image>
+requires std::same_as<Center_motion_of<Image>, Image_motion_2>
+struct Kept<Image> {
+  Image operator()(const Image& image) {
     if (image.box == nullptr) return image;
     if (!box) box = *image.box;
     KINETRI_PRECONDITION(*image.box == *box, "the images of a certificate have different boxes");
-    return {image.motion, image.offset, &*box};
+    Image result = image;
+    result.box = &*box;
+    return result;
   }
   std::optional<Periodic_box_2> box;
 };

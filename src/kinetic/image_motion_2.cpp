@@ -30,12 +30,21 @@ std::int32_t offset_back(const Polynomial& part, const Polynomial& area,
   return static_cast<std::int32_t>(-whole);
 }
 
+template <class Image>
+bool have_same_trajectory(const Image& a, const Image& b) {
+  const Basic_moving_point_2<Image> p(a);
+  const Basic_moving_point_2<Image> q(b);
+  return x_difference(p, q).is_zero() && y_difference(p, q).is_zero() &&
+         weight_difference(p, q).is_zero();
+}
+
 }  // namespace
 
 bool same_trajectory(const Image_motion_2& a, const Image_motion_2& b) {
-  const Moving_image_2 p(a);
-  const Moving_image_2 q(b);
-  return x_difference(p, q).is_zero() && y_difference(p, q).is_zero();
+  return have_same_trajectory(a, b);
+}
+bool same_trajectory(const Image_disc_motion_2& a, const Image_disc_motion_2& b) {
+  return have_same_trajectory(a, b);
 }
 
 Vector_2 rounded_position(const Image_motion_2& image, const Algebraic_number& t) {

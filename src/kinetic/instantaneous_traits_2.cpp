@@ -124,6 +124,7 @@ Sign Basic_instantaneous_traits_2<Motion>::Predicate::below_segment(const Point_
 
 template class Basic_instantaneous_traits_2<Linear_motion_2>;
 template class Basic_instantaneous_traits_2<Image_motion_2>;
+template class Basic_instantaneous_traits_2<Image_disc_motion_2>;
 template class Basic_instantaneous_traits_2<Polynomial_motion_2>;
 template class Basic_instantaneous_traits_2<Disc_motion_2>;
 template class Basic_instantaneous_traits_2<Polynomial_disc_motion_2>;

@@ -25,7 +25,7 @@ struct Length {
 /// The radius of a disc; zero for a point without one.
 template <class Motion>
 Length::Term radius_of(const Motion& motion) {
-  if constexpr (HasWeight<Motion>) return {motion.radius, motion.growth, motion.epoch};
+  if constexpr (HasWeight<Motion>) return {motion.radius, motion.growth, epoch_of(motion)};
   return {};
 }
 

@@ -52,6 +52,9 @@ Trajectory_2 trajectory(const Polynomial_motion_2& motion) {
 Trajectory_2 trajectory(const Image_motion_2& image) {
   return on_heap(scaled_alone(image));
 }
+Trajectory_2 trajectory(const Image_disc_motion_2& image) {
+  return on_heap(scaled_alone(image));
+}
 Trajectory_2 trajectory(const Disc_motion_2& motion) {
   return on_heap(scaled_alone(motion));
 }
@@ -129,6 +132,7 @@ std::array<Trajectory_2, N> common_trajectories(
   KINETRI_INSTANTIATE(4, Motion)
 KINETRI_INSTANTIATE_ALL(Linear_motion_2);
 KINETRI_INSTANTIATE_ALL(Image_motion_2);
+KINETRI_INSTANTIATE_ALL(Image_disc_motion_2);
 KINETRI_INSTANTIATE_ALL(Polynomial_motion_2);
 KINETRI_INSTANTIATE_ALL(Disc_motion_2);
 KINETRI_INSTANTIATE_ALL(Polynomial_disc_motion_2);

@@ -21,7 +21,7 @@ namespace kinetri {
 template <class Given>
 constexpr bool is_linear =
     std::same_as<Given, Length> || std::same_as<Center_motion_of<Given>, Linear_motion_2> ||
-    std::same_as<Given, Image_motion_2>;
+    std::same_as<Center_motion_of<Given>, Image_motion_2>;
 
 /// The polynomial of a formula, of degree at most 4 in the coordinates, of points and lengths; none
 /// if motions are not linear or the numbers have too many bits.

@@ -264,7 +264,7 @@ struct Weighted_coordinates {
   template <class Disc>
   explicit Weighted_coordinates(const Disc& disc)
       : center(kinetri::center(disc)),
-        radius(disc.radius, disc.growth, disc.epoch),
+        radius(disc.radius, disc.growth, epoch_of(disc)),
         weight(dyadic<Number>(disc.weight)) {}
 
   void add_to(Exponents& exponents) const {

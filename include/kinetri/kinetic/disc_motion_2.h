@@ -65,6 +65,15 @@ const auto& center(const Motion& motion) {
 template <class Motion>
 using Center_motion_of = std::remove_cvref_t<decltype(center(std::declval<const Motion&>()))>;
 
+/// The epoch of a motion.
+template <class Motion>
+requires requires(const Motion& motion) {
+  motion.epoch;
+}
+double epoch_of(const Motion& motion) {
+  return motion.epoch;
+}
+
 /// The same disc, as one whose center may accelerate.
 Polynomial_disc_motion_2 polynomial_motion(const Disc_motion_2& disc);
 
@@ -107,7 +116,7 @@ bool have_equal_weights(const Polynomial_disc_motion_2& a, const Polynomial_disc
 /// last place of the largest term of the formula.
 template <class CenterMotion>
 double rounded_radius(const Basic_disc_motion_2<CenterMotion>& disc, double t) {
-  return disc.radius + disc.growth * (t - disc.epoch);
+  return disc.radius + disc.growth * (t - epoch_of(disc));
 }
 
 /// The weight at time t, rounded as rounded_radius is.
@@ -125,7 +134,7 @@ double weight_error(const Basic_disc_motion_2<CenterMotion>& disc, double t,
   // The radius has three roundings, the weight two more, each of at most two unit roundoffs in any
   // rounding mode.
   const double radius = std::abs(rounded_radius(disc, t));
-  const double change = std::abs(disc.growth) * std::abs(t - disc.epoch);
+  const double change = std::abs(disc.growth) * std::abs(t - epoch_of(disc));
   const double radius_error = disc.growth == 0
                                   ? 0
                                   : 0x1p-49 * (std::abs(disc.radius) + change) +

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The motion of an image of a point in a periodic box.
+// The motion of an image of a point, or of a disc, in a periodic box.
 #ifndef KINETRI_KINETIC_IMAGE_MOTION_2_H
 #define KINETRI_KINETIC_IMAGE_MOTION_2_H
 
 #include <cmath>
+#include <concepts>
 #include <iosfwd>
 
 #include "kinetri/impl/base/double_interval.h"
+#include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 #include "kinetri/kinetic/moving_point_2.h"
 #include "kinetri/kinetic/periodic_box_2.h"
@@ -36,7 +38,44 @@ using Image_motion_2 = Basic_image_motion_2<Linear_motion_2>;
 /// An image of a point in linear motion.
 using Moving_image_2 = Basic_moving_point_2<Image_motion_2>;
 
-// As for Linear_motion_2:
+/// The motion of an image of a disc: the center is the image of the center, and the radius and the
+/// weight are those of the disc. So formulas and filters of discs are those of their images.
+using Image_disc_motion_2 = Basic_disc_motion_2<Image_motion_2>;
+/// An image of a disc whose center is in linear motion.
+using Moving_image_disc_2 = Basic_moving_point_2<Image_disc_motion_2>;
+
+/// The motion of an image of a point or, if it has a weight, of a disc.
+template <class Motion>
+struct Image_motion_type {
+  using type = Basic_image_motion_2<Motion>;  ///< of a point
+};
+/// The same of a disc.
+template <class CenterMotion>
+struct Image_motion_type<Basic_disc_motion_2<CenterMotion>> {
+  using type = Basic_disc_motion_2<Basic_image_motion_2<CenterMotion>>;  ///< of a disc
+};
+/// The type that Image_motion_type has.
+template <class Motion>
+using Image_motion_of = typename Image_motion_type<Motion>::type;
+
+/// The image of a motion in a box, which must exist as long as the image is used.
+template <class Motion>
+Image_motion_of<Motion> image_of(const Motion& motion, const Lattice_offset_2& offset,
+                                 const Periodic_box_2* box) {
+  if constexpr (HasWeight<Motion>) {
+    return {{center(motion), offset, box}, motion.radius, motion.growth, motion.weight};
+  } else {
+    return {motion, offset, box};
+  }
+}
+
+/// The epoch of the point, or of the disc.
+template <class PointMotion>
+double epoch_of(const Basic_image_motion_2<PointMotion>& image) {
+  return epoch_of(image.motion);
+}
+
+// As for Linear_motion_2 and Disc_motion_2:
 
 /// Whether all numbers are finite; those of a box always are.
 inline bool is_finite(const Image_motion_2& image) {
@@ -45,6 +84,8 @@ inline bool is_finite(const Image_motion_2& image) {
 
 /// Whether the two are at the same position at every time, exactly.
 bool same_trajectory(const Image_motion_2& a, const Image_motion_2& b);
+/// Whether the two also have the same weight at every time, exactly.
+bool same_trajectory(const Image_disc_motion_2& a, const Image_disc_motion_2& b);
 
 /// The position at time t, rounded, for output, not for decisions. The error is a few units in the
 /// last place of the largest term of the formula.
@@ -77,6 +118,8 @@ inline double place_error(const Image_motion_2& image, double t, const Double_in
 /// The trajectory of an image as polynomials in time, exactly; w is a positive constant.
 /// Precondition: the numbers of the motion are finite.
 Trajectory_2 trajectory(const Image_motion_2& image);
+/// The same with the weight of the disc.
+Trajectory_2 trajectory(const Image_disc_motion_2& image);
 
 /// The position at time t, each coordinate rounded to the nearest binary64 number, ties to even.
 /// Cost: some operations on integers, more if t is irrational; few in binary64 if the offset is
@@ -91,7 +134,9 @@ Image_motion_2 wrapped(const Linear_motion_2& motion, const Periodic_box_2& box,
                        const Algebraic_number& t);
 
 extern template class Basic_moving_point_2<Image_motion_2>;
+extern template class Basic_moving_point_2<Image_disc_motion_2>;
 extern template std::ostream& operator<<(std::ostream& out, const Moving_image_2& point);
+extern template std::ostream& operator<<(std::ostream& out, const Moving_image_disc_2& point);
 
 }  // namespace kinetri
 

@@ -155,7 +155,8 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
 /// Traits of points with weights, such as discs, for regular triangulations. The
 /// Instantaneous_traits are a model of CGAL's RegularTriangulationTraits_2 with Weighted_point_2 =
 /// Point_2 (Basic_weighted_instantaneous_traits_2), an in-circle certificate concerns the power
-/// circle, and two points *coincide* if they have the same position and the same weight.
+/// circle, and two points *coincide* if they have the same position and the same weight. (In a
+/// periodic box these functions are about images, as in KineticTraits_2.)
 /// `have_equal_weights(motion, motion)` says whether two weights are equal at all times. There are
 /// four more certificates, which never stop short of the failure, and have Certificate::failure if
 /// they fail:
@@ -179,16 +180,18 @@ concept BatchKineticTraits_2 = KineticTraits_2<Traits> &&
 /// above, if all three are on one lifted line), the second as long as it is not below.
 template <class Traits>
 concept WeightedKineticTraits_2 = KineticTraits_2<Traits> &&
-    requires(const Traits traits, const typename Traits::Point_2 p, const Algebraic_number t,
+    requires(const Traits traits, const Certified_point_2<Traits> p, const Algebraic_number t,
+             const typename Traits::Motion motion,
              const typename Traits::Instantaneous_traits at_instant) {
   { traits.segment_certificate(p, p, p, t) } -> std::same_as<Certificate>;
   { traits.hiding_certificate(p, p, p, t) } -> std::same_as<Certificate>;
   { traits.weight_certificate(p, p, t) } -> std::same_as<Certificate>;
   { traits.meeting_certificate(p, p, t, t.interval()) } -> std::same_as<Certificate>;
-  { have_equal_weights(p.motion(), p.motion()) } -> std::same_as<bool>;
+  { have_equal_weights(motion, motion) } -> std::same_as<bool>;
   { traits.certain_turn(p, p, p, t.interval()) } -> std::same_as<Sign>;
-  requires std::same_as<typename Traits::Instantaneous_traits::Weighted_point_2,
-                        typename Traits::Point_2>;
+  requires !std::same_as<Certified_point_2<Traits>, typename Traits::Point_2> ||
+      std::same_as<typename Traits::Instantaneous_traits::Weighted_point_2,
+                   typename Traits::Point_2>;
   at_instant.power_side_of_oriented_power_circle_2_object();
   at_instant.compare_power_distance_2_object();
 };

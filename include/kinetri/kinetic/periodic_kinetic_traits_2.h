@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The model of PeriodicKineticTraits_2: points in linear motion in a periodic box.
+// The models of PeriodicKineticTraits_2: points in linear motion in a periodic box, and discs whose
+// centers are.
 #ifndef KINETRI_KINETIC_PERIODIC_KINETIC_TRAITS_2_H
 #define KINETRI_KINETIC_PERIODIC_KINETIC_TRAITS_2_H
 
@@ -15,16 +16,16 @@
 
 namespace kinetri {
 
-/// The predicates of images of points at one instant, exact, as those of
-/// Basic_instantaneous_traits_2.
+/// The predicates of images of points, or of discs, at one instant, exact, as those of
+/// Basic_instantaneous_traits_2 and Basic_weighted_instantaneous_traits_2.
 template <class Motion>
 class Basic_periodic_instantaneous_traits_2
-    : private Basic_instantaneous_traits_2<Basic_image_motion_2<Motion>> {
-  using Base = Basic_instantaneous_traits_2<Basic_image_motion_2<Motion>>;
+    : private Instantaneous_traits_of<Image_motion_of<Motion>> {
+  using Base = Instantaneous_traits_of<Image_motion_of<Motion>>;
 
  public:
-  using Point_2 = Basic_moving_point_2<Motion>;                        ///< what vertices store
-  using Image_2 = Basic_moving_point_2<Basic_image_motion_2<Motion>>;  ///< a point with an offset
+  using Point_2 = Basic_moving_point_2<Motion>;                   ///< what vertices store
+  using Image_2 = Basic_moving_point_2<Image_motion_of<Motion>>;  ///< a point with an offset
 
   /// At time 0 and without a box, for triangulations without points.
   Basic_periodic_instantaneous_traits_2() = default;
@@ -46,26 +47,35 @@ class Basic_periodic_instantaneous_traits_2
   using Base::side_of_oriented_circle_2_object;
   using typename Base::Orientation_2;
   using typename Base::Side_of_oriented_circle_2;
+  auto power_side_of_oriented_power_circle_2_object() const requires HasWeight<Motion> {
+    return Base::power_side_of_oriented_power_circle_2_object();
+  }
+  auto compare_power_distance_2_object() const requires HasWeight<Motion> {
+    return Base::compare_power_distance_2_object();
+  }
+  auto compare_weight_2_object() const requires HasWeight<Motion> {
+    return Base::compare_weight_2_object();
+  }
   /// @}
 
   /// The box. Precondition: there is one.
   const Periodic_box_2& box() const { return *box_; }
   /// An image of a point, valid as long as the box.
   Image_2 image(const Point_2& point, const Lattice_offset_2& offset) const {
-    return Image_2({point.motion(), offset, box_.get()}, point.id());
+    return Image_2(image_of(point.motion(), offset, box_.get()), point.id());
   }
 
  private:
   std::shared_ptr<const Periodic_box_2> box_;
 };
 
-/// The traits of points in a periodic box, which may leave it: only their positions modulo the
-/// lattice matter. The certificates are those of Basic_kinetic_traits_2, exact, and have the same
-/// degrees, since the lattice vectors are linear in time.
+/// The traits of points, or of discs, in a periodic box, which may leave it: only their positions
+/// modulo the lattice matter. The certificates are those of Basic_kinetic_traits_2, exact, and have
+/// the same degrees, since the lattice vectors are linear in time.
 template <class MotionType>
 class Basic_periodic_kinetic_traits_2
-    : private Basic_kinetic_traits_2<Basic_image_motion_2<MotionType>> {
-  using Base = Basic_kinetic_traits_2<Basic_image_motion_2<MotionType>>;
+    : private Basic_kinetic_traits_2<Image_motion_of<MotionType>> {
+  using Base = Basic_kinetic_traits_2<Image_motion_of<MotionType>>;
 
  public:
   /// @{
@@ -87,7 +97,7 @@ class Basic_periodic_kinetic_traits_2
   const Periodic_box_2& box() const { return *box_; }
   /// An image of a point, valid as long as these traits or a copy of them.
   Image_2 image(const Point_2& point, const Lattice_offset_2& offset) const {
-    return Image_2({point.motion(), offset, box_.get()}, point.id());
+    return Image_2(image_of(point.motion(), offset, box_.get()), point.id());
   }
 
   /// @{
@@ -112,6 +122,15 @@ class Basic_periodic_kinetic_traits_2
   using Base::has_approach_speed;
   using Base::may_overlap;
   using Base::next_contact_certificate;
+  /// @}
+
+  /// @{
+  /// As WeightedKineticTraits_2 says, of images, for motions with weights.
+  using Base::certain_turn;
+  using Base::hiding_certificate;
+  using Base::meeting_certificate;
+  using Base::segment_certificate;
+  using Base::weight_certificate;
   /// @}
 
   /// @{
@@ -143,10 +162,17 @@ class Basic_periodic_kinetic_traits_2
 
 /// The traits of points in linear motion in a periodic box.
 using Periodic_kinetic_traits_2 = Basic_periodic_kinetic_traits_2<Linear_motion_2>;
+/// The traits of discs, or other points with weights, in a periodic box, whose centers are in
+/// linear motion. A disc does not hide its own images, which have its weight.
+using Periodic_disc_kinetic_traits_2 = Basic_periodic_kinetic_traits_2<Disc_motion_2>;
 
 static_assert(PeriodicKineticTraits_2<Periodic_kinetic_traits_2>);
 static_assert(BatchKineticTraits_2<Periodic_kinetic_traits_2>);
 static_assert(PeriodicContactKineticTraits_2<Periodic_kinetic_traits_2>);
+static_assert(!WeightedKineticTraits_2<Periodic_kinetic_traits_2>);
+static_assert(PeriodicKineticTraits_2<Periodic_disc_kinetic_traits_2>);
+static_assert(BatchKineticTraits_2<Periodic_disc_kinetic_traits_2>);
+static_assert(WeightedKineticTraits_2<Periodic_disc_kinetic_traits_2>);
 
 }  // namespace kinetri
 

@@ -6,6 +6,7 @@
 
 #include "filter.h"
 #include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/kinetic/image_motion_2.h"
 #include "precise_filter.h"
 
 namespace kinetri {
@@ -37,6 +38,24 @@ template <HasWeight Disc>
 bool certainly_apart(const Disc& p, const Disc& q, const Double_interval& interval) {
   if (have_same_derivatives(center(p), center(q))) {
     return p.epoch == q.epoch && p.position != q.position;
+  }
+  return certainly_apart(center(p), center(q), interval);
+}
+
+// Images of discs, whose vectors may be constant although no number of the box is zero: then the
+// exact stage decides.
+inline bool certainly_apart(const Image_disc_motion_2& p, const Image_disc_motion_2& q,
+                            const Double_interval& interval) {
+  const auto is_constant = [](std::int32_t k, std::int32_t l, const Linear_motion_2& vector) {
+    return k == l || vector.velocity == Vector_2();
+  };
+  const Periodic_box_2* const box = p.box != nullptr ? p.box : q.box;
+  if (have_same_derivatives(p.motion, q.motion) &&
+      (box == nullptr || (is_constant(p.offset.x, q.offset.x, box->first()) &&
+                          is_constant(p.offset.y, q.offset.y, box->second())))) {
+    const Double_interval now = {interval.lower, interval.lower};
+    return certain_x_order(center(p), center(q), now) != CGAL::ZERO ||
+           certain_y_order(center(p), center(q), now) != CGAL::ZERO;
   }
   return certainly_apart(center(p), center(q), interval);
 }

@@ -21,13 +21,6 @@
 namespace kinetri {
 namespace {
 
-inline double epoch_of(const Linear_motion_2& p) {
-  return p.epoch;
-}
-inline double epoch_of(const Image_motion_2& p) {
-  return p.motion.epoch;
-}
-
 // Points in linear motion that coincide at some time move along the line that joins them.
 template <LinearMotion Motion>
 inline bool are_apart(const Motion& p, const Motion& q, const Double_interval& /*interval*/) {

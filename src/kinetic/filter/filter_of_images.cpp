@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// For images of points in a periodic box.
+// For images of points in a periodic box, and for those of discs the questions that depend on
+// weights; disc_filter.h has the others.
 #include "contact_filter_impl.h"
 #include "filter.h"
 #include "filter_impl.h"
@@ -28,5 +29,16 @@ template Sign certain_scalar_product(const M&, const M&, const M&, const Double_
 template Sign certain_distance_order(const M&, const M&, const M&, const Double_interval&);
 template bool certainly_apart(const M&, const M&, const Double_interval&);
 template bool certainly_surrounded(const M&, std::span<const M* const>, const Double_interval&);
+
+using D = Image_disc_motion_2;
+template Filter_result filter_in_circle(const D&, const D&, const D&, const D&,
+                                        const Double_interval&, bool);
+template Sign certain_in_circle(const D&, const D&, const D&, const D&, const Double_interval&);
+template Sign certain_power_distance_order(const D&, const D&, const D&, const Double_interval&);
+template Sign certain_weight_order(const D&, const D&, const Double_interval&);
+template std::array<Filter_result, 2> filter_in_circles(const std::array<Quadruple<D>, 2>&,
+                                                        const Double_interval&);
+template std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<D>&,
+                                                        const Double_interval&);
 
 }  // namespace kinetri

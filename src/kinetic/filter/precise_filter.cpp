@@ -20,7 +20,7 @@ Double_double scaled_radius(const Disc& disc, const Double_double& time, double&
   constexpr double scale = Scaled<typename Disc::Center_motion>::scale;
   const Double_double radius = exact_product(scale, disc.radius);
   const Double_double grown =
-      (time - Double_double{disc.epoch}) * exact_product(scale, disc.growth);
+      (time - Double_double{epoch_of(disc)}) * exact_product(scale, disc.growth);
   terms += std::abs(radius.high) + std::abs(grown.high);
   return radius + grown;
 }
@@ -269,6 +269,9 @@ template double precise_orientation(const Image_motion_2&, const Image_motion_2&
                                     const Image_motion_2&, double, double);
 template double precise_in_circle(const Image_motion_2&, const Image_motion_2&,
                                   const Image_motion_2&, const Image_motion_2&, double, double);
+template double precise_in_circle(const Image_disc_motion_2&, const Image_disc_motion_2&,
+                                  const Image_disc_motion_2&, const Image_disc_motion_2&, double,
+                                  double);
 template std::optional<Rounding> rounded_in_circle(const Linear_motion_2&, const Linear_motion_2&,
                                                    const Linear_motion_2&, const Linear_motion_2&,
                                                    const Double_interval&);

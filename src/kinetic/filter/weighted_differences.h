@@ -54,7 +54,7 @@ struct Linear_function {
 // The radius of p from the origin on.
 template <class Disc>
 inline Linear_function radius_from(const Disc& p, double origin) {
-  const double grown = p.growth * (origin - p.epoch);
+  const double grown = p.growth * (origin - epoch_of(p));
   return {p.radius + grown, p.growth, std::abs(p.radius) + std::abs(grown)};
 }
 
@@ -67,12 +67,12 @@ template <class Disc>
 inline Linear_function difference_of_radii(const Disc& p, const Disc& q, double origin) {
   const double slope = p.growth - q.growth;
   const double constant = p.radius - q.radius;
-  if (p.epoch == q.epoch) {
-    const double grown = slope * (origin - q.epoch);
+  if (epoch_of(p) == epoch_of(q)) {
+    const double grown = slope * (origin - epoch_of(q));
     return {constant + grown, slope, std::abs(constant) + std::abs(grown)};
   }
-  const double grown_p = p.growth * (origin - p.epoch);
-  const double grown_q = q.growth * (origin - q.epoch);
+  const double grown_p = p.growth * (origin - epoch_of(p));
+  const double grown_q = q.growth * (origin - epoch_of(q));
   return {constant + (grown_p - grown_q), slope,
           std::abs(constant) + std::abs(grown_p) + std::abs(grown_q)};
 }
