@@ -4,6 +4,7 @@
 #ifndef KINETRI_SRC_TRIANGULATION_FACE_JOURNAL_H
 #define KINETRI_SRC_TRIANGULATION_FACE_JOURNAL_H
 
+#include <algorithm>
 #include <vector>
 
 #include "kinetri/impl/triangulation/updates.h"
@@ -11,14 +12,20 @@
 namespace kinetri::detail {
 
 /// The faces that a change of the torus has changed or created, whose edges are scheduled anew.
-/// Their edges leave the queue, and are noted, before the first of their faces changes.
+/// Their edges leave the queue, and are noted, before the first of their faces changes. So do the
+/// points that they hide. `leaving` is the vertex that is removed, if one is.
 template <class Traits>
 class Kinetic_types<Traits>::Updates::Face_journal : public Triangulation::Journal {
  public:
-  explicit Face_journal(Updates& updates) : updates_(updates) {}
+  explicit Face_journal(Updates& updates, Vertex_handle leaving = {})
+      : updates_(updates), leaving_(leaving) {}
 
   void before_change(Face_handle face) override {
     if (is_known(face)) return;
+    if constexpr (is_weighted) {
+      const std::vector<Taken_point> taken = updates_.take_hidden({&face, 1}, leaving_);
+      hidden_.insert(hidden_.end(), taken.begin(), taken.end());
+    }
     for (int i = 0; i < 3; ++i) {
       const Edge_with_mirror edge = updates_.topology_.with_mirror(Edge(face, i));
       if (is_known(edge.there.first)) continue;
@@ -34,7 +41,8 @@ class Kinetic_types<Traits>::Updates::Face_journal : public Triangulation::Journ
   }
   void deleted(Face_handle face) override { std::erase(faces_, face); }
 
-  void schedule() {
+  /// `state` is that of the certificates of edges at `v`.
+  void schedule(Vertex_handle v = {}, Certificate_state state = Certificate_state::any) {
     std::vector<Edge_with_mirror> edges;
     for (const Face_handle face : faces_) {
       face->tds_data().clear();
@@ -46,15 +54,26 @@ class Kinetic_types<Traits>::Updates::Face_journal : public Triangulation::Journ
         Topology::set_event(edge, Topology::listed);
       }
     }
-    if (updates_.schedule_.is_deferred()) return;
-    updates_.schedule_.schedule(edges, updates_.schedule_.current_time());
+    if (!updates_.schedule_.is_deferred()) {
+      const auto at_v = std::partition(edges.begin(), edges.end(), [&](const Edge_with_mirror& e) {
+        const auto& [face, i] = e.here;
+        return state == Certificate_state::any || (face->vertex(Triangulation::cw(i)) != v &&
+                                                   face->vertex(Triangulation::ccw(i)) != v);
+      });
+      const auto& now = updates_.schedule_.current_time();
+      updates_.schedule_.schedule({edges.begin(), at_v}, now);
+      updates_.schedule_.schedule({at_v, edges.end()}, now, state);
+    }
+    if constexpr (is_weighted) updates_.put_hidden(hidden_, faces_);
   }
 
  private:
   static bool is_known(Face_handle face) { return face->tds_data().is_in_conflict(); }
 
   Updates& updates_;
+  Vertex_handle leaving_;
   std::vector<Face_handle> faces_;
+  std::vector<Taken_point> hidden_;
 };
 
 }  // namespace kinetri::detail

@@ -129,6 +129,12 @@ class Torus_construction {
   /// If points have the same trajectory, modulo the lattice, appends some pairs of them to
   /// `coincident`, at least one. Expected O(n log n).
   Torus build(std::vector<Edge_ids>& coincident) const {
+    if constexpr (Torus::is_weighted) {
+      const auto weighs_the_same = [&](const Point_2& point) {
+        return have_equal_weights(points_.front().motion(), point.motion());
+      };
+      if (!std::ranges::all_of(points_, weighs_the_same)) return regular(coincident);
+    }
     constexpr std::size_t few = 200;  // for so few, insertion takes little time
     if (points_.size() >= few) {
       for (const double width : {4.0, 16.0}) {
@@ -139,13 +145,19 @@ class Torus_construction {
   }
 
   /// By insertion, so that near points follow each other: each search begins at the point before.
+  /// Precondition: no point is hidden.
   Torus by_insertion(std::vector<Edge_ids>& coincident) const;
+  /// The same of points with weights, of which some may be hidden.
+  Torus regular(std::vector<Edge_ids>& coincident) const;
 
  private:
   using Vertex_handle = typename Torus::Vertex_handle;
   using Face_handle = typename Torus::Face_handle;
   using Edge = typename Torus::Edge;
 
+  class Regular;
+
+  std::vector<std::size_t> order_of_insertion() const;
   std::optional<Torus> from_copies(double width) const;
   bool make_faces(const Static_delaunay& found, const Torus_copies& copies, Torus& result) const;
 
@@ -156,9 +168,7 @@ class Torus_construction {
 };
 
 template <class Torus>
-Torus Torus_construction<Torus>::by_insertion(std::vector<Edge_ids>& coincident) const {
-  Torus result(now_);
-  if (points_.empty()) return result;
+std::vector<std::size_t> Torus_construction<Torus>::order_of_insertion() const {
   using Kernel = CGAL::Simple_cartesian<double>;
   std::vector<std::size_t> in_order(points_.size());
   std::vector<Kernel::Point_2> places;
@@ -168,6 +178,14 @@ Torus Torus_construction<Torus>::by_insertion(std::vector<Edge_ids>& coincident)
   }
   sort_for_insertion(in_order, Kernel(),
                      [&](std::size_t i) -> const Kernel::Point_2& { return places[i]; });
+  return in_order;
+}
+
+template <class Torus>
+Torus Torus_construction<Torus>::by_insertion(std::vector<Edge_ids>& coincident) const {
+  Torus result(now_);
+  if (points_.empty()) return result;
+  const std::vector<std::size_t> in_order = order_of_insertion();
   Vertex_handle near = result.tds().create_vertex();
   near->set_point(points_[in_order.front()]);
   result.insert_first(near, wrapping_.basis());
@@ -175,7 +193,8 @@ Torus Torus_construction<Torus>::by_insertion(std::vector<Edge_ids>& coincident)
   for (const std::size_t i : std::span(in_order).subspan(1)) {
     const Point_2& point = points_[i];
     const Lattice_offset_2& offset = images_[i].offset;
-    const Vertex_handle v = result.insert_near(point, offset, near, offset_of_near);
+    const auto start = Torus::start_near(point, offset, near, offset_of_near);
+    const Vertex_handle v = result.insert(point, start.face, start.offset);
     if (v->point().id() != point.id()) {
       coincident.push_back(edge_ids(v->point().id(), point.id()));
     } else {
@@ -184,6 +203,135 @@ Torus Torus_construction<Torus>::by_insertion(std::vector<Edge_ids>& coincident)
     }
   }
   return result;
+}
+
+// The construction of a regular triangulation. A point that is hidden by others stays hidden when
+// more are inserted, so the hidden ones are located in the end.
+template <class Torus>
+class Torus_construction<Torus>::Regular {
+ public:
+  Regular(const Torus_construction& construction, std::vector<Edge_ids>& coincident)
+      : construction_(construction),
+        coincident_(coincident),
+        result_(construction.now_),
+        in_order_(construction.order_of_insertion()),
+        is_hidden_(in_order_.size(), false) {
+    for (std::size_t i = 0; i < in_order_.size(); ++i) numbers_.emplace(point(i).id(), i);
+  }
+
+  Torus build() {
+    while (!insert_visible()) result_ = Torus(construction_.now_);
+    for (const std::size_t i : in_order_) {
+      if (is_hidden_[i]) hide(i);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  using Location = typename Torus::Location;
+
+  const Point_2& point(std::size_t i) const { return construction_.points_[i]; }
+  const Lattice_offset_2& offset(std::size_t i) const { return construction_.images_[i].offset; }
+  std::size_t number(Vertex_handle v) const { return numbers_.at(v->point().id()); }
+
+  // The next search begins at the vertex of point i, or at a corner of the face where it is.
+  void go_to(Vertex_handle v, std::size_t i) {
+    near_ = v;
+    offset_of_near_ = offset(i);
+  }
+  Location locate(std::size_t i) {
+    const auto start = Torus::start_near(point(i), offset(i), near_, offset_of_near_);
+    const Location there = result_.locate(point(i), start.face, start.offset);
+    const Lattice_offset_2 of_corner = Torus::offset_against(point(i), there, 0);
+    near_ = there.face->vertex(0);
+    offset_of_near_ = Torus::checked_difference(offset(i), of_corner, point(i), near_->point());
+    return there;
+  }
+
+  // Returns false if a hidden point cannot be taken out: then all are to be inserted but those that
+  // are known to be hidden.
+  bool insert_visible() {
+    for (const std::size_t i : in_order_) {
+      if (!is_hidden_[i] && !insert(i)) return false;
+    }
+    return true;
+  }
+
+  bool insert(std::size_t i) {
+    if (result_.dimension() < 2) {
+      const Vertex_handle first = new_vertex(i);
+      result_.insert_first(first, construction_.wrapping_.basis());
+      go_to(first, i);
+      return true;
+    }
+    const Location there = locate(i);
+    if (there.locus == Torus::VERTEX) return insert_at_vertex(i, there);
+    is_hidden_[i] = result_.hides(point(i), there);
+    if (is_hidden_[i]) return true;
+    const Vertex_handle v = new_vertex(i);
+    result_.insert_in_faces(v, there);
+    go_to(v, i);
+    return restore(result_.edges_opposite(v));
+  }
+
+  // They coincide at all times: the heavier one hides the other.
+  bool insert_at_vertex(std::size_t i, const Location& there) {
+    const Vertex_handle v = there.face->vertex(there.index);
+    const auto order = construction_.now_.compare_weight_2_object()(
+        result_.image(point(i), there), result_.corner(there.face, there.index, 0));
+    if (order == CGAL::EQUAL) coincident_.push_back(edge_ids(v->point().id(), point(i).id()));
+    is_hidden_[order == CGAL::LARGER ? number(v) : i] = true;
+    if (order != CGAL::LARGER) return true;
+    result_.replace(there, point(i));
+    go_to(v, i);
+    std::vector<Edge> edges;
+    detail::for_each_face_at(result_, v, [&](Face_handle face) {
+      for (int side = 0; side < 3; ++side) edges.emplace_back(face, side);
+    });
+    return restore(std::move(edges));
+  }
+
+  bool restore(std::vector<Edge> edges) {
+    std::vector<Vertex_handle> hidden;
+    const bool is_regular = result_.restore_regular(std::move(edges), hidden);
+    for (const Vertex_handle v : hidden) {
+      is_hidden_[number(v)] = true;
+      if (v->face() == Face_handle()) result_.tds().delete_vertex(v);
+    }
+    return is_regular;
+  }
+
+  void hide(std::size_t i) {
+    const Location there = locate(i);
+    bool is_twin = false;
+    result_.for_each_near(point(i), there,
+                          [&](Vertex_handle v, const auto& image, const auto& image_of_point) {
+                            if (!same_trajectory(image.motion(), image_of_point.motion())) return;
+                            coincident_.push_back(edge_ids(v->point().id(), point(i).id()));
+                            is_twin = true;
+                          });
+    if (!is_twin) result_.hide(new_vertex(i), there);
+  }
+
+  Vertex_handle new_vertex(std::size_t i) {
+    const Vertex_handle v = result_.tds().create_vertex();
+    v->set_point(point(i));
+    return v;
+  }
+
+  const Torus_construction& construction_;
+  std::vector<Edge_ids>& coincident_;
+  Torus result_;
+  std::vector<std::size_t> in_order_;
+  std::vector<bool> is_hidden_;                        // by the number of the point
+  std::unordered_map<Point_id, std::size_t> numbers_;  // of the points
+  Vertex_handle near_;
+  Lattice_offset_2 offset_of_near_;
+};
+
+template <class Torus>
+Torus Torus_construction<Torus>::regular(std::vector<Edge_ids>& coincident) const {
+  return Regular(*this, coincident).build();
 }
 
 // From the triangulation in the plane of rounded positions and their copies in a margin, whose

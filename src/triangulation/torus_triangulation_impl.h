@@ -78,6 +78,16 @@ auto Torus_triangulation<Traits>::edges_opposite(Vertex_handle v) const -> std::
   return result;
 }
 
+template <TorusTraits_2 Traits>
+auto Torus_triangulation<Traits>::vertex_handles(bool are_hidden) const
+    -> std::vector<Vertex_handle> {
+  std::vector<Vertex_handle> result;
+  for (const Vertex_handle v : tds_.vertex_handles()) {
+    if (is_hidden(v) == are_hidden) result.push_back(v);
+  }
+  return result;
+}
+
 // ---- predicates ----
 
 template <TorusTraits_2 Traits>
@@ -97,8 +107,48 @@ inline bool Torus_triangulation<Traits>::is_violated(const Edge& edge) const {
 }
 
 template <TorusTraits_2 Traits>
+inline auto Torus_triangulation<Traits>::location_near(const Point_2& point, Face_handle face,
+                                                       int i, Lattice_offset_2 against_corner)
+    -> Location {
+  const Lattice_offset_2 back = offset(face, i, 0);
+  return {face, checked_difference(against_corner, back, point, face->vertex(0)->point())};
+}
+
+template <TorusTraits_2 Traits>
+inline auto Torus_triangulation<Traits>::beyond(const Point_2& point, const Location& location,
+                                                int side) -> Location {
+  const Face_handle face = location.face;
+  const auto [neighbor, j] = mirror(Edge(face, side));
+  return location_near(point, neighbor, cw(j), offset_against(point, location, ccw(side)));
+}
+
+template <TorusTraits_2 Traits>
+template <class Function>
+void Torus_triangulation<Traits>::for_each_near(const Point_2& point, const Location& location,
+                                                const Function& function) const {
+  const auto visit = [&](const Location& there, Vertex_handle v, Lattice_offset_2 offset) {
+    function(v, traits_.image(v->point(), offset), image(point, there));
+  };
+  const auto visit_hidden = [&](const Location& there) {
+    if constexpr (is_weighted) {
+      for (const Vertex_handle v : there.face->vertex_list()) visit(there, v, v->offset());
+    }
+  };
+  const auto& [face, to_point, locus, index] = location;
+  visit_hidden(location);
+  if (locus == EDGE) visit_hidden(beyond(point, location, index));
+  if (locus != VERTEX) return;
+  visit(location, face->vertex(index), offset(face, index));
+  const Lattice_offset_2 against_vertex = offset_against(point, location, index);
+  detail::for_each_face_at(*this, face->vertex(index), [&](Face_handle at, int i) {
+    if (at != face) visit_hidden(location_near(point, at, i, against_vertex));
+  });
+}
+
+template <TorusTraits_2 Traits>
 auto Torus_triangulation<Traits>::locate(const Point_2& point, Face_handle start,
-                                         Lattice_offset_2 offset_at_start) const -> Location {
+                                         Lattice_offset_2 offset_at_start,
+                                         std::size_t most_steps) const -> Location {
   KINETRI_PRECONDITION(dimension() == 2, "there are no points; expected at least one");
   Location at;
   at.face = start != Face_handle() ? start : tds_.faces().begin();
@@ -127,14 +177,9 @@ auto Torus_triangulation<Traits>::locate(const Point_2& point, Face_handle start
       at.index = zeros == 2 ? 3 - sum_of_zeros : sum_of_zeros;
       return at;
     }
-    const auto [neighbor, j] = mirror(Edge(face, crossed));
-    const Vertex_handle shared = face->vertex(ccw(crossed));
-    const Lattice_offset_2 against_shared =
-        checked_difference(at.offset, offset(face, ccw(crossed)), point, shared->point());
-    at.offset = checked_difference(against_shared, offset(neighbor, cw(j), 0), point,
-                                   neighbor->vertex(0)->point());
-    at.face = neighbor;
-    entered = j;
+    if (most_steps-- == 0) return at;
+    at = beyond(point, at, crossed);
+    entered = face->mirror(crossed);
   }
 }
 
@@ -240,16 +285,12 @@ auto Torus_triangulation<Traits>::insert(const Point_2& point, Face_handle start
 }
 
 template <TorusTraits_2 Traits>
-auto Torus_triangulation<Traits>::insert_near(const Point_2& point, Lattice_offset_2 offset,
-                                              Vertex_handle near, Lattice_offset_2 offset_of_near)
-    -> Vertex_handle {
+auto Torus_triangulation<Traits>::start_near(const Point_2& point, Lattice_offset_2 offset,
+                                             Vertex_handle near, Lattice_offset_2 offset_of_near)
+    -> Location {
   const Face_handle face = near->face();
-  const Lattice_offset_2 of_corner_0 = face->offset(face->index(near));
-  const auto checked = [&](Lattice_offset_2 a, Lattice_offset_2 b) {
-    return checked_difference(a, b, point, near->point());
-  };
-  return insert(point, face,
-                checked(checked(offset, offset_of_near), {-of_corner_0.x, -of_corner_0.y}));
+  return location_near(point, face, face->index(near),
+                       checked_difference(offset, offset_of_near, point, near->point()));
 }
 
 // ---- flips ----
@@ -342,8 +383,6 @@ bool Torus_triangulation<Traits>::is_flip_away_possible(const Edge& edge, Vertex
          is_allowed(orientation(corners[2], corners[3], corners[0]), face->vertex(cw(i)));
 }
 
-// Flips edges away from the vertex until it has three. Faces that are flat at the vertex are needed
-// if it is on a diagonal of its neighbors, as in the middle of a square.
 template <TorusTraits_2 Traits>
 bool Torus_triangulation<Traits>::remove_from_faces(Vertex_handle v, Journal& journal) {
   if (number_of_vertices() == 1) {
@@ -355,6 +394,17 @@ bool Torus_triangulation<Traits>::remove_from_faces(Vertex_handle v, Journal& jo
     v->set_face(Face_handle());
     return true;
   }
+  std::vector<Edge> edges;
+  if (!take_from_faces(v, edges, journal)) return false;
+  restore_delaunay(std::move(edges), journal);
+  return true;
+}
+
+// Flips edges away from the vertex until it has three. Faces that are flat at the vertex are needed
+// if it is on a diagonal of its neighbors, as in the middle of a square.
+template <TorusTraits_2 Traits>
+bool Torus_triangulation<Traits>::take_from_faces(Vertex_handle v, std::vector<Edge>& edges,
+                                                  Journal& journal) {
   std::vector<Face_handle> changed;  // Each flip is within the faces at the vertex.
   int degree = 0;
   detail::for_each_face_at(*this, v, [&](Face_handle face, int) {
@@ -400,17 +450,76 @@ bool Torus_triangulation<Traits>::remove_from_faces(Vertex_handle v, Journal& jo
   }
   v->set_face(Face_handle());
 
-  std::vector<Edge> edges;
+  const std::array deleted = {second, third};
+  std::erase_if(edges,
+                [&](const Edge& e) { return e.first == deleted[0] || e.first == deleted[1]; });
   for (const Face_handle f : changed) {
     if (f == second || f == third) continue;
     for (int side = 0; side < 3; ++side) edges.emplace_back(f, side);
   }
-  for (const Face_handle left_over : {second, third}) {
+  for (const Face_handle left_over : deleted) {
     journal.deleted(left_over);
     tds_.delete_face(left_over);
   }
-  restore_delaunay(std::move(edges), journal);
   return true;
+}
+
+// ---- weights ----
+
+template <TorusTraits_2 Traits>
+bool Torus_triangulation<Traits>::restore_regular(
+    std::vector<Edge> edges, std::vector<Vertex_handle>& hidden) requires is_weighted {
+  while (!edges.empty()) {
+    const Edge edge = edges.back();
+    edges.pop_back();
+    if (!is_violated(edge)) continue;
+    const auto corners = quadrilateral(edge);
+    const auto turns_left = [&](std::size_t p, std::size_t q, std::size_t r) {
+      return orientation(corners[p], corners[q], corners[r]) == CGAL::LEFT_TURN;
+    };
+    const bool is_right_convex = turns_left(0, 1, 2);
+    if (is_right_convex && turns_left(2, 3, 0)) {
+      const auto [face, i] = flip(edge);
+      const auto [neighbor, j] = mirror(Edge(face, i));
+      edges.insert(edges.end(), {Edge(face, cw(i)), Edge(face, ccw(i)), Edge(neighbor, cw(j)),
+                                 Edge(neighbor, ccw(j))});
+    } else {
+      const auto& [face, i] = edge;
+      hidden.push_back(face->vertex(is_right_convex ? cw(i) : ccw(i)));
+      if (!take_from_faces(hidden.back(), edges)) return false;
+    }
+  }
+  return true;
+}
+
+// The image of the new point with an offset is that of the old one with another one.
+template <TorusTraits_2 Traits>
+void Torus_triangulation<Traits>::replace(const Location& location,
+                                          const Point_2& point) requires is_weighted {
+  const auto& [face_there, to_point, locus, index] = location;
+  const Vertex_handle v = face_there->vertex(index);
+  const Lattice_offset_2 to_vertex = offset(face_there, index);
+  const auto checked = [&](Lattice_offset_2 a, Lattice_offset_2 b) {
+    return checked_difference(a, b, point, v->point());
+  };
+  const Lattice_offset_2 back = checked(to_vertex, to_point);
+  std::vector<Face_handle> faces;  // each once
+  detail::for_each_face_at(*this, v, [&](Face_handle face, int i) {
+    if (face->index(v) == i) faces.push_back(face);
+  });
+  for (const Face_handle face : faces) {
+    std::array<Lattice_offset_2, 3> offsets;
+    for (int i = 0; i < 3; ++i) {
+      auto& to_corner = offsets[static_cast<std::size_t>(i)];
+      to_corner = offset(face, i);
+      if (face->vertex(i) == v) to_corner = checked(to_corner, back);
+    }
+    for (const std::size_t i : {std::size_t{1}, std::size_t{2}}) {
+      offsets[i] = checked(offsets[i], offsets[0]);
+    }
+    face->set_offsets(offsets[1], offsets[2]);
+  }
+  v->set_point(point);
 }
 
 // ---- checks ----
@@ -476,7 +585,7 @@ template <TorusTraits_2 Traits>
 std::string Torus_triangulation<Traits>::problem_of_vertices() const {
   std::size_t vertices = 0;
   for (const Vertex_handle v : tds_.vertex_handles()) {
-    if (v->face() == Face_handle()) continue;
+    if (v->face() == Face_handle() || is_hidden(v)) continue;
     ++vertices;
     if (!v->face()->has_vertex(v)) {
       return "the face of point " + std::to_string(v->point().id()) + " has no such corner";

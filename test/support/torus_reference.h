@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Delaunay triangulation of a few points on a flat torus by brute force, in integers of any
-// type: all copies of the points about a reduced basis of the lattice.
+// The Delaunay triangulation, or regular triangulation, of a few points on a flat torus by brute
+// force, in integers of any type: all copies of the points about a reduced basis of the lattice.
 #ifndef KINETRI_TEST_SUPPORT_TORUS_REFERENCE_H
 #define KINETRI_TEST_SUPPORT_TORUS_REFERENCE_H
 
@@ -44,17 +44,19 @@ int turn(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>&
   return sign_of<Number>(cross(q - p, r - p));
 }
 /// Positive if s is in the circle of p, q, r, which turn left; the first that is not zero of the
-/// signs with the lifts x^2 + y^2, xy, x^2.
+/// signs with the lifts x^2 + y^2, xy, x^2. With weights, x^2 + y^2 less these.
 template <class Number>
 int in_circle(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& r,
-              const Vector<Number>& s) {
+              const Vector<Number>& s, const std::array<Number, 4>& weights = {}) {
   const Vector<Number> a = p - s;
   const Vector<Number> b = q - s;
   const Vector<Number> c = r - s;
   const Number bc = cross(b, c);
   const Number ca = cross(c, a);
   const Number ab = cross(a, b);
-  const Number lifted = dot(a, a) * bc + dot(b, b) * ca + dot(c, c) * ab;
+  const auto& [wp, wq, wr, ws] = weights;
+  const Number lifted =
+      (dot(a, a) - wp + ws) * bc + (dot(b, b) - wq + ws) * ca + (dot(c, c) - wr + ws) * ab;
   if (lifted != 0) return sign_of<Number>(lifted);
   const Number of_products = a.x * a.y * bc + b.x * b.y * ca + c.x * c.y * ab;
   if (of_products != 0) return sign_of<Number>(of_products);
@@ -68,9 +70,15 @@ struct Box {
   Vector<Number> second{0, 1};
 };
 
-/// A point: its id and its place.
+/// A point: its id, its place, and its weight.
 template <class Number>
-using Placed_point = std::pair<Point_id, Vector<Number>>;
+struct Placed_point {
+  Placed_point(Point_id i, const Vector<Number>& p, const Number& w = 0)
+      : id(i), place(p), weight(w) {}
+  Point_id id;
+  Vector<Number> place;
+  Number weight;
+};
 
 /// An image: the id of the point and the offset.
 using Image = std::tuple<Point_id, std::int64_t, std::int64_t>;
@@ -94,6 +102,7 @@ template <class Number>
 struct Copy {
   Vector<Number> place;
   Image image;
+  Number weight = 0;
 };
 
 /// Precondition: b > 0.
@@ -129,13 +138,15 @@ struct Reduced {
     const auto& [id, x, y] = copy.image;
     return {{copy.place.x + r * first.x + s * second.x, copy.place.y + r * first.y + s * second.y},
             {id, x + r * first_offset[0] + s * second_offset[0],
-             y + r * first_offset[1] + s * second_offset[1]}};
+             y + r * first_offset[1] + s * second_offset[1]},
+            copy.weight};
   }
 };
 
 /// The copies of the points in one cell of the reduced basis, first, and in the three on each side.
 /// The neighbors of a point in the cell are among them: a circle with no copies inside is no wider
-/// along a line of copies than the first vector.
+/// along a line of copies than the first vector. With weights, no position in the cell of a point
+/// is farther from it than from an image of the heaviest one, which has such a circle.
 template <class Number>
 std::vector<Copy<Number>> copies(const Box<Number>& box,
                                  const std::vector<Placed_point<Number>>& points) {
@@ -146,8 +157,8 @@ std::vector<Copy<Number>> copies(const Box<Number>& box,
                                               : floor_of_quotient<Number>(-numerator, -area));
   };
   std::vector<Copy<Number>> result;
-  for (const auto& [id, place] : points) {
-    result.push_back(basis.moved({place, {id, 0, 0}}, -cells(cross(place, basis.second)),
+  for (const auto& [id, place, weight] : points) {
+    result.push_back(basis.moved({place, {id, 0, 0}, weight}, -cells(cross(place, basis.second)),
                                  -cells(cross(basis.first, place))));
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -160,11 +171,17 @@ std::vector<Copy<Number>> copies(const Box<Number>& box,
   return result;
 }
 
-/// The faces of the Delaunay triangulation, sorted, each once.
+/// The faces of the Delaunay or regular triangulation, sorted, each once. A point that is in none
+/// is hidden. Precondition: no images coincide that have the same weight.
 template <class Number>
 std::vector<Face> reference(const Box<Number>& box,
                             const std::vector<Placed_point<Number>>& points) {
   const std::vector<Copy<Number>> all = copies(box, points);
+  const auto contains = [](const Copy<Number>& p, const Copy<Number>& q, const Copy<Number>& r,
+                           const Copy<Number>& s) {
+    return in_circle<Number>(p.place, q.place, r.place, s.place,
+                             {p.weight, q.weight, r.weight, s.weight}) > 0;
+  };
   std::set<Face> result;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector<Number>& p = all[i].place;
@@ -174,12 +191,12 @@ std::vector<Face> reference(const Box<Number>& box,
       const Copy<Number>* apex = nullptr;
       for (const Copy<Number>& r : all) {
         if (turn(p, q.place, r.place) <= 0) continue;
-        if (apex == nullptr || in_circle(p, q.place, apex->place, r.place) > 0) apex = &r;
+        if (apex == nullptr || contains(all[i], q, *apex, r)) apex = &r;
       }
       if (apex == nullptr) continue;
       const bool is_empty = std::ranges::none_of(all, [&](const Copy<Number>& s) {
         return s.image != all[i].image && s.image != q.image && s.image != apex->image &&
-               in_circle(p, q.place, apex->place, s.place) > 0;
+               contains(all[i], q, *apex, s);
       });
       if (is_empty) result.insert(normal_form({all[i].image, q.image, apex->image}));
     }

@@ -189,9 +189,8 @@ concept WeightedKineticTraits_2 = KineticTraits_2<Traits> &&
   { traits.meeting_certificate(p, p, t, t.interval()) } -> std::same_as<Certificate>;
   { have_equal_weights(motion, motion) } -> std::same_as<bool>;
   { traits.certain_turn(p, p, p, t.interval()) } -> std::same_as<Sign>;
-  requires !std::same_as<Certified_point_2<Traits>, typename Traits::Point_2> ||
-      std::same_as<typename Traits::Instantaneous_traits::Weighted_point_2,
-                   typename Traits::Point_2>;
+  requires std::same_as<typename Traits::Instantaneous_traits::Weighted_point_2,
+                        typename Traits::Point_2>;
   at_instant.power_side_of_oriented_power_circle_2_object();
   at_instant.compare_power_distance_2_object();
 };
@@ -201,8 +200,8 @@ concept WeightedKineticTraits_2 = KineticTraits_2<Traits> &&
 /// whose offsets are against the point as it was given; they depend on differences of offsets only.
 /// The Instantaneous_traits have `Point_2`, `Image_2`, `image`, and of CGAL's predicates
 /// Orientation_2 and Side_of_oriented_circle_2, on images. Orientation and flatness certificates
-/// are not used: there is no hull. The triangulation is compiled for Periodic_kinetic_traits_2, the
-/// only model that it accepts.
+/// are not used: there is no hull. The triangulation accepts no other models than
+/// Periodic_kinetic_traits_2 and Periodic_disc_kinetic_traits_2, for which it is compiled.
 ///
 /// | Function | Result |
 /// |---|---|

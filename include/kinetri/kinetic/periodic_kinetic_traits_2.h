@@ -25,6 +25,7 @@ class Basic_periodic_instantaneous_traits_2
 
  public:
   using Point_2 = Basic_moving_point_2<Motion>;                   ///< what vertices store
+  using Weighted_point_2 = Point_2;                               ///< the same
   using Image_2 = Basic_moving_point_2<Image_motion_of<Motion>>;  ///< a point with an offset
 
   /// At time 0 and without a box, for triangulations without points.

@@ -79,7 +79,6 @@ class Auditor {
   Time latest() const;
   bool are_twins(const Point_2& p, const Point_2& q) const;
   bool has_touch(const Time& time) const;
-  bool has_touch_in_plane(const Time& time) const;
   void check_links();
   void check_vertices();
   void check_events();
@@ -105,16 +104,26 @@ class Auditor {
     if constexpr (is_periodic) return moved(place(face->vertex(i)), face->offset(i));
     return place(face->vertex(i));
   }
+  // The position of a hidden point; of its image in the face that hides it, in a periodic box.
+  Place place_of_hidden(Vertex_handle v) const {
+    if constexpr (is_periodic) {
+      return moved(place(v), Types::location_of_hidden(v).offset);
+    } else {
+      return place(v);
+    }
+  }
   Place moved(const Place& place, const Lattice_offset_2& offset) const {
     return place + offset.x * box_[0] + offset.y * box_[1];
   }
-  decltype(auto) input(Point_id id) const {
+  // The position, with the weight of the point if there are weights.
+  auto input(const Place& place, Vertex_handle v) const {
     if constexpr (is_weighted) {
-      return Weighted_place(places_[id], weights_[id]);
+      return Weighted_place(place, weights_[v->point().id()]);
     } else {
-      return (places_[id]);
+      return place;
     }
   }
+  auto input(Face_handle face, int i) const { return input(place(face, i), face->vertex(i)); }
   // The side of the circle, or power circle, through three points on which the fourth is.
   template <class Input>
   static CGAL::Oriented_side side_of_circle(const Input& p, const Input& q, const Input& r,
@@ -211,23 +220,13 @@ auto Auditor<Traits>::latest() const -> Time {
 
 // Whether a triangle is flat at `time`, that of `places_`, but not just after it.
 template <class Traits>
-bool Auditor<Traits>::has_touch([[maybe_unused]] const Time& time) const {
-  // Without a hull, only points that coincide make a triangle flat (docs/MATH.md).
-  if constexpr (is_periodic) {
-    return false;
-  } else {
-    return has_touch_in_plane(time);
-  }
-}
-
-template <class Traits>
-bool Auditor<Traits>::has_touch_in_plane(const Time& time) const {
+bool Auditor<Traits>::has_touch(const Time& time) const {
   if (triangulation_.dimension() < 2) return false;
   const auto after = certification_.traits().instantaneous_traits({time, Time_side::after});
   return std::ranges::any_of(triangulation_.finite_face_handles(), [&](Face_handle f) {
-    return CGAL::collinear(place(f->vertex(0)), place(f->vertex(1)), place(f->vertex(2))) &&
-           after.orientation_2_object()(f->vertex(0)->point(), f->vertex(1)->point(),
-                                        f->vertex(2)->point()) != CGAL::COLLINEAR;
+    return CGAL::collinear(place(f, 0), place(f, 1), place(f, 2)) &&
+           after.orientation_2_object()(topology_.corner(f, 0), topology_.corner(f, 1),
+                                        topology_.corner(f, 2)) != CGAL::COLLINEAR;
   });
 }
 
@@ -416,17 +415,12 @@ void Auditor<Traits>::check_delaunay() {
     const auto& [neighbor, j] = topology_.with_mirror(edge).there;
     if (triangulation_.is_infinite(face) || triangulation_.is_infinite(neighbor)) continue;
     const Vertex_handle opposite = neighbor->vertex(j);
-    CGAL::Oriented_side side = CGAL::ON_ORIENTED_BOUNDARY;
+    Place there = place(neighbor, j);
     if constexpr (is_periodic) {
-      const Place shared = place(face, Triangulation::cw(i));
-      side = side_of_circle(place(face, 0), place(face, 1), place(face, 2),
-                            shared + (place(neighbor, j) - place(neighbor, Triangulation::ccw(j))));
-    } else {
-      const auto corner = [&](Vertex_handle v) { return input(v->point().id()); };
-      side = side_of_circle(corner(face->vertex(0)), corner(face->vertex(1)),
-                            corner(face->vertex(2)), corner(opposite));
+      there = place(face, Triangulation::cw(i)) + (there - place(neighbor, Triangulation::ccw(j)));
     }
-    if (side == CGAL::ON_POSITIVE_SIDE) {
+    if (side_of_circle(input(face, 0), input(face, 1), input(face, 2), input(there, opposite)) ==
+        CGAL::ON_POSITIVE_SIDE) {
       fail("not locally Delaunay: " + name(edge) + " between " +
            std::to_string(face->vertex(i)->point().id()) + " and " +
            std::to_string(opposite->point().id()));
@@ -444,8 +438,8 @@ void Auditor<Traits>::check_hidden_points() {
       const auto fail_at = [&](const char* what) {
         fail("the hidden point " + std::to_string(v->point().id()) + what);
       };
-      const auto corner = [&](int i) { return input(face->vertex(i)->point().id()); };
-      const auto point = input(v->point().id());
+      const auto corner = [&](int i) { return input(face, i); };
+      const auto point = input(place_of_hidden(v), v);
       if (triangulation_.dimension() == 0) {
         if (corner(0).point() != point.point() || corner(0).weight() < point.weight()) {
           fail_at(" is not hidden by the vertex that should hide it");

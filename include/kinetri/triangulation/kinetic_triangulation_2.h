@@ -50,7 +50,9 @@ struct Triangulation_snapshot {
 /// ends when the box loses its area: `next_event_time` and `step` know only events before that, and
 /// `advance_to` throws Periodic_box_error from then on. An Error says that an edge would get an
 /// offset of 2^31 or more, as may happen just before the end; then only const functions may be
-/// called. One thread executes the events.
+/// called. One thread executes the events. With weights the vertex of a hidden point also has the
+/// `offset()` of its image in the triangle that hides it, against corner 0; and before the end
+/// hidden points may cross infinitely many triangles without an event: then `step` needs a time.
 ///
 /// The triangulation just after a time is a function of the motions and the time alone. If points
 /// are cocircular for a while, a perturbation of the lifting x^2 + y^2 by e1 x y + e2 x^2 + e3 y^2,
@@ -397,6 +399,7 @@ extern template class Kinetic_triangulation_2<Polynomial_kinetic_traits_2>;
 extern template class Kinetic_triangulation_2<Disc_kinetic_traits_2>;
 extern template class Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>;
 extern template class Kinetic_triangulation_2<Periodic_kinetic_traits_2>;
+extern template class Kinetic_triangulation_2<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 

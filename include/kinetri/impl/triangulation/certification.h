@@ -102,7 +102,7 @@ class Kinetic_types<Traits>::Certification {
       Vertex_handle v, const Time& after, Certificate_counters& counters,
       std::uint8_t vanishing = no_condition) const;
   /// The points of a condition on a hidden point. Precondition: dimension 2.
-  static Certificate_points hidden_points(Vertex_handle v, std::uint8_t condition);
+  Certificate_points hidden_points(Vertex_handle v, std::uint8_t condition) const;
 
   // ---- triangles ----
 

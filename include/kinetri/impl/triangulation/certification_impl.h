@@ -57,7 +57,7 @@ template <class Traits>
 inline Certificate Kinetic_types<Traits>::Certification::certificate(
     const Certificate_points& about, const Time& after, Certificate_state state) const {
   const auto [p, q, r, s] = about.quadruple();
-  if (is_periodic || about.kind == Entry_kind::flip) {
+  if (about.kind == Entry_kind::flip) {
     return traits_.in_circle_certificate(*p, *q, *r, *s, after, state);
   }
   if (about.kind == Entry_kind::hull_insert) {
@@ -124,7 +124,7 @@ void Kinetic_types<Traits>::Certification::certify_chain(std::span<const Edge_wi
       put(edge, Entry_kind::coincidence, Certificate());
       continue;
     }
-    if constexpr (is_weighted) {
+    if constexpr (is_weighted && !is_periodic) {
       if (!topology_.are_weights_equal()) {
         Certificate chain = chain_certificate(edge.here, after);
         counters.count(chain);
@@ -318,9 +318,8 @@ auto Kinetic_types<Traits>::Certification::failure_time(const Certificate_points
                                                         const Double_interval& bounds) const
     -> Time {
   const auto [p, q, r, s] = failed.quadruple();
-  return is_periodic || failed.kind == Entry_kind::flip
-             ? traits_.in_circle_failure(*p, *q, *r, *s, bounds)
-             : traits_.orientation_failure(*p, *q, *r, bounds);
+  return failed.kind == Entry_kind::flip ? traits_.in_circle_failure(*p, *q, *r, *s, bounds)
+                                         : traits_.orientation_failure(*p, *q, *r, bounds);
 }
 
 // ---- hidden points ----
@@ -346,17 +345,28 @@ std::pair<std::uint8_t, Certificate> Kinetic_types<Traits>::Certification::hidde
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Certification::hidden_points(Vertex_handle v, std::uint8_t condition)
+auto Kinetic_types<Traits>::Certification::hidden_points(Vertex_handle v,
+                                                         std::uint8_t condition) const
     -> Certificate_points {
-  const Face_handle face = v->face();
+  const auto corner = [&](int i) -> Corner {
+    if constexpr (is_periodic) {
+      return topology_.corner(v->face(), i);
+    } else {
+      return &v->face()->vertex(i)->point();
+    }
+  };
+  const auto hidden = [&]() -> Corner {
+    if constexpr (is_periodic) {
+      return topology_.point_at(Topology::location_of_hidden(v), v->point());
+    } else {
+      return &v->point();
+    }
+  };
   if (condition == plane_condition) {
-    return {Entry_kind::flip,
-            {&face->vertex(0)->point(), &face->vertex(1)->point(), &face->vertex(2)->point(),
-             &v->point()}};
+    return {Entry_kind::flip, {corner(0), corner(1), corner(2), hidden()}};
   }
   return {Entry_kind::hull_remove,
-          {&face->vertex(Triangulation::ccw(condition))->point(),
-           &face->vertex(Triangulation::cw(condition))->point(), &v->point()}};
+          {corner(Triangulation::ccw(condition)), corner(Triangulation::cw(condition)), hidden()}};
 }
 
 // In dimension 2 the condition of a side or of the plane. In lower dimensions that of the segment
@@ -364,22 +374,22 @@ auto Kinetic_types<Traits>::Certification::hidden_points(Vertex_handle v, std::u
 template <class Traits>
 Certificate Kinetic_types<Traits>::Certification::hidden_certificate(
     Vertex_handle v, std::uint8_t condition, const Time& after, Certificate_state state) const {
-  const Face_handle face = v->face();
-  const Point_2& point = v->point();
-  if (triangulation_.dimension() == 2) {
-    const Certificate_points about = hidden_points(v, condition);
-    const auto& [p, q, r, s] = about.points;
-    return about.kind == Entry_kind::flip
-               ? traits_.in_circle_certificate(*p, *q, *r, *s, after, state)
-               : traits_.orientation_certificate(*p, *q, *r, after, state);
+  if (is_periodic || triangulation_.dimension() == 2) {
+    return certificate(hidden_points(v, condition), after, state);
   }
-  if (triangulation_.dimension() < 1) {
-    return traits_.weight_certificate(triangulation_.finite_vertex()->point(), point, after);
+  if constexpr (!is_periodic) {
+    const Face_handle face = v->face();
+    const Point_2& point = v->point();
+    if (triangulation_.dimension() < 1) {
+      return traits_.weight_certificate(triangulation_.finite_vertex()->point(), point, after);
+    }
+    const Point_2& first = face->vertex(0)->point();
+    const Point_2& second = face->vertex(1)->point();
+    if (condition == plane_condition) {
+      return traits_.hiding_certificate(first, point, second, after);
+    }
+    return traits_.meeting_certificate(condition == 0 ? first : second, point, after, from(after));
   }
-  const Point_2& first = face->vertex(0)->point();
-  const Point_2& second = face->vertex(1)->point();
-  if (condition == plane_condition) return traits_.hiding_certificate(first, point, second, after);
-  return traits_.meeting_certificate(condition == 0 ? first : second, point, after, from(after));
 }
 
 // Whether the first fails, or must be rechecked, before the second.

@@ -57,7 +57,7 @@ class Kinetic_types<Traits>::Decisions {
 
   /// The orientation of three points just after now(), which is within `bounds`.
   template <class Now>
-  Sign turn(const Point_2& p, const Point_2& q, const Point_2& r, const Double_interval& bounds,
+  Sign turn(const Image_2& p, const Image_2& q, const Image_2& r, const Double_interval& bounds,
             const Now& now) const {
     const Sign certain = certification_.traits().certain_turn(p, q, r, bounds);
     if (certain != CGAL::ZERO) return certain;
@@ -76,6 +76,8 @@ class Kinetic_types<Traits>::Decisions {
   template <class Now>
   Decision decide_inside(const Edge_with_mirror& edge, bool changes_sign,
                          const Double_interval& bounds, const Now& now) const;
+  template <class Now>
+  bool turns_left(Face_handle face, const Double_interval& bounds, const Now& now) const;
   bool is_touch(Face_handle face, const Time& now) const;
   bool do_corners_meet(Face_handle face, const Time& now) const;
   bool may_hide_a_turn(const Edge& hull_triangle, const Time& now) const;
@@ -119,8 +121,11 @@ auto Kinetic_types<Traits>::Decisions::decide_at_hull(const Edge_with_mirror& ed
 //      / / | \ \              /       \                                                    .
 //     d ---+--- b            d ------- b        (the edge is any of the three at a)
 //
-// The quadrilateral is strictly convex just after now if both turns are left turns. But while
-// several events of one time are executed, c and d may already have an edge.
+// The quadrilateral is strictly convex just after now if both turns are left turns. But in the
+// plane, while several events of one time are executed, c and d may already have an edge.
+//
+// In a periodic box the faces that change, and those beside them, are examined: what is left turns
+// left, and no face beside a change that has turned over loses its entries of this time.
 template <class Traits>
 template <class Now>
 auto Kinetic_types<Traits>::Decisions::decide_inside(const Edge_with_mirror& edge,
@@ -129,39 +134,73 @@ auto Kinetic_types<Traits>::Decisions::decide_inside(const Edge_with_mirror& edg
                                                      const Now& now) const -> Decision {
   const auto& [face, i] = edge.here;
   const auto& [neighbor, j] = edge.there;
+  const int at_a = Triangulation::cw(i);
+  const int at_b = Triangulation::ccw(i);
+  const Certificate_points about = certification_.points(edge);
+  const auto [b, a, c, d] = about.quadruple();
+  const auto beside = [&](Face_handle f, int side) {
+    return turns_left(f->neighbor(side), bounds, now);
+  };
+  if constexpr (is_periodic) {
+    if (!turns_left(face, bounds, now) || !turns_left(neighbor, bounds, now) ||
+        !beside(face, at_a) || !beside(face, at_b) || !beside(neighbor, Triangulation::ccw(j)) ||
+        !beside(neighbor, Triangulation::cw(j))) {
+      return {Action::rebuild};
+    }
+  }
   if (!changes_sign) {
-    const auto& [p, q, r, s] = certification_.points(edge).points;
     const auto just_after = after(now());
-    if (just_after.power_side_of_oriented_power_circle_2_object()(*p, *q, *r, *s) !=
+    if (just_after.power_side_of_oriented_power_circle_2_object()(*b, *a, *c, *d) !=
         CGAL::ON_POSITIVE_SIDE) {
       // A touch. A triangle whose corners, lifted, are on one line now may turn over.
       const bool turns_over = !is_touch(face, now()) || !is_touch(neighbor, now());
       return {turns_over ? Action::rebuild : Action::reschedule};
     }
   }
-  const Vertex_handle a = face->vertex(Triangulation::cw(i));
-  const Vertex_handle b = face->vertex(Triangulation::ccw(i));
-  const Vertex_handle c = face->vertex(i);
-  const Vertex_handle d = neighbor->vertex(j);
-  const Sign turn_at_a = turn(d->point(), a->point(), c->point(), bounds, now);
-  const Sign turn_at_b = turn(c->point(), b->point(), d->point(), bounds, now);
-  if (turn_at_a == CGAL::LEFT_TURN && turn_at_b == CGAL::LEFT_TURN &&
-      !triangulation_.is_edge(c, d)) {
-    return {Action::flip};
+  const Sign turn_at_a = turn(*d, *a, *c, bounds, now);
+  const Sign turn_at_b = turn(*c, *b, *d, bounds, now);
+  if (turn_at_a == CGAL::LEFT_TURN && turn_at_b == CGAL::LEFT_TURN) {
+    bool is_there = false;
+    if constexpr (!is_periodic) {
+      is_there = triangulation_.is_edge(face->vertex(i), neighbor->vertex(j));
+    }
+    if (!is_there) return {Action::flip};
   }
-  const auto have_third = [](Face_handle one, Vertex_handle opposite, Face_handle other) {
-    return one->neighbor(one->index(opposite)) == other->neighbor(other->index(opposite));
+  // Whether beyond both sides, which meet in an end of the edge, there is one face at that end.
+  const auto have_third = [&](const Edge& left, const Edge& right) {
+    const Edge beyond_left = topology_.with_mirror(left).there;
+    const Edge beyond_right = topology_.with_mirror(right).there;
+    if (beyond_left.first != beyond_right.first ||
+        beyond_right.second != Triangulation::ccw(beyond_left.second)) {
+      return false;
+    }
+    return !is_periodic || beside(beyond_left.first, Triangulation::cw(beyond_left.second));
   };
-  if (turn_at_a == CGAL::RIGHT_TURN && have_third(face, b, neighbor)) return {Action::hide, a};
-  if (turn_at_b == CGAL::RIGHT_TURN && have_third(face, a, neighbor)) return {Action::hide, b};
+  if (turn_at_a == CGAL::RIGHT_TURN &&
+      have_third(Edge(face, at_b), Edge(neighbor, Triangulation::cw(j)))) {
+    return {Action::hide, face->vertex(at_a)};
+  }
+  if (turn_at_b == CGAL::RIGHT_TURN &&
+      have_third(Edge(neighbor, Triangulation::ccw(j)), Edge(face, at_a))) {
+    return {Action::hide, face->vertex(at_b)};
+  }
   return {Action::postpone};
+}
+
+// Whether a triangle makes a left turn just after now.
+template <class Traits>
+template <class Now>
+bool Kinetic_types<Traits>::Decisions::turns_left(Face_handle face, const Double_interval& bounds,
+                                                  const Now& now) const {
+  return turn(topology_.corner(face, 0), topology_.corner(face, 1), topology_.corner(face, 2),
+              bounds, now) == CGAL::LEFT_TURN;
 }
 
 // Whether a triangle, flat at this time, makes a left turn just after it.
 template <class Traits>
 bool Kinetic_types<Traits>::Decisions::is_touch(Face_handle face, const Time& now) const {
-  return after(now).orientation_2_object()(face->vertex(0)->point(), face->vertex(1)->point(),
-                                           face->vertex(2)->point()) == CGAL::LEFT_TURN;
+  return after(now).orientation_2_object()(topology_.corner(face, 0), topology_.corner(face, 1),
+                                           topology_.corner(face, 2)) == CGAL::LEFT_TURN;
 }
 
 // Whether two corners of a triangle coincide at this time. Only with different weights, since other

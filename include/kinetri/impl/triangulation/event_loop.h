@@ -88,7 +88,7 @@ class Kinetic_types<Traits>::Event_loop {
   Event_reporter& reporter_;
   Updates& updates_;
   std::vector<Point_set_aside> points_set_aside_;
-  std::vector<Edge_ids> postponed_;  // they fail now, but cannot be flipped yet
+  std::vector<Edge_name> postponed_;  // they fail now, but cannot be flipped yet
   std::uint64_t changes_before_retry_ = 0;
   std::function<void()> rest_of_changes_;  // while points are being changed
   bool is_hull_flat_ = false;              // at the present time

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "kinetri/impl/base/check.h"
@@ -96,10 +97,11 @@ void Kinetic_types<Traits>::Event_loop::execute(const Entry& failure) {
       if constexpr (is_weighted) updates_.hide(decision.hidden);
       return;
     case Action::reschedule:
+      Schedule::forget_entry(edge);
       return schedule_.schedule({&edge, 1}, now());
     case Action::postpone:
       Topology::set_event(edge, no_event);
-      postponed_.push_back(Topology::ids_of(edge.here));
+      postponed_.push_back(Topology::name_of(edge.here));
       return;
     case Action::rebuild:
       return rebuild();
@@ -146,16 +148,10 @@ bool Kinetic_types<Traits>::Event_loop::retry_postponed_edges() {
     rebuild();
     return true;
   }
-  for (const auto& [a, b] : std::exchange(postponed_, {})) {
-    Edge edge;
-    if (!topology_.has_vertex(a) || !topology_.has_vertex(b) || topology_.is_hidden(a) ||
-        topology_.is_hidden(b) ||
-        !topology_.triangulation().is_edge(topology_.vertex(a), topology_.vertex(b), edge.first,
-                                           edge.second) ||
-        edge.first->event(edge.second) != no_event) {
-      continue;
-    }
-    const Edge_with_mirror both = topology_.with_mirror(edge);
+  for (const Edge_name& name : std::exchange(postponed_, {})) {
+    const std::optional<Edge> edge = topology_.find(name);
+    if (!edge || edge->first->event(edge->second) != no_event) continue;
+    const Edge_with_mirror both = topology_.with_mirror(*edge);
     schedule_.schedule({&both, 1}, schedule_.current_time());
   }
   return true;
@@ -242,16 +238,9 @@ bool Kinetic_types<Traits>::Event_loop::has_flat_triangle() const {
   if (triangulation.dimension() < 2) return true;
   const auto now =
       certification_.traits().instantaneous_traits({schedule_.current_time(), Time_side::at});
-  const auto corner = [&](Face_handle face, int i) -> decltype(auto) {
-    if constexpr (is_periodic) {
-      return triangulation.corner(face, i, 0);
-    } else {
-      return (face->vertex(i)->point());
-    }
-  };
   return std::ranges::any_of(triangulation.finite_face_handles(), [&](Face_handle face) {
-    return now.orientation_2_object()(corner(face, 0), corner(face, 1), corner(face, 2)) ==
-           CGAL::COLLINEAR;
+    return now.orientation_2_object()(topology_.corner(face, 0), topology_.corner(face, 1),
+                                      topology_.corner(face, 2)) == CGAL::COLLINEAR;
   });
 }
 

@@ -38,44 +38,46 @@ class Kinetic_types<Traits>::Hidden_events {
     const Vertex_handle v = failure.hidden;
     v->set_event(no_event);
     if (triangulation_.dimension() < 2) return false;
-    const Face_handle face = v->face();
+    const Location location = Topology::location_of_hidden(v);
     triangulation_.take_from_face(v);
     if (failure.index != plane_condition) {
       // It crosses a side of its triangle.
-      const auto [beyond, i] = topology_.with_mirror(Edge(face, failure.index)).there;
-      if (!triangulation_.is_infinite(beyond)) {
+      const int i = topology_.with_mirror(Edge(location.face, failure.index)).there.second;
+      const Location beyond = Topology::beyond(v->point(), location, failure.index);
+      if (!triangulation_.is_infinite(beyond.face)) {
         updates_.hide_in(v, beyond);
         schedule_.schedule_hidden(
             v, schedule_.current_time(),
             reporter_.is_noting() ? no_condition : static_cast<std::uint8_t>(i));
         return true;
       }
-    } else if (failure.changes_sign && updates_.is_inside(v->point(), face, true)) {
-      updates_.reveal(v, {face, Triangulation::FACE, 0},
+    } else if (failure.changes_sign && updates_.is_inside(v->point(), location, true)) {
+      updates_.reveal(v, location,
                       reporter_.is_noting() ? Certificate_state::any : Certificate_state::vanishes);
       return true;
     }
     updates_.show_current_time();
-    return place(v, topology_.locate(v->point(), face));
+    return place(v, topology_.locate(v->point(), location));
   }
 
   /// Inserts a new point, or a hidden one that is in no list, at its location just after now.
   /// Returns false if the triangulation must be rebuilt.
   [[nodiscard]] bool place(Vertex_handle v, const Location& location) {
-    const auto& [face, locus, i] = location;
-    const auto hide_now = [&](Face_handle where) {
+    const auto hide_now = [&](const Location& where) {
       if (!v->is_hidden()) reporter_.note_hidden(v->point().id(), true);
       updates_.hide_in(v, where);
     };
-    if (locus == Triangulation::VERTEX) {
+    if (location.locus == Triangulation::VERTEX) {
       // They coincide at all times: the heavier one hides the other.
       const auto side = triangulation_.geom_traits().power_side_of_oriented_power_circle_2_object();
-      const bool is_heavier = side(face->vertex(i)->point(), v->point()) == CGAL::ON_POSITIVE_SIDE;
-      hide_now(face);
+      const bool is_heavier =
+          side(topology_.corner(location.face, location.index),
+               topology_.point_at(location, v->point())) == CGAL::ON_POSITIVE_SIDE;
+      hide_now(location);
       if (is_heavier) return false;
       schedule_.schedule_hidden(v, schedule_.current_time());
-    } else if (const Face_handle above = topology_.hiding_face(v->point(), location);
-               above != Face_handle()) {
+    } else if (const Location above = topology_.hiding_face(v->point(), location);
+               above.face != Face_handle()) {
       hide_now(above);
       schedule_.schedule_hidden(v, schedule_.current_time());
     } else if (v->is_hidden()) {

@@ -97,6 +97,7 @@ KINETRI_KINETIC_PARTS(extern template, Polynomial_kinetic_traits_2);
 KINETRI_KINETIC_PARTS(extern template, Disc_kinetic_traits_2);
 KINETRI_KINETIC_PARTS(extern template, Polynomial_disc_kinetic_traits_2);
 extern template struct Kinetic_types<Periodic_kinetic_traits_2>::Kinetic_core;
+extern template struct Kinetic_types<Periodic_disc_kinetic_traits_2>::Kinetic_core;
 
 /// Access to the parts of a triangulation, for audits, queries and simulations.
 struct Core_access {

@@ -15,8 +15,10 @@ void Kinetic_types<Traits>::Kinetic_core::start_with(std::span<const Point_2> po
                                                      std::size_t ids) {
   const auto started = std::chrono::steady_clock::now();
   if constexpr (is_periodic) {
-    static_assert(std::is_same_v<Traits, Periodic_kinetic_traits_2>,
-                  "triangulations of a periodic box are compiled for Periodic_kinetic_traits_2");
+    static_assert(std::is_same_v<Traits, Periodic_kinetic_traits_2> ||
+                      std::is_same_v<Traits, Periodic_disc_kinetic_traits_2>,
+                  "triangulations of a periodic box are compiled for Periodic_kinetic_traits_2 and "
+                  "Periodic_disc_kinetic_traits_2");
     const Periodic_box_2& box = certification.traits().box();
     box.require_area(schedule.current_time(), schedule.current_time());
     schedule.set_end(box.collapse_after(schedule.current_time()));

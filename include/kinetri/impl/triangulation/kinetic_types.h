@@ -19,7 +19,7 @@
 
 namespace kinetri::detail {
 
-/// The triangulation of moving points: of CGAL, regular if they have weights, else Delaunay; or of
+/// The triangulation of moving points, regular if they have weights, else Delaunay: of CGAL, or of
 /// the flat torus, if they are in a periodic box.
 template <class Traits>
 struct Triangulation_of {
@@ -28,7 +28,7 @@ struct Triangulation_of {
       Kinetic_triangulation_data_structure_2<typename Traits::Instantaneous_traits>>;
 };
 template <WeightedKineticTraits_2 Traits>
-struct Triangulation_of<Traits> {
+requires(!PeriodicKineticTraits_2<Traits>) struct Triangulation_of<Traits> {
   using type = Regular_triangulation<typename Traits::Instantaneous_traits>;
 };
 
@@ -46,6 +46,14 @@ struct Location_in {
 };
 template <class Traits>
 struct Location_in<Torus_triangulation<Traits>> : Torus_triangulation<Traits>::Location {};
+
+/// A point that has been hidden in a face that changes; in a periodic box with a vertex near it.
+template <class Vertex_handle>
+struct Taken_point {
+  Vertex_handle vertex;
+  Vertex_handle near = {};       ///< which stays in faces
+  Lattice_offset_2 offset = {};  ///< of the hidden image against an image of that
+};
 
 /// What an event does to a point: gives it another motion or, with none, erases it.
 template <class Motion>
@@ -85,6 +93,7 @@ struct Kinetic_types {
   using Change = Point_change<Motion>;
   using Time = Algebraic_number;
   using Location = Location_in<Triangulation>;
+  using Taken_point = detail::Taken_point<Vertex_handle>;
   using Instantaneous_traits = typename Traits::Instantaneous_traits;
 
   static constexpr bool is_weighted = WeightedKineticTraits_2<Traits>;

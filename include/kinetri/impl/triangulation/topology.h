@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -117,6 +118,8 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   static Edge_name name_of(const Edge& edge);
   /// The names of all finite edges, sorted.
   std::vector<Edge_name> finite_edges() const;
+  /// The edge of a name, if it is in the triangulation.
+  std::optional<Edge> find(const Edge_name& name) const;
   Edge_with_mirror with_mirror(const Edge& edge) const;
   /// The index of edge i of a face in the neighbor. Precondition: dimension 2.
   static int mirror_index(Face_handle face, int i) {
@@ -178,9 +181,31 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   /// not null; in a periodic box of the image that is nearest to `start`. Precondition:
   /// dimension 2.
   Location locate(const Point_2& point, Face_handle start) const;
+  /// The same from where it has been; in a periodic box of the same image.
+  Location locate(const Point_2& point, const Location& start) const;
   /// The triangle at the location that hides a point with a weight, which may be on the border of
-  /// that; none if the point is below it, outside the hull, or at the position of a vertex.
-  Face_handle hiding_face(const Point_2& point, const Location& location) const;
+  /// that; a null face if the point is below it, outside the hull, or at the position of a vertex.
+  Location hiding_face(const Point_2& point, const Location& location) const;
+  /// Where a hidden point is.
+  static Location location_of_hidden(Vertex_handle v);
+  /// The same place in the face beyond a side of its face.
+  static Location beyond(const Point_2& point, const Location& location, int side);
+  /// The point that is at a corner of a face, or at a location; in a periodic box the images of
+  /// these, against corner 0.
+  decltype(auto) corner(Face_handle face, int i) const {
+    if constexpr (is_periodic) {
+      return triangulation_.corner(face, i, 0);
+    } else {
+      return (face->vertex(i)->point());
+    }
+  }
+  decltype(auto) point_at(const Location& location, const Point_2& point) const {
+    if constexpr (is_periodic) {
+      return triangulation_.image(point, location);
+    } else {
+      return (point);
+    }
+  }
   /// Appends pairs of the point and others at its location with its trajectory and weight, if they
   /// are not among `changed`, which is sorted.
   void find_coincident(const Point_2& point, const Location& location,
@@ -221,10 +246,15 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   /// note_hidden(id, was_hidden, is_hidden) with each point that is or was hidden.
   template <class Note_hidden>
   void adopt(Triangulation rebuilt, const Note_hidden& note_hidden);
-  /// Hides the vertex in the face or, if that is infinite, in the finite one beside it.
-  void hide_in(Vertex_handle v, Face_handle face);
-  /// Removes the hidden points from the lists of faces, and returns them.
-  static std::vector<Vertex_handle> take_hidden(std::span<const Face_handle> faces);
+  /// Hides the vertex in the face at the location or, if that is infinite, in the finite one beside
+  /// it.
+  void hide_in(Vertex_handle v, const Location& location);
+  /// Removes the hidden points from the lists of faces, and returns them. In a periodic box the
+  /// faces keep a corner at each of their vertices, except `leaving`.
+  static std::vector<Taken_point> take_hidden(std::span<const Face_handle> faces,
+                                              Vertex_handle leaving = {});
+  /// In a periodic box: where such a point probably is.
+  Location location_of(const Taken_point& taken) const;
 
   /// Calls note(ids, change) with the finite edges at a vertex.
   template <class Note>

@@ -132,6 +132,23 @@ auto Kinetic_types<Traits>::Topology::finite_edges() const -> std::vector<Edge_n
 }
 
 template <class Traits>
+auto Kinetic_types<Traits>::Topology::find(const Edge_name& name) const -> std::optional<Edge> {
+  const auto& [a, b] = detail::ids_of(name);
+  if (!has_vertex(a) || !has_vertex(b) || is_hidden(a) || is_hidden(b)) return std::nullopt;
+  std::optional<Edge> result;
+  if constexpr (is_periodic) {
+    for_each_face_at(triangulation_, vertex(a), [&](Face_handle face, int i) {
+      const Edge edge(face, Triangulation::cw(i));
+      if (name_of(edge) == name) result = edge;
+    });
+  } else {
+    Edge edge;
+    if (triangulation_.is_edge(vertex(a), vertex(b), edge.first, edge.second)) result = edge;
+  }
+  return result;
+}
+
+template <class Traits>
 inline auto Kinetic_types<Traits>::Topology::with_mirror(const Edge& edge) const
     -> Edge_with_mirror {
   if (!is_periodic && triangulation_.dimension() < 2) return {edge, edge};
@@ -212,22 +229,50 @@ auto Kinetic_types<Traits>::Topology::locate(const Point_2& point, Face_handle s
 }
 
 template <class Traits>
+auto Kinetic_types<Traits>::Topology::locate(const Point_2& point, const Location& start) const
+    -> Location {
+  if constexpr (is_periodic) {
+    return {triangulation_.locate(point, start.face, start.offset)};
+  } else {
+    return locate(point, start.face);
+  }
+}
+
+template <class Traits>
 auto Kinetic_types<Traits>::Topology::hiding_face(const Point_2& point,
-                                                  const Location& location) const -> Face_handle {
+                                                  const Location& location) const -> Location {
+  Location result = location;
   if constexpr (is_weighted) {
-    auto [face, locus, i] = location;
-    if (locus == Triangulation::VERTEX) return Face_handle();
-    if (triangulation_.is_infinite(face)) {
-      if (locus != Triangulation::EDGE) return Face_handle();
-      face = face->neighbor(i);
+    if (location.locus == Triangulation::VERTEX) return {};
+    if (triangulation_.is_infinite(location.face)) {
+      if (location.locus != Triangulation::EDGE) return {};
+      result.face = location.face->neighbor(location.index);
     }
     const auto side = triangulation_.geom_traits().power_side_of_oriented_power_circle_2_object();
-    if (side(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(), point) !=
-        CGAL::ON_POSITIVE_SIDE) {
-      return face;
+    if (side(corner(result.face, 0), corner(result.face, 1), corner(result.face, 2),
+             point_at(result, point)) != CGAL::ON_POSITIVE_SIDE) {
+      return result;
     }
   }
-  return Face_handle();
+  return {};
+}
+
+template <class Traits>
+auto Kinetic_types<Traits>::Topology::location_of_hidden(Vertex_handle v) -> Location {
+  Location result;
+  result.face = v->face();
+  if constexpr (is_periodic) result.offset = v->offset();
+  return result;
+}
+
+template <class Traits>
+auto Kinetic_types<Traits>::Topology::beyond([[maybe_unused]] const Point_2& point,
+                                             const Location& location, int side) -> Location {
+  if constexpr (is_periodic) {
+    return {Triangulation::beyond(point, location, side)};
+  } else {
+    return {location.face->neighbor(side)};
+  }
 }
 
 template <class Traits>
@@ -235,26 +280,36 @@ void Kinetic_types<Traits>::Topology::find_coincident(const Point_2& point,
                                                       const Location& location,
                                                       std::span<const Point_id> changed,
                                                       std::vector<Edge_ids>& coincident) const {
-  const auto check = [&](Vertex_handle v) {
-    if (triangulation_.is_infinite(v)) return;
+  const auto is_unchanged = [&](Vertex_handle v) {
     const Point_id other = v->point().id();
-    if (other == point.id() || std::ranges::binary_search(changed, other) ||
-        !same_trajectory(v->point().motion(), point.motion())) {
-      return;
-    }
-    coincident.push_back(edge_ids(other, point.id()));
+    return other != point.id() && !std::ranges::binary_search(changed, other);
   };
-  const auto check_in = [&](Face_handle face) {
-    if constexpr (is_weighted) {
-      for (const Vertex_handle v : face->vertex_list()) check(v);
-    }
-  };
-  const auto& [face, locus, i] = location;
-  check_in(face);
-  if (locus == Triangulation::EDGE) check_in(face->neighbor(i));
-  if (locus != Triangulation::VERTEX) return;
-  check(face->vertex(i));
-  for_each_face_at(triangulation_, face->vertex(i), check_in);
+  if constexpr (is_periodic) {
+    triangulation_.for_each_near(
+        point, location, [&](Vertex_handle v, const Image_2& image, const Image_2& image_of_point) {
+          if (is_unchanged(v) && same_trajectory(image.motion(), image_of_point.motion())) {
+            coincident.push_back(edge_ids(v->point().id(), point.id()));
+          }
+        });
+  } else {
+    const auto check = [&](Vertex_handle v) {
+      if (!triangulation_.is_infinite(v) && is_unchanged(v) &&
+          same_trajectory(v->point().motion(), point.motion())) {
+        coincident.push_back(edge_ids(v->point().id(), point.id()));
+      }
+    };
+    const auto check_in = [&](Face_handle face) {
+      if constexpr (is_weighted) {
+        for (const Vertex_handle v : face->vertex_list()) check(v);
+      }
+    };
+    const auto& [face, locus, i] = location;
+    check_in(face);
+    if (locus == Triangulation::EDGE) check_in(face->neighbor(i));
+    if (locus != Triangulation::VERTEX) return;
+    check(face->vertex(i));
+    for_each_face_at(triangulation_, face->vertex(i), check_in);
+  }
 }
 
 // The nearest of about 2 n^(1/3) points, in doubles, if motions can be rounded; a walk from there
@@ -458,6 +513,7 @@ void Kinetic_types<Traits>::Topology::adopt(Triangulation rebuilt,
       here->set_hidden(there->is_hidden());
       here->set_event(no_event);
       if (here->is_hidden()) here->face()->vertex_list().push_back(here);
+      if constexpr (is_periodic) here->set_offset(there->offset());
       if (was_hidden || here->is_hidden()) {
         note_hidden(here->point().id(), was_hidden, here->is_hidden());
       }
@@ -467,8 +523,11 @@ void Kinetic_types<Traits>::Topology::adopt(Triangulation rebuilt,
 }
 
 template <class Traits>
-void Kinetic_types<Traits>::Topology::hide_in(Vertex_handle v, Face_handle face) {
-  if constexpr (is_weighted) {
+void Kinetic_types<Traits>::Topology::hide_in(Vertex_handle v, const Location& location) {
+  if constexpr (is_weighted && is_periodic) {
+    triangulation_.hide(v, location);
+  } else if constexpr (is_weighted) {
+    Face_handle face = location.face;
     if (triangulation_.dimension() > 0 && triangulation_.is_infinite(face)) {
       face = face->neighbor(face->index(triangulation_.infinite_vertex()));
     }
@@ -477,17 +536,37 @@ void Kinetic_types<Traits>::Topology::hide_in(Vertex_handle v, Face_handle face)
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::take_hidden(std::span<const Face_handle> faces)
-    -> std::vector<Vertex_handle> {
-  std::vector<Vertex_handle> result;
+auto Kinetic_types<Traits>::Topology::take_hidden(std::span<const Face_handle> faces,
+                                                  [[maybe_unused]] Vertex_handle leaving)
+    -> std::vector<Taken_point> {
+  std::vector<Taken_point> result;
   if constexpr (is_weighted) {
     for (const Face_handle face : faces) {
       auto& list = face->vertex_list();
-      result.insert(result.end(), list.begin(), list.end());
+      for (const Vertex_handle v : list) {
+        Taken_point& taken = result.emplace_back(Taken_point{v});
+        if constexpr (is_periodic) {
+          int i = 0;
+          while (i < 2 && face->vertex(i) == leaving) ++i;
+          taken.near = face->vertex(i);
+          taken.offset = Triangulation::offset_against(v->point(), location_of_hidden(v), i);
+        }
+      }
       list.clear();
     }
   }
   return result;
+}
+
+// The certificate of a hidden point fails at once if it is in another face.
+template <class Traits>
+auto Kinetic_types<Traits>::Topology::location_of(const Taken_point& taken) const -> Location {
+  constexpr std::size_t few_steps = 8;
+  const Point_2& point = taken.vertex->point();
+  const Face_handle face = taken.near->face();
+  const auto start =
+      Triangulation::location_near(point, face, face->index(taken.near), taken.offset);
+  return {triangulation_.locate(point, face, start.offset, few_steps)};
 }
 
 }  // namespace kinetri::detail

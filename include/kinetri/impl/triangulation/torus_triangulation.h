@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A triangulation of the flat torus, the plane modulo a lattice, from one vertex on. CGAL's data
-// structure stores it but does not change or search it, since CGAL finds edges by their vertices:
-// here an edge may be a loop, and two faces may share several edges.
+// A triangulation of the flat torus, the plane modulo a lattice, from one vertex on: Delaunay or,
+// if points have weights, regular. CGAL's data structure stores it but does not change or search
+// it, since CGAL finds edges by their vertices: here an edge may be a loop, and two faces may share
+// several edges.
 #ifndef KINETRI_IMPL_TRIANGULATION_TORUS_TRIANGULATION_H
 #define KINETRI_IMPL_TRIANGULATION_TORUS_TRIANGULATION_H
 
+#include <CGAL/Regular_triangulation_face_base_2.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/enum.h>
 
@@ -68,11 +70,30 @@ class Periodic_face_base_2 : public FaceBase {
   std::array<std::uint8_t, 3> mirrors_ = {0, 0, 0};
 };
 
-/// CGAL's data structure with such faces.
-template <class InstantaneousTraits>
-using Torus_data_structure_2 =
-    CGAL::Triangulation_data_structure_2<Kinetic_vertex_base_2<InstantaneousTraits>,
-                                         Periodic_face_base_2<InstantaneousTraits>>;
+/// A vertex that, while it is hidden, stores the offset of its image in the face that hides it,
+/// against corner 0 of that.
+template <class InstantaneousTraits,
+          class VertexBase = Kinetic_regular_vertex_base_2<InstantaneousTraits>>
+class Periodic_vertex_base_2 : public VertexBase {
+ public:
+  /// As CGAL requires.
+  template <class Tds2>
+  struct Rebind_TDS {
+    /// The vertex of the data structure Tds2.
+    using Other = Periodic_vertex_base_2<InstantaneousTraits,
+                                         typename VertexBase::template Rebind_TDS<Tds2>::Other>;
+  };
+
+  using VertexBase::VertexBase;
+
+  /// The offset of the hidden image.
+  const Lattice_offset_2& offset() const { return offset_; }
+  /// Stores it.
+  void set_offset(const Lattice_offset_2& offset) { offset_ = offset; }
+
+ private:
+  Lattice_offset_2 offset_;
+};
 
 /// Predicates of images of points, at one instant. The lattice turns left there: the second vector
 /// is to the left of the first one. Of four images, some of one point too, one is always inside or
@@ -86,7 +107,33 @@ concept TorusTraits_2 = requires(const T& traits, const typename T::Point_2& poi
   { traits.side_of_oriented_circle_2_object()(p, p, p, p) } -> std::same_as<CGAL::Oriented_side>;
 };
 
+/// The same with weights: the circle is the power circle.
+template <class T>
+concept WeightedTorusTraits_2 = TorusTraits_2<T> &&
+    requires(const T& traits, const typename T::Image_2& p) {
+  { traits.compare_weight_2_object()(p, p) } -> std::same_as<CGAL::Comparison_result>;
+};
+
+/// CGAL's data structure with such faces and, with weights, such vertices.
+template <TorusTraits_2 Traits>
+struct Torus_data_structure {
+  using type = CGAL::Triangulation_data_structure_2<Kinetic_vertex_base_2<Traits>,
+                                                    Periodic_face_base_2<Traits>>;
+};
+template <WeightedTorusTraits_2 Traits>
+struct Torus_data_structure<Traits> {
+  using type = CGAL::Triangulation_data_structure_2<
+      Periodic_vertex_base_2<Traits>,
+      Periodic_face_base_2<
+          Traits, CGAL::Regular_triangulation_face_base_2<Traits, Kinetic_face_base_2<Traits>>>>;
+};
+
 /// Vertices, faces, and the links between them.
+///
+/// With weights, read "regular" for "Delaunay". A point without a power cell is a hidden vertex:
+/// `is_hidden()` is true, `face()` is a triangle that an image of it is above, with the `offset()`
+/// of that image against corner 0, and it is in the `vertex_list()` of that triangle. Changes of
+/// faces do not move hidden vertices: the caller takes them out and hides them again.
 ///
 /// Invariants: the corners of each face are images that turn left, and the faces cover the torus
 /// once (problem() checks these). So n vertices have 2n faces and 3n edges, and no face is its own
@@ -104,13 +151,14 @@ class Torus_triangulation {
   /// As in CGAL's triangulations.
   using Geom_traits = Traits;
   using Point_2 = typename Traits::Point_2;
-  using Triangulation_data_structure = Torus_data_structure_2<Traits>;
+  using Triangulation_data_structure = typename Torus_data_structure<Traits>::type;
   using Vertex_handle = typename Triangulation_data_structure::Vertex_handle;
   using Face_handle = typename Triangulation_data_structure::Face_handle;
   using Edge = typename Triangulation_data_structure::Edge;
   enum Locate_type { VERTEX, EDGE, FACE };
   /// @}
-  using Image_2 = typename Traits::Image_2;  ///< a point with an offset
+  using Image_2 = typename Traits::Image_2;                           ///< a point with an offset
+  static constexpr bool is_weighted = WeightedTorusTraits_2<Traits>;  ///< regular, not Delaunay
   /// Two vectors of the lattice, by their offsets.
   using Basis = std::array<Lattice_offset_2, 2>;
 
@@ -148,13 +196,22 @@ class Torus_triangulation {
   int dimension() const { return tds_.faces().empty() ? -1 : 2; }
   /// Of those in faces.
   std::size_t number_of_vertices() const { return tds_.faces().size() / 2; }
+  /// The number of hidden vertices. O(1).
+  std::size_t number_of_hidden_vertices() const { return hidden_; }
 
   /// @{
   /// As in CGAL's triangulations; there is no infinite vertex.
   static constexpr bool is_infinite(Vertex_handle) { return false; }
   static constexpr bool is_infinite(Face_handle) { return false; }
   static constexpr bool is_infinite(const Edge&) { return false; }
-  auto finite_vertex_handles() const { return tds_.vertex_handles(); }
+  auto finite_vertex_handles() const {
+    if constexpr (is_weighted) {
+      return vertex_handles(false);
+    } else {
+      return tds_.vertex_handles();
+    }
+  }
+  std::vector<Vertex_handle> hidden_vertex_handles() const { return vertex_handles(true); }
   auto finite_face_handles() const { return tds_.face_handles(); }
   auto all_face_handles() const { return tds_.face_handles(); }
   auto all_edges() const { return tds_.edges(); }
@@ -197,13 +254,43 @@ class Torus_triangulation {
   }
   /// Whether the opposite corner beyond the edge is in the circle of the face.
   bool is_violated(const Edge& edge) const;
+  /// The image of a point at a location, against corner 0 of its face.
+  Image_2 image(const Point_2& point, const Location& location) const {
+    return traits_.image(point, location.offset);
+  }
+  /// Calls function(v, image, image of the point) with each vertex, visible or hidden, that may be
+  /// at the location of a point.
+  template <class Function>
+  void for_each_near(const Point_2& point, const Location& location,
+                     const Function& function) const;
+  /// Whether the face at the location hides the point there. Precondition: it is not at a vertex.
+  bool hides(const Point_2& point, const Location& location) const {
+    const Face_handle face = location.face;
+    return traits_.side_of_oriented_circle_2_object()(corner(face, 0, 0), corner(face, 1, 0),
+                                                      corner(face, 2, 0), image(point, location)) !=
+           CGAL::ON_POSITIVE_SIDE;
+  }
 
   /// The location of an image of a point, which is given by its offset against corner 0 of `start`;
   /// of the point itself against corner 0 of some face if `start` is null. The walk passes the
   /// triangles between, whose number grows with the distance. Precondition: there are vertices, and
-  /// the triangulation is Delaunay, since the walk may not end else. [Devillers, Pion and Teillaud
-  /// 2002]
-  Location locate(const Point_2& point, Face_handle start = {}, Lattice_offset_2 offset = {}) const;
+  /// the triangulation is Delaunay, since the walk may not end else [Devillers, Pion and Teillaud
+  /// 2002]; or it ends after `most_steps`, perhaps in another face.
+  Location locate(const Point_2& point, Face_handle start = {}, Lattice_offset_2 offset = {},
+                  std::size_t most_steps = std::numeric_limits<std::size_t>::max()) const;
+  /// The location in a face of the image with that offset against corner i.
+  static Location location_near(const Point_2& point, Face_handle face, int i,
+                                Lattice_offset_2 against_corner);
+  /// a - b. Throws an Error, about these points, if that is 2^31 or more.
+  static Lattice_offset_2 checked_difference(Lattice_offset_2 a, Lattice_offset_2 b,
+                                             const Point_2& of, const Point_2& against);
+  /// The offset of the image at a location against corner i of its face.
+  static Lattice_offset_2 offset_against(const Point_2& point, const Location& location, int i) {
+    return checked_difference(location.offset, offset(location.face, i), point,
+                              location.face->vertex(i)->point());
+  }
+  /// The same place in the face beyond a side of its face.
+  static Location beyond(const Point_2& point, const Location& location, int side);
 
   // ---- changes ----
   //
@@ -235,10 +322,11 @@ class Torus_triangulation {
   /// Inserts a point, located as by locate(), and makes the triangulation Delaunay. Returns its
   /// vertex, or that of the point with an image in the same place, whose id is another.
   Vertex_handle insert(const Point_2& point, Face_handle start = {}, Lattice_offset_2 offset = {});
-  /// The same; the search for the image of the point with the first offset begins at the image of
-  /// the vertex with the second one, both against the positions as they were given.
-  Vertex_handle insert_near(const Point_2& point, Lattice_offset_2 offset, Vertex_handle near,
-                            Lattice_offset_2 offset_of_near);
+  /// The image of a point with the first offset, as if it were in a face at the image of the vertex
+  /// with the second one, both against the positions as they were given: where insert() and
+  /// locate() may begin.
+  static Location start_near(const Point_2& point, Lattice_offset_2 offset, Vertex_handle near,
+                             Lattice_offset_2 offset_of_near);
 
   /// Replaces an edge, (face, i) with the mirror edge (neighbor, j), by the other diagonal of its
   /// quadrilateral, (face, ccw(i)) with the mirror edge (neighbor, ccw(j)). Returns that. Of the
@@ -254,6 +342,40 @@ class Torus_triangulation {
   /// stays, in no face. If no flip leads on, the result is false: then, as after an Error, `v` may
   /// still be in faces, some of which may be flat, and the triangulation must be constructed anew.
   bool remove_from_faces(Vertex_handle v, Journal& journal = Journal().itself());
+  /// The same without the last step: appends the edges that may be violated to `edges`, and removes
+  /// from these those of faces that have been deleted. If the vertex has degree 3, its present
+  /// face() is what is left. Precondition: there is another vertex.
+  bool take_from_faces(Vertex_handle v, std::vector<Edge>& edges,
+                       Journal& journal = Journal().itself());
+
+  // With weights:
+
+  /// Restores a triangulation as restore_delaunay; takes out vertices that are hidden, and appends
+  /// them to `hidden`, without faces. Where the quadrilateral of a violated edge is not convex, its
+  /// corner is above the lifted triangle of the three others. Returns false if the last of these
+  /// could not be taken out, as remove_from_faces says.
+  bool restore_regular(std::vector<Edge> edges,
+                       std::vector<Vertex_handle>& hidden) requires is_weighted;
+  /// Replaces the point of a vertex, which is at the location, by another one there.
+  void replace(const Location& location, const Point_2& point) requires is_weighted;
+  /// Hides a vertex that has no faces, or that is hidden and in no list, at the location.
+  void hide(Vertex_handle v, const Location& location) requires is_weighted {
+    if (!v->is_hidden()) ++hidden_;
+    v->set_hidden(true);
+    v->set_face(location.face);
+    v->set_offset(location.offset);
+    location.face->vertex_list().push_back(v);
+  }
+  /// Removes a hidden vertex from the list of its face. It stays hidden. Linear in the length of
+  /// the list.
+  void take_from_face(Vertex_handle v) requires is_weighted { v->face()->vertex_list().remove(v); }
+  /// Makes a hidden vertex in no list visible. It has no faces yet.
+  void show(Vertex_handle v) requires is_weighted {
+    --hidden_;
+    v->set_hidden(false);
+  }
+  /// Counts the hidden vertices, after the data structure has been changed as a whole. O(n).
+  void count_hidden_vertices() requires is_weighted { hidden_ = hidden_vertex_handles().size(); }
 
   // ---- checks ----
 
@@ -267,8 +389,6 @@ class Torus_triangulation {
   static Lattice_offset_2 difference(Lattice_offset_2 a, Lattice_offset_2 b) {
     return {a.x - b.x, a.y - b.y};
   }
-  static Lattice_offset_2 checked_difference(Lattice_offset_2 a, Lattice_offset_2 b,
-                                             const Point_2& of, const Point_2& against);
   static void set_offsets(Face_handle face, int i, const std::array<Lattice_offset_2, 3>& offsets);
   static void link(const Edge& here, const Edge& there);
   // Corners are stored as edges: a face, and the index of the corner in it.
@@ -284,6 +404,11 @@ class Torus_triangulation {
     return traits_.orientation_2_object()(p, q, r);
   }
   void check_new_edges(const Point_2& point, const Location& location) const;
+  static bool is_hidden(Vertex_handle v) {
+    if constexpr (is_weighted) return v->is_hidden();
+    return false;
+  }
+  std::vector<Vertex_handle> vertex_handles(bool are_hidden) const;
   bool is_flip_away_possible(const Edge& edge, Vertex_handle v, bool may_be_flat) const;
   static int ends_lost_by_flip(const Edge& edge, Vertex_handle v);
   std::string problem_of_face(Face_handle face) const;
@@ -291,6 +416,7 @@ class Torus_triangulation {
 
   Traits traits_;
   Triangulation_data_structure tds_;
+  std::size_t hidden_ = 0;
 };
 
 /// The triangulation of points at the instant of the predicates, which is near `time`. If points

@@ -41,7 +41,8 @@ class Kinetic_types<Traits>::Updates {
   /// Removes a vertex from the triangulation, which stays Delaunay at the instant of its
   /// predicates. The vertex stays, without faces. The points that its faces hid are hidden by
   /// others, or revealed. Precondition: edges are noted.
-  /// In a periodic box the result may be false: then everything must be rebuilt.
+  /// In a periodic box the result may be false: then everything must be rebuilt; and if weights
+  /// differ, what is left to do for a regular triangulation fails at the present time.
   bool take_out(Vertex_handle v);
   /// Inserts a vertex without faces at its position: it splits the triangle or edge that it is in.
   /// Inside the hull edges are flipped as in a static triangulation, before any certificate is
@@ -55,13 +56,14 @@ class Kinetic_types<Traits>::Updates {
               Certificate_state state = Certificate_state::any);
   /// Hides a vertex of degree 3, of which one neighbor may be the infinite vertex: event `hide`.
   void hide(Vertex_handle v);
-  /// Hides the vertex in the face or, if that is infinite, in the finite one beside it.
-  void hide_in(Vertex_handle v, Face_handle face) {
-    topology_.hide_in(v, face);
+  /// Hides the vertex in the face at the location or, if that is infinite, in the finite one beside
+  /// it.
+  void hide_in(Vertex_handle v, const Location& location) {
+    topology_.hide_in(v, location);
     reporter_.note_moved_hidden(v->point().id());
   }
-  /// Whether a point is in a face just after the present time.
-  bool is_inside(const Point_2& point, Face_handle face, bool strictly = false) const;
+  /// Whether a point is in the face at the location just after the present time.
+  bool is_inside(const Point_2& point, const Location& location, bool strictly = false) const;
 
   /// Reconstructs the triangulation just after the present time, also at degenerate times.
   void rebuild() {
@@ -81,11 +83,15 @@ class Kinetic_types<Traits>::Updates {
  private:
   class Face_journal;
 
+  void take_out_hidden(Vertex_handle v);
+  bool take_out_on_torus(Vertex_handle v);
   bool take_out_in_plane(Vertex_handle v);
+  Location merge_faces(Vertex_handle v);
   void put_in_in_plane(Vertex_handle v, const Location& location, Certificate_state state);
   void flip_link(Vertex_handle v);
-  std::vector<Vertex_handle> take_hidden(std::span<const Face_handle> faces);
-  void put_hidden(std::span<const Vertex_handle> hidden, std::span<const Face_handle> faces);
+  std::vector<Taken_point> take_hidden(std::span<const Face_handle> faces,
+                                       Vertex_handle leaving = {});
+  void put_hidden(std::span<const Taken_point> hidden, std::span<const Face_handle> faces);
   void note_edge(const Edge& edge, int change) { reporter_.note(Topology::name_of(edge), change); }
   auto note() {
     return [this](const Edge_name& edge, int change) { reporter_.note(edge, change); };

@@ -34,7 +34,7 @@ void Kinetic_types<Traits>::Updates::flip(const Edge_with_mirror& edge, Event_ki
   const auto make = [&] {
     Schedule::forget_entry(edge);
     for (const Edge_with_mirror& side : outer) schedule_.unschedule(side);
-    std::vector<Vertex_handle> hidden;
+    std::vector<Taken_point> hidden;
     if constexpr (is_weighted) hidden = take_hidden(faces);
     const Edge_with_mirror added = topology_.flip(edge, outer);
     if (reporter_.is_noting()) {  // several changes: polynomials need not vanish now
@@ -55,15 +55,48 @@ void Kinetic_types<Traits>::Updates::flip(const Edge_with_mirror& edge, Event_ki
 
 template <class Traits>
 bool Kinetic_types<Traits>::Updates::take_out(Vertex_handle v) {
+  ++changes_;
+  if constexpr (is_weighted) {
+    if (v->is_hidden()) {
+      take_out_hidden(v);
+      return true;
+    }
+  }
   if constexpr (is_periodic) {
-    ++changes_;
-    Face_journal journal(*this);
-    const bool is_out = triangulation_.remove_from_faces(v, journal);
-    journal.schedule();
-    return is_out;
+    return take_out_on_torus(v);
   } else {
     return take_out_in_plane(v);
   }
+}
+
+template <class Traits>
+void Kinetic_types<Traits>::Updates::take_out_hidden(Vertex_handle v) {
+  schedule_.unschedule_hidden(v);
+  triangulation_.take_from_face(v);
+  reporter_.note_hidden(v->point().id(), false);
+  reporter_.note_moved_hidden(v->point().id());
+  triangulation_.show(v);
+}
+
+// A point that is hidden in a face with three corners at the vertex is near no vertex that stays.
+template <class Traits>
+bool Kinetic_types<Traits>::Updates::take_out_on_torus(Vertex_handle v) {
+  Face_journal journal(*this, v);
+  bool is_out = true;
+  if (topology_.are_weights_equal()) {
+    is_out = triangulation_.remove_from_faces(v, journal);
+  } else {
+    if constexpr (is_weighted) {
+      for_each_face_at(triangulation_, v, [&](Face_handle f) {
+        const bool is_at_v = f->vertex(0) == v && f->vertex(1) == v && f->vertex(2) == v;
+        is_out = is_out && (!is_at_v || f->vertex_list().empty());
+      });
+    }
+    std::vector<Edge> edges;
+    is_out = is_out && triangulation_.take_from_faces(v, edges, journal);
+  }
+  journal.schedule();
+  return is_out;
 }
 
 template <class Traits>
@@ -73,8 +106,10 @@ void Kinetic_types<Traits>::Updates::put_in(Vertex_handle v, const Location& loc
     ++changes_;
     Face_journal journal(*this);
     triangulation_.insert_in_faces(v, location, journal);
-    triangulation_.restore_delaunay(triangulation_.edges_opposite(v), journal);
-    journal.schedule();
+    if (topology_.are_weights_equal()) {
+      triangulation_.restore_delaunay(triangulation_.edges_opposite(v), journal);
+    }
+    journal.schedule(v, state);
   } else {
     put_in_in_plane(v, location, state);
   }
@@ -82,17 +117,8 @@ void Kinetic_types<Traits>::Updates::put_in(Vertex_handle v, const Location& loc
 
 template <class Traits>
 bool Kinetic_types<Traits>::Updates::take_out_in_plane(Vertex_handle v) {
-  ++changes_;
   std::vector<Vertex_handle> hidden;
   if constexpr (is_weighted) {
-    if (v->is_hidden()) {
-      schedule_.unschedule_hidden(v);
-      triangulation_.take_from_face(v);
-      reporter_.note_hidden(v->point().id(), false);
-      reporter_.note_moved_hidden(v->point().id());
-      triangulation_.show(v);
-      return true;
-    }
     for_each_face_at(triangulation_, v, [&](Face_handle face) {
       schedule_.unschedule_hidden_in(face);
       hidden.insert(hidden.end(), face->vertex_list().begin(), face->vertex_list().end());
@@ -129,12 +155,12 @@ void Kinetic_types<Traits>::Updates::put_in_in_plane(Vertex_handle v, const Loca
   const bool is_inside_hull = !triangulation_.is_infinite(face) &&
                               !(is_on_edge && triangulation_.is_infinite(face->neighbor(i)));
   ++changes_;
-  std::vector<Vertex_handle> hidden;
+  std::vector<Taken_point> hidden;
   if constexpr (is_weighted) {
     hidden = take_hidden({&face, 1});
     if (is_on_edge) {
       const std::array beside = {face->neighbor(i)};
-      const std::vector<Vertex_handle> more = take_hidden(beside);
+      const std::vector<Taken_point> more = take_hidden(beside);
       hidden.insert(hidden.end(), more.begin(), more.end());
     }
   }
@@ -197,9 +223,31 @@ void Kinetic_types<Traits>::Updates::hide(Vertex_handle v) {
   ++changes_;
   const bool was_noting = reporter_.is_noting();
   reporter_.report_point(Event_kind::hide, v->point().id(), [&] {
+    const Location location = merge_faces(v);
+    // Outside the hull its certificate has another sign.
+    const bool is_inner = !triangulation_.is_infinite(location.face);
+    hide_in(v, location);
+    schedule_.schedule_hidden(v, schedule_.current_time(),
+                              is_inner && !was_noting ? plane_condition : no_condition);
+  });
+}
+
+// Makes one face of those at a vertex of degree 3; returns where that is in it.
+template <class Traits>
+auto Kinetic_types<Traits>::Updates::merge_faces(Vertex_handle v) -> Location {
+  if constexpr (is_periodic) {
+    const Face_handle face = v->face();
+    const int stays = Triangulation::cw(face->index(v));
+    const Lattice_offset_2 against = Triangulation::offset(face, stays, face->index(v));
+    Face_journal journal(*this, v);
+    std::vector<Edge> edges;
+    triangulation_.take_from_faces(v, edges, journal);
+    journal.schedule();
+    return {Triangulation::location_near(v->point(), face, stays, against)};
+  } else {
     std::vector<Face_handle> faces;
     for_each_face_at(triangulation_, v, [&](Face_handle face) { faces.push_back(face); });
-    const std::vector<Vertex_handle> hidden = take_hidden(faces);
+    const std::vector<Taken_point> hidden = take_hidden(faces);
     for (const Face_handle face : faces) schedule_.unschedule_face(face);
     topology_.note_edges_at(v, -1, note());
     const auto [face, second, third] = topology_.remove_degree_3(v);
@@ -210,48 +258,54 @@ void Kinetic_types<Traits>::Updates::hide(Vertex_handle v) {
                                                    topology_.with_mirror(Edge(face, 2))};
     schedule_.schedule(edges, schedule_.current_time());
     put_hidden(hidden, std::span(&face, 1));
-    // Outside the hull its certificate has another sign.
-    const bool is_inner = !triangulation_.is_infinite(face);
-    hide_in(v, face);
-    schedule_.schedule_hidden(v, schedule_.current_time(),
-                              is_inner && !was_noting ? plane_condition : no_condition);
-  });
+    return {face};
+  }
 }
 
 // Removes the hidden points from faces that are about to change, and unschedules them.
 template <class Traits>
-auto Kinetic_types<Traits>::Updates::take_hidden(std::span<const Face_handle> faces)
-    -> std::vector<Vertex_handle> {
+auto Kinetic_types<Traits>::Updates::take_hidden(std::span<const Face_handle> faces,
+                                                 Vertex_handle leaving)
+    -> std::vector<Taken_point> {
   for (const Face_handle face : faces) {
     if (!face->vertex_list().empty()) schedule_.unschedule_hidden_in(face);
   }
-  return topology_.take_hidden(faces);
+  return topology_.take_hidden(faces, leaving);
 }
 
-// Puts each of them into the face that contains it, or else into the first one, and schedules it.
+// Puts each of them into the face that contains it, or else into the first one (in a periodic box
+// into another one), and schedules it.
 template <class Traits>
-void Kinetic_types<Traits>::Updates::put_hidden(std::span<const Vertex_handle> hidden,
+void Kinetic_types<Traits>::Updates::put_hidden(std::span<const Taken_point> hidden,
                                                 std::span<const Face_handle> faces) {
-  for (const Vertex_handle v : hidden) {
-    const auto around =
-        std::ranges::find_if(faces, [&](Face_handle face) { return is_inside(v->point(), face); });
-    hide_in(v, around == faces.end() ? faces.front() : *around);
+  if (hidden.empty()) return;
+  if constexpr (is_periodic) show_current_time();
+  for (const Taken_point& taken : hidden) {
+    const Vertex_handle v = taken.vertex;
+    if constexpr (is_periodic) {
+      hide_in(v, topology_.location_of(taken));
+    } else {
+      const auto around = std::ranges::find_if(
+          faces, [&](Face_handle face) { return is_inside(v->point(), {face}); });
+      hide_in(v, {around == faces.end() ? faces.front() : *around});
+    }
     schedule_.schedule_hidden(v, schedule_.current_time());
   }
 }
 
 template <class Traits>
-bool Kinetic_types<Traits>::Updates::is_inside(const Point_2& point, Face_handle face,
+bool Kinetic_types<Traits>::Updates::is_inside(const Point_2& point, const Location& location,
                                                bool strictly) const {
+  const Face_handle face = location.face;
   if (triangulation_.is_infinite(face)) return false;
   const Decisions decisions(certification_);
   const auto now = [this]() -> const auto& {
     return schedule_.current_time();
   };
   for (int i = 0; i < 3; ++i) {
-    const Sign side = decisions.turn(face->vertex(Triangulation::ccw(i))->point(),
-                                     face->vertex(Triangulation::cw(i))->point(), point,
-                                     schedule_.current_bounds(), now);
+    const Sign side = decisions.turn(
+        topology_.corner(face, Triangulation::ccw(i)), topology_.corner(face, Triangulation::cw(i)),
+        topology_.point_at(location, point), schedule_.current_bounds(), now);
     if (side == CGAL::NEGATIVE || (strictly && side == CGAL::ZERO)) return false;
   }
   return true;

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The triangulation of discs in a periodic box, instantiated as that of points.
+#include "kinetri/triangulation/audit_impl.h"
+#include "kinetri/triangulation/kinetic_triangulation_2.h"
+#include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
+#include "triangulation/torus_construction.h"
+#include "triangulation/torus_repair.h"
+
+namespace kinetri {
+
+template class Kinetic_triangulation_2<Periodic_disc_kinetic_traits_2>;
+
+namespace detail {
+using Disc_predicates = Periodic_disc_kinetic_traits_2::Instantaneous_traits;
+template class Torus_triangulation<Disc_predicates>;
+template Torus_triangulation<Disc_predicates> triangulation_of_torus(
+    std::span<const Disc_predicates::Point_2>, double, const Disc_predicates&,
+    std::vector<Edge_ids>&);
+template struct Kinetic_types<Periodic_disc_kinetic_traits_2>::Kinetic_core;
+template Audit_report audit<Periodic_disc_kinetic_traits_2>(
+    const Kinetic_core<Periodic_disc_kinetic_traits_2>&, Audit_level);
+}  // namespace detail
+
+}  // namespace kinetri
