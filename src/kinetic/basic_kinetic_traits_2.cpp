@@ -621,7 +621,19 @@ template Certificate Of_discs::meeting_certificate(const Moving_image_disc_2&,
                                                    const Double_interval&) const;
 template Sign Of_discs::certain_turn(const Moving_image_disc_2&, const Moving_image_disc_2&,
                                      const Moving_image_disc_2&, const Double_interval&) const;
-// Of images of points, the contacts of discs of one radius about them.
+// Of images of points, the certificates of distances, and of the contacts of discs of one radius.
+template Certificate Of_images::apart_certificate(const Moving_image_2&, const Moving_image_2&,
+                                                  double, const Time&) const;
+template Certificate Of_images::next_apart_certificate(const Moving_image_2&, const Moving_image_2&,
+                                                       double, const Time&) const;
+template Certificate Of_images::near_certificate(const Moving_image_2&, const Moving_image_2&,
+                                                 double, const Time&) const;
+template Certificate Of_images::closer_certificate(const Moving_image_2&, const Moving_image_2&,
+                                                   const Moving_image_2&, const Moving_image_2&,
+                                                   const Time&) const;
+template Time Of_images::closer_failure(const Moving_image_2&, const Moving_image_2&,
+                                        const Moving_image_2&, const Moving_image_2&,
+                                        const Double_interval&) const;
 template Certificate Of_images::contact_certificate(const Moving_image_2&, const Moving_image_2&,
                                                     double, const Time&) const;
 template Certificate Of_images::next_contact_certificate(const Moving_image_2&,

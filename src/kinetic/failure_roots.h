@@ -92,7 +92,7 @@ struct Contact_root : Root_source {
     return precise_contact(p, q, diameter, high, low);
   }
   std::optional<Rounding> rounded(const Double_interval& bracket) const override {
-    if constexpr (is_linear<Motion>) {
+    if constexpr (is_linear<Motion> && !std::same_as<Motion, Image_motion_2>) {
       return rounded_contact(p, q, diameter, bracket);
     } else {
       return std::nullopt;
@@ -107,7 +107,7 @@ template <class Motion>
 struct Distance_root : Root_source {
   using Point = Basic_moving_point_2<Motion>;
   Distance_root(const Point& a, const Point& b, const Point& c, const Point& d)
-      : p(a.motion()), q(b.motion()), r(c.motion()), s(d.motion()) {}
+      : p(kept(a.motion())), q(kept(b.motion())), r(kept(c.motion())), s(kept(d.motion())) {}
   Polynomial polynomial() const override {
     return distance_comparison_polynomial(Point(p), Point(q), Point(r), Point(s));
   }
@@ -115,12 +115,13 @@ struct Distance_root : Root_source {
     return precise_distance_comparison(center(p), center(q), center(r), center(s), high, low);
   }
   std::optional<Rounding> rounded(const Double_interval& bracket) const override {
-    if constexpr (is_linear<Motion>) {
+    if constexpr (is_linear<Motion> && !std::same_as<Motion, Image_motion_2>) {
       return rounded_distance_comparison(center(p), center(q), center(r), center(s), bracket);
     } else {
       return std::nullopt;
     }
   }
+  [[no_unique_address]] Kept<Motion> kept = {};
   Motion p, q, r, s;
 };
 

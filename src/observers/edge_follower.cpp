@@ -22,11 +22,11 @@ void keep_last(std::vector<std::pair<Point_id, Event>>& events) {
 // ---- the graph ----
 
 template <class Traits>
-std::vector<Edge_ids> Neighbor_graph<Traits>::edges() const {
-  std::vector<Edge_ids> result;
+auto Neighbor_graph<Traits>::edges() const -> std::vector<Edge_name> {
+  std::vector<Edge_name> result;
   for (Point_id id = 0; id < next_id(); ++id) {
-    for (const Point_id other : nodes_[id].neighbors) {
-      if (id < other) result.push_back({id, other});
+    for (const Neighbor& other : nodes_[id].neighbors) {
+      if (detail::is_first_end(id, other)) result.push_back(detail::edge_to(id, other));
     }
   }
   std::ranges::sort(result);
@@ -40,73 +40,67 @@ void Neighbor_graph<Traits>::set_point(Point_id id, const std::optional<Point_2>
 }
 
 template <class Traits>
-void Neighbor_graph<Traits>::add(const Edge_ids& edge) {
-  nodes_[edge[0]].neighbors.push_back(edge[1]);
-  nodes_[edge[1]].neighbors.push_back(edge[0]);
+void Neighbor_graph<Traits>::add(const Edge_name& edge) {
+  for (const auto& [id, other] : detail::ends_of(edge)) nodes_[id].neighbors.push_back(other);
 }
 
 template <class Traits>
-void Neighbor_graph<Traits>::remove(const Edge_ids& edge) {
-  const auto remove_from = [this](Point_id id, Point_id other) {
+void Neighbor_graph<Traits>::remove(const Edge_name& edge) {
+  for (const auto& [id, other] : detail::ends_of(edge)) {
     auto& neighbors = nodes_[id].neighbors;
     *std::ranges::find(neighbors, other) = neighbors.back();
     neighbors.pop_back();
-  };
-  remove_from(edge[0], edge[1]);
-  remove_from(edge[1], edge[0]);
+  }
 }
 
 // ---- the follower ----
 
-template <ContactKineticTraits_2 Traits>
-Edge_follower<Traits>::Edge_follower(Simulation_2<Traits>& simulation)
-    : triangulation_(&simulation.triangulation()),
-      stop_observing_([this, &simulation] { simulation.remove_observer(*this); }) {
-  start();
-  simulation.add_observer(*this);
-}
-
-template <ContactKineticTraits_2 Traits>
-Edge_follower<Traits>::Edge_follower(Triangulation& triangulation)
-    : triangulation_(&triangulation),
-      stop_observing_([this, &triangulation] { triangulation.remove_observer(*this); }) {
-  start();
-  triangulation.add_observer(*this);
-}
-
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Edge_follower<Traits>::~Edge_follower() {
   stop_observing_();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Edge_follower<Traits>::start() {
   instant_ = triangulation_->current_time();
   graph_.nodes_.resize(triangulation_->next_id());
   for (Point_id id = 0; id < triangulation_->next_id(); ++id) {
     if (!triangulation_->contains(id)) continue;
     graph_.set_point(id, triangulation_->point(id));
-    if (const auto shown = hidden_by(id)) graph_.hidden_by_.emplace(id, *shown);
+    if (const auto link = present_link(id)) graph_.links_.emplace(id, *link);
   }
-  for (const Edge_ids& edge : triangulation_->finite_edge_ids()) graph_.add(edge);
-  for (const auto& [id, shown] : graph_.hidden_by_) graph_.add({shown, id});
+  if constexpr (is_periodic) {
+    for (const Edge_name& edge : triangulation_->periodic_edges()) graph_.add(edge);
+  } else {
+    for (const Edge_name& edge : triangulation_->finite_edge_ids()) graph_.add(edge);
+  }
+  for (const auto& [id, link] : graph_.links_) graph_.add(link);
 }
 
-// The point that hides a point with the same motion now, if it exists.
-template <ContactKineticTraits_2 Traits>
-std::optional<Point_id> Edge_follower<Traits>::hidden_by(Point_id id) const {
+// The link of a point with the one that hides it and has the same motion now, if it exists.
+template <DistanceKineticTraits_2 Traits>
+auto Edge_follower<Traits>::present_link(Point_id id) const -> std::optional<Edge_name> {
   if (!triangulation_->contains(id)) return std::nullopt;
-  const Point_id shown = triangulation_->vertex(id)->point().id();
-  return shown == id ? std::nullopt : std::optional(shown);
+  const Point_2& shown = triangulation_->vertex(id)->point();
+  if (shown.id() == id) return std::nullopt;
+  if constexpr (is_periodic) {
+    // The same at all times.
+    const auto at = traits().instantaneous_traits(Instant{instant_, Time_side::at});
+    const Point_2& hidden = triangulation_->point(id);
+    return Edge_name{{shown.id(), id},
+                     detail::whole_vectors(at, hidden, at.image(shown, Lattice_offset_2()))};
+  } else {
+    return Edge_name{shown.id(), id};
+  }
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Edge_follower<Traits>::update() {
   begin_instant(triangulation_->current_time());
   finish_instant();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Edge_follower<Traits>::begin_instant(const Time& time) {
   if (instant_ == time) return;
   finish_instant();
@@ -114,7 +108,7 @@ void Edge_follower<Traits>::begin_instant(const Time& time) {
   instant_ = time;
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Edge_follower<Traits>::finish_instant() {
   if (!edge_events_.empty() || !point_events_.empty() || !hiding_events_.empty()) {
     finish_changes();
@@ -127,35 +121,35 @@ void Edge_follower<Traits>::finish_instant() {
   rebuilt_edges_.clear();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Edge_follower<Traits>::finish_changes() {
   sum_up_hiding();
   sum_up_edges();
   sum_up_points();
   before_change(removed_, points_);
-  for (const Edge_ids& edge : removed_) graph_.remove(edge);
+  for (const Edge_name& edge : removed_) graph_.remove(edge);
   for (const Changed_point& changed : points_) {
     const auto last = std::ranges::lower_bound(point_events_, changed.id, {}, first_of);
     graph_.set_point(changed.id, last->second);
   }
-  for (const auto& [id, shown] : hiding_events_) {
-    graph_.hidden_by_.erase(id);
-    if (shown) graph_.hidden_by_.emplace(id, *shown);
+  for (const auto& [id, link] : hiding_events_) {
+    graph_.links_.erase(id);
+    if (link) graph_.links_.emplace(id, *link);
   }
-  for (const Edge_ids& edge : added_) graph_.add(edge);
+  for (const Edge_name& edge : added_) graph_.add(edge);
   hiding_events_.clear();
   edge_events_.clear();
   point_events_.clear();
   change(instant_, removed_, added_, points_);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Edge_follower<Traits>::sum_up_edges() {
   removed_.clear();
   added_.clear();
   std::ranges::sort(edge_events_);
   for (auto event = edge_events_.begin(); event != edge_events_.end();) {
-    const Edge_ids edge = event->first;
+    const Edge_name edge = event->first;
     int sum = 0;
     for (; event != edge_events_.end() && event->first == edge; ++event) sum += event->second;
     if (sum < 0) removed_.push_back(edge);
@@ -163,19 +157,17 @@ void Edge_follower<Traits>::sum_up_edges() {
   }
 }
 
-// The edges of coincident points with the points that hide them.
-template <ContactKineticTraits_2 Traits>
+// The links of coincident points.
+template <DistanceKineticTraits_2 Traits>
 void Edge_follower<Traits>::sum_up_hiding() {
   keep_last(hiding_events_);
-  for (const auto& [id, shown] : hiding_events_) {
-    if (const auto before = graph_.hidden_by(id)) {
-      edge_events_.emplace_back(Edge_ids{*before, id}, -1);
-    }
-    if (shown) edge_events_.emplace_back(Edge_ids{*shown, id}, 1);
+  for (const auto& [id, link] : hiding_events_) {
+    if (const auto before = graph_.link(id)) edge_events_.emplace_back(*before, -1);
+    if (link) edge_events_.emplace_back(*link, 1);
   }
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Edge_follower<Traits>::sum_up_points() {
   points_.clear();
   keep_last(point_events_);
@@ -187,38 +179,54 @@ void Edge_follower<Traits>::sum_up_points() {
   }
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Edge_follower<Traits>::before_event(const Event& event) {
   begin_instant(event.time);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Edge_follower<Traits>::after_event(const Event& event) {
-  if (event.removed) edge_events_.emplace_back(*event.removed, -1);
-  if (event.added) edge_events_.emplace_back(*event.added, 1);
+  const auto note = [this](const Edge_ids& ids, [[maybe_unused]] const Lattice_offset_2& offset,
+                           int change) {
+    if constexpr (is_periodic) {
+      edge_events_.emplace_back(Edge_name{ids, offset}, change);
+    } else {
+      edge_events_.emplace_back(ids, change);
+    }
+  };
+  if (event.removed) note(*event.removed, event.removed_offset, -1);
+  if (event.added) note(*event.added, event.added_offset, 1);
   if (event.kind == Event_kind::hide || event.kind == Event_kind::reveal) return;
   for (const std::optional<Point_id>& id : {event.point_a, event.point_b}) {
     if (!id) continue;
+    if constexpr (is_periodic) {
+      // If it still coincides with others, perhaps at other images of them.
+      if (triangulation_->contains(*id)) {
+        std::vector<Point_id> coincident = triangulation_->coincident_points(*id);
+        if (!coincident.empty()) coincident.push_back(*id);
+        for (const Point_id other : coincident) {
+          hiding_events_.emplace_back(other, present_link(other));
+        }
+      }
+    }
     point_events_.emplace_back(*id, triangulation_->contains(*id)
                                         ? std::optional(triangulation_->point(*id))
                                         : std::nullopt);
   }
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Edge_follower<Traits>::after_rebuild(const Time& time, std::span<const Edge_ids> edges) {
   begin_instant(time);
   rebuilt_edges_.insert(rebuilt_edges_.end(), edges.begin(), edges.end());
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Edge_follower<Traits>::after_hiding(const Time& time, std::span<const Point_id> points) {
   begin_instant(time);
   for (const Point_id id : points) {
-    const auto shown = hidden_by(id);
-    if (shown || graph_.hidden_by(id) || !hiding_events_.empty()) {
-      hiding_events_.emplace_back(id, shown);
-    }
+    const auto link = present_link(id);
+    if (link || graph_.link(id) || !hiding_events_.empty()) hiding_events_.emplace_back(id, link);
   }
 }
 
@@ -229,6 +237,7 @@ KINETRI_INSTANTIATE(Linear_kinetic_traits_2);
 KINETRI_INSTANTIATE(Polynomial_kinetic_traits_2);
 KINETRI_INSTANTIATE(Disc_kinetic_traits_2);
 KINETRI_INSTANTIATE(Polynomial_disc_kinetic_traits_2);
+KINETRI_INSTANTIATE(Periodic_kinetic_traits_2);
 #undef KINETRI_INSTANTIATE
 
 }  // namespace kinetri

@@ -14,6 +14,7 @@
 #define KINETRI_SRC_OBSERVERS_EDGE_FOLLOWER_H
 
 #include <algorithm>
+#include <array>
 #include <boost/container/small_vector.hpp>
 #include <cstddef>
 #include <functional>
@@ -24,9 +25,46 @@
 #include <vector>
 
 #include "kinetri/impl/base/compiler.h"
+#include "kinetri/impl/observers/neighbor_names.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "triangulation/whole_vectors.h"
 
 namespace kinetri {
+namespace detail {
+
+/// @{
+/// `second`, a neighbor of `first`, as seen from where `first` is a neighbor. In a periodic box
+/// throws Periodic_box_error if its offset is 2^31 or more there.
+inline Point_id beyond(Point_id /*first*/, Point_id second) {
+  return second;
+}
+inline Periodic_image beyond(const Periodic_image& first, const Periodic_image& second) {
+  return {second.id, sum(first.offset, second.offset)};
+}
+/// @}
+
+/// @{
+/// The point, as its neighbor sees it.
+inline Point_id seen_from(Point_id /*neighbor*/, Point_id id) {
+  return id;
+}
+inline Periodic_image seen_from(const Periodic_image& neighbor, Point_id id) {
+  return {id, reversed(neighbor.offset)};
+}
+/// @}
+
+/// What is observed: the triangulation, or that of a simulation.
+template <class Traits>
+const Kinetic_triangulation_2<Traits>& triangulation_of(
+    const Kinetic_triangulation_2<Traits>& triangulation) {
+  return triangulation;
+}
+template <class Traits>
+const Kinetic_triangulation_2<Traits>& triangulation_of(const Simulation_2<Traits>& simulation) {
+  return simulation.triangulation();
+}
+
+}  // namespace detail
 
 namespace detail {
 
@@ -43,32 +81,36 @@ KINETRI_ALWAYS_INLINE void prefetch_object(const Object& object) {
 
 /// A copy of the moving points and finite edges of a triangulation, updated once for each instant.
 /// A point that coincides with others for a while has an edge, its *link*, with the one that hides
-/// it (docs/MATH.md, section 4).
+/// it (docs/MATH.md, section 4). In a periodic box, with its image at the position of that one.
 template <class Traits>
 class Neighbor_graph {
  public:
-  using Point_2 = typename Traits::Point_2;  ///< of the traits
+  using Point_2 = typename Traits::Point_2;        ///< of the traits
+  using Edge_name = detail::Edge_name<Traits>;     ///< of an edge
+  using Neighbor = detail::Neighbor_name<Traits>;  ///< what names a neighbor of a point
 
   /// Whether there is a point with the id. Points that triangles hide have no neighbors.
   bool contains(Point_id id) const { return id < nodes_.size() && nodes_[id].point.has_value(); }
   /// The point, with its motion. Precondition: contains(id).
   const Point_2& point(Point_id id) const { return *nodes_[id].point; }
-  /// The neighbors of a point, in no order. Precondition: contains(id).
-  std::span<const Point_id> neighbors(Point_id id) const {
+  /// The neighbors of a point, in no order; in a periodic box as often as there are edges, own
+  /// images too. Precondition: contains(id).
+  std::span<const Neighbor> neighbors(Point_id id) const {
     const auto& result = nodes_[id].neighbors;
     return {result.data(), result.size()};
   }
-  /// Whether the two have an edge. O(degree).
-  bool is_edge(const Edge_ids& edge) const {
-    return edge[0] < nodes_.size() &&
-           std::ranges::find(neighbors(edge[0]), edge[1]) != neighbors(edge[0]).end();
+  /// Whether there is that edge. O(degree).
+  bool is_edge(const Edge_name& edge) const {
+    const auto [id, other] = detail::ends_of(edge)[0];
+    return id < nodes_.size() && std::ranges::find(neighbors(id), other) != neighbors(id).end();
   }
   /// All edges, sorted. O(n log n).
-  std::vector<Edge_ids> edges() const;
-  /// The point that hides a point with the same motion; none if it has a vertex of its own.
-  std::optional<Point_id> hidden_by(Point_id id) const {
-    const auto found = hidden_by_.find(id);
-    return found == hidden_by_.end() ? std::nullopt : std::optional(found->second);
+  std::vector<Edge_name> edges() const;
+  /// The link of a point with the one that hides it, its first end; none if it has a vertex of its
+  /// own.
+  std::optional<Edge_name> link(Point_id id) const {
+    const auto found = links_.find(id);
+    return found == links_.end() ? std::nullopt : std::optional(found->second);
   }
   /// More than any id so far.
   Point_id next_id() const { return static_cast<Point_id>(nodes_.size()); }
@@ -76,21 +118,21 @@ class Neighbor_graph {
   KINETRI_ALWAYS_INLINE void prefetch(Point_id id) const { detail::prefetch_object(nodes_[id]); }
 
  private:
-  template <ContactKineticTraits_2>
+  template <DistanceKineticTraits_2>
   friend class Edge_follower;
 
   // Most points have about six neighbors, which are stored beside the point, to avoid cache misses.
   struct Node {
     std::optional<Point_2> point;
-    boost::container::small_vector<Point_id, 8> neighbors;
+    boost::container::small_vector<Neighbor, 8> neighbors;
   };
 
   void set_point(Point_id id, const std::optional<Point_2>& point);
-  void add(const Edge_ids& edge);
-  void remove(const Edge_ids& edge);
+  void add(const Edge_name& edge);
+  void remove(const Edge_name& edge);
 
-  std::vector<Node> nodes_;                 // by id
-  std::map<Point_id, Point_id> hidden_by_;  // of coincident points
+  std::vector<Node> nodes_;              // by id
+  std::map<Point_id, Edge_name> links_;  // of coincident points, by the hidden one
 };
 
 /// The base of such observers. Derived classes read the graph in their constructors and in
@@ -102,13 +144,19 @@ class Neighbor_graph {
 ///
 /// Cost: O(1) amortized for each edge that changes, and one exact comparison of times for each
 /// event. Memory: O(n).
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 class Edge_follower : private Event_observer {
  public:
   using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what is observed
   using Motion = typename Traits::Motion;                 ///< of the traits
   using Point_2 = typename Traits::Point_2;               ///< of the traits
+  using Image_2 = Certified_point_2<Traits>;              ///< in the plane: the point
+  using Edge_name = detail::Edge_name<Traits>;            ///< of an edge, or of any pair
+  using Neighbor = detail::Neighbor_name<Traits>;         ///< of a neighbor of a point
   using Time = Algebraic_number;                          ///< of events
+
+  /// Whether points are in a periodic box.
+  static constexpr bool is_periodic = PeriodicKineticTraits_2<Traits>;
 
   Edge_follower(const Edge_follower&) = delete;
   Edge_follower& operator=(const Edge_follower&) = delete;
@@ -124,12 +172,14 @@ class Edge_follower : private Event_observer {
     std::optional<Point_2> before;  ///< none if it has been inserted
   };
 
-  /// @{
-  /// Observes from the current time on.
-  explicit Edge_follower(Simulation_2<Traits>& simulation);
-  /// The same of a triangulation.
-  explicit Edge_follower(Triangulation& triangulation);
-  /// @}
+  /// Observes a triangulation, or that of a simulation, from the current time on.
+  template <class Observed>
+  explicit Edge_follower(Observed& observed)
+      : triangulation_(&detail::triangulation_of(observed)),
+        stop_observing_([this, &observed] { observed.remove_observer(*this); }) {
+    start();
+    observed.add_observer(*this);
+  }
   ~Edge_follower() override;
 
   /// Executes the observer's own events at or before `time`. Times ascend.
@@ -138,18 +188,18 @@ class Edge_follower : private Event_observer {
   /// change() is about to be called with these edges and points; the graph is that before. Entries
   /// of a queue that depend on changed motions must be removed now, since their exact times cannot
   /// be computed afterwards.
-  virtual void before_change(std::span<const Edge_ids> /*removed*/,
+  virtual void before_change(std::span<const Edge_name> /*removed*/,
                              std::span<const Changed_point> /*points*/) {}
 
   /// Edges or points have changed at `time`, up to which advance() has been called. `removed` and
   /// `added` are sorted. The points are sorted by id: they have other motions, or have been
   /// inserted or erased (the graph does not contain them). May be called more than once for a time.
-  virtual void change(const Time& time, std::span<const Edge_ids> removed,
-                      std::span<const Edge_ids> added, std::span<const Changed_point> points) = 0;
+  virtual void change(const Time& time, std::span<const Edge_name> removed,
+                      std::span<const Edge_name> added, std::span<const Changed_point> points) = 0;
 
   /// Triangles at these edges, which are sorted, may have changed although no edge has: points have
   /// met. Some of the edges may not exist. Called after change(), if that is called; edges that it
-  /// has reported need not be among them.
+  /// has reported need not be among them. In a periodic box each pair of ends comes once.
   virtual void change_triangles(std::span<const Edge_ids> /*edges*/) {}
 
   /// What is observed.
@@ -159,12 +209,35 @@ class Edge_follower : private Event_observer {
   /// Those of the triangulation.
   const Traits& traits() const { return triangulation_->traits(); }
 
+  /// @{
+  /// What certificates are about: the image of the neighbor of a point, and the two ends of a pair
+  /// or an edge. In the plane a reference to the point. Precondition: graph() contains it.
+  decltype(auto) image(const Neighbor& neighbor) const {
+    if constexpr (is_periodic) {
+      return traits().image(graph_.point(neighbor.id), neighbor.offset);
+    } else {
+      return graph_.point(neighbor);
+    }
+  }
+  decltype(auto) first_end(const Edge_name& pair) const { return itself(detail::ids_of(pair)[0]); }
+  decltype(auto) second_end(const Edge_name& pair) const {
+    return image(detail::ends_of(pair)[0].second);
+  }
+  decltype(auto) itself(Point_id id) const {
+    if constexpr (is_periodic) {
+      return image({id, {}});
+    } else {
+      return image(id);
+    }
+  }
+  /// @}
+
  private:
   void start();
   void begin_instant(const Time& time);
   void finish_instant();
   void finish_changes();
-  std::optional<Point_id> hidden_by(Point_id id) const;
+  std::optional<Edge_name> present_link(Point_id id) const;
   void sum_up_hiding();
   void sum_up_edges();
   void sum_up_points();
@@ -179,14 +252,14 @@ class Edge_follower : private Event_observer {
   Neighbor_graph<Traits> graph_;
   Time instant_;  // advance() has been called up to here
   // The changes at that time, in order: an edge has been added (+1) or removed (-1); a point has
-  // got a motion, or has been erased; another point, or none, hides a coincident one.
-  std::vector<std::pair<Edge_ids, int>> edge_events_;
+  // got a motion, or has been erased; a coincident point has another link, or none.
+  std::vector<std::pair<Edge_name, int>> edge_events_;
   std::vector<std::pair<Point_id, std::optional<Point_2>>> point_events_;
-  std::vector<std::pair<Point_id, std::optional<Point_id>>> hiding_events_;
+  std::vector<std::pair<Point_id, std::optional<Edge_name>>> hiding_events_;
   std::vector<Edge_ids> rebuilt_edges_;  // of after_rebuild
   // The arguments of change(). Members, to reuse their memory.
-  std::vector<Edge_ids> removed_;
-  std::vector<Edge_ids> added_;
+  std::vector<Edge_name> removed_;
+  std::vector<Edge_name> added_;
   std::vector<Changed_point> points_;
 };
 
@@ -194,10 +267,12 @@ extern template class Neighbor_graph<Linear_kinetic_traits_2>;
 extern template class Neighbor_graph<Polynomial_kinetic_traits_2>;
 extern template class Neighbor_graph<Disc_kinetic_traits_2>;
 extern template class Neighbor_graph<Polynomial_disc_kinetic_traits_2>;
+extern template class Neighbor_graph<Periodic_kinetic_traits_2>;
 extern template class Edge_follower<Linear_kinetic_traits_2>;
 extern template class Edge_follower<Polynomial_kinetic_traits_2>;
 extern template class Edge_follower<Disc_kinetic_traits_2>;
 extern template class Edge_follower<Polynomial_disc_kinetic_traits_2>;
+extern template class Edge_follower<Periodic_kinetic_traits_2>;
 
 }  // namespace kinetri
 

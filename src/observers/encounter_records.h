@@ -11,17 +11,21 @@
 #include <utility>
 #include <vector>
 
+#include "kinetri/impl/observers/neighbor_names.h"
 #include "kinetri/observers/encounters.h"
 #include "observers/gap_of_pair.h"
 
 namespace kinetri::detail {
 
 /// All encounters so far. Invariant: each stores the former motions that may have its least gap or,
-/// after its end, perhaps the least gap itself.
-template <class Motion>
+/// after its end, perhaps the least gap itself. The motions of a pair are those of its two ends, in
+/// a periodic box of images.
+template <class Traits>
 class Encounter_records {
  public:
   using Time = Algebraic_number;
+  using Pair = Edge_name<Traits>;
+  using Motion = typename Certified_point_2<Traits>::Motion;
   using Disc = decltype(disc_about(std::declval<Motion>(), 0.0));
 
   /// The motions of two points in range, for some time.
@@ -34,7 +38,7 @@ class Encounter_records {
   };
 
   struct Record {
-    Edge_ids points;
+    Pair points;
     Queue_handle end_event = no_event;  ///< set by the owner of this object
     bool has_ended = false;
     Time begin;
@@ -50,7 +54,7 @@ class Encounter_records {
   explicit Encounter_records(double radius) : radius_(radius) {}
 
   /// Adds an encounter that begins. Returns its index.
-  std::uint32_t begin(const Edge_ids& points, const Time& time) {
+  std::uint32_t begin(const Pair& points, const Time& time) {
     const auto index = static_cast<std::uint32_t>(records_.size());
     Record& record = records_.emplace_back();
     record.points = points;
@@ -82,26 +86,28 @@ class Encounter_records {
     pieces.assign(1, least_gap_of(pieces).piece);
   }
 
-  /// The result of Encounters::encounters at the time `now` of the graph.
-  template <class Graph>
-  std::vector<Encounter> encounters(const Graph& graph, const Time& now) {
+  /// The result of Encounters::encounters at the time `now`. motions_of(points) are the two present
+  /// motions of a pair.
+  template <class Motions_of>
+  std::vector<Encounter> encounters(const Motions_of& motions_of, const Time& now) {
     std::vector<Encounter> result;
     result.reserve(records_.size());
     for (Record& record : records_) {
       if (!record.has_ended) {
         std::vector<Piece> pieces = record.pieces;
-        pieces.push_back({graph.point(record.points[0]).motion(),
-                          graph.point(record.points[1]).motion(), record.since, now});
+        const auto [p, q] = motions_of(record.points);
+        pieces.push_back({p, q, record.since, now});
         keep_least_gap(record, pieces);
       } else if (!record.pieces.empty()) {
         keep_least_gap(record, std::exchange(record.pieces, {}));
       }
-      result.push_back({record.points, record.begin, record.has_ended ? record.end : now,
-                        record.closest, record.distance, record.gap});
+      result.push_back({ids_of(record.points), record.begin, record.has_ended ? record.end : now,
+                        record.closest, record.distance, record.gap, offset_of(record.points)});
     }
     std::ranges::sort(result, [](const Encounter& a, const Encounter& b) {
       const auto order = a.begin <=> b.begin;
-      return order != 0 ? order < 0 : a.points < b.points;
+      if (order != 0) return order < 0;
+      return a.points != b.points ? a.points < b.points : a.offset < b.offset;
     });
     return result;
   }

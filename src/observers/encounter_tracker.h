@@ -11,6 +11,7 @@
 #include <memory>
 #include <span>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,13 +28,17 @@ namespace kinetri::detail {
 
 /// Invariant, at the last reported time: each pair in range has a record, and an entry in the queue
 /// if that ends; each other candidate has an entry if it will come in range.
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 class Encounter_tracker final : private Edge_follower<Traits> {
  public:
-  using typename Edge_follower<Traits>::Motion;
+  using typename Edge_follower<Traits>::Edge_name;
+  using typename Edge_follower<Traits>::Image_2;
+  using typename Edge_follower<Traits>::Neighbor;
   using typename Edge_follower<Traits>::Point_2;
   using typename Edge_follower<Traits>::Time;
-  using Records = Encounter_records<Motion>;
+  using Edge_follower<Traits>::is_periodic;
+  using Records = Encounter_records<Traits>;
+  using Motion = typename Records::Motion;
   using Record = typename Records::Record;
 
   /// Observes a triangulation or a simulation. `radius` is that of points without radii of their
@@ -57,8 +62,8 @@ class Encounter_tracker final : private Edge_follower<Traits> {
     } else {
       for (Point_id id = 0; id < partners_.size(); ++id) {
         if (!graph.contains(id)) continue;
-        for (const Point_id other : graph.neighbors(id)) {
-          if (id < other) examine(id, other, now);
+        for (const Neighbor& other : graph.neighbors(id)) {
+          if (is_first_end(id, other)) examine(id, other, now);
         }
       }
     }
@@ -68,14 +73,16 @@ class Encounter_tracker final : private Edge_follower<Traits> {
   double range() const { return range_; }
   std::vector<Encounter> encounters() {
     this->update();
-    return records_.encounters(this->graph(), this->triangulation().current_time());
+    const auto present = [this](Point_id id) -> const Point_2& { return this->graph().point(id); };
+    return records_.encounters([&](const Edge_name& pair) { return motions_of(pair, present); },
+                               this->triangulation().current_time());
   }
   const Certificate_counters& certificate_counters() const { return certificate_counters_; }
   const Queue_counters& queue_counters() const { return queue_.counters(); }
 
  private:
   using typename Edge_follower<Traits>::Changed_point;
-  static constexpr bool has_radii = HasWeight<Motion>;
+  static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
   using Disc_traits = Basic_kinetic_traits_2<typename Records::Disc>;
 
   // ---- called by the base ----
@@ -90,23 +97,25 @@ class Encounter_tracker final : private Edge_follower<Traits> {
     execute(time);
   }
 
-  void before_change(std::span<const Edge_ids> /*removed*/,
+  void before_change(std::span<const Edge_name> /*removed*/,
                      std::span<const Changed_point> points) override {
     for (const auto& point : points) {
       if (point.before) discard_entries(point.id);
     }
   }
 
-  void change(const Time& time, std::span<const Edge_ids> /*removed*/,
-              std::span<const Edge_ids> added, std::span<const Changed_point> points) override {
+  void change(const Time& time, std::span<const Edge_name> /*removed*/,
+              std::span<const Edge_name> added, std::span<const Changed_point> points) override {
     if (partners_.size() < this->graph().next_id()) partners_.resize(this->graph().next_id());
     for (const auto& point : points) change_motion(point.id, time, points);
-    departures_.change(time, points, this->graph(), range_, radius_,
-                       [&](const auto& p, const auto& q) { meet_for_a_moment(p, q, time); });
+    if constexpr (!is_periodic) {
+      departures_.change(time, points, this->graph(), range_, radius_,
+                         [&](const auto& p, const auto& q) { meet_for_a_moment(p, q, time); });
+    }
     if constexpr (has_radii) {
       if (!points.empty()) enlarged_discs_->change(points, this->graph());
     } else {
-      for (const Edge_ids& edge : added) examine_new_edge(edge, time);
+      for (const Edge_name& edge : added) examine_new_edge(edge, time);
     }
     for (const auto& point : points) {
       if (this->graph().contains(point.id)) examine_new_motion(point.id, time);
@@ -117,45 +126,45 @@ class Encounter_tracker final : private Edge_follower<Traits> {
   // The begin or end of an encounter.
   struct Entry : Failure {
     bool is_end = false;
-    Edge_ids points = {no_point, no_point};
+    Edge_name points = {};
   };
   using Queue = Failure_queue<Entry, Encounter_tracker>;
   friend Queue;
 
   // A point that is in range of another one.
   struct Near {
-    Point_id id;
+    Neighbor id;
     std::uint32_t record;  // index
   };
   // A point that will come in range of another one.
   struct Waiting {
-    Point_id id;
+    Neighbor id;
     Queue_handle begin_event;
   };
-  // Pairs are stored at both points. Sorted by id.
+  // Pairs are stored at both points, those of a point and its own image twice. Sorted by id.
   struct Partners {
     boost::container::small_vector<Near, 8> near;
     boost::container::small_vector<Waiting, 8> waiting;
   };
 
   // The position of `id` in a sequence that is sorted by id.
-  static auto place(auto& sorted, Point_id id) {
+  static auto place(auto& sorted, const auto& id) {
     return std::lower_bound(sorted.begin(), sorted.end(), id,
-                            [](const auto& item, Point_id other) { return item.id < other; });
+                            [](const auto& item, const auto& other) { return item.id < other; });
   }
-  static bool is_among(const auto& sorted, Point_id id) {
+  static bool is_among(const auto& sorted, const auto& id) {
     const auto item = place(sorted, id);
     return item != sorted.end() && item->id == id;
   }
-  static void remove_from(auto& sorted, Point_id id) { sorted.erase(place(sorted, id)); }
+  static void remove_from(auto& sorted, const auto& id) { sorted.erase(place(sorted, id)); }
 
   // ---- certificates ----
 
   // Calls `function` with traits and the two points; with discs if the points have a common radius,
   // since its sum with the range may not be a binary64 number.
   template <class Function>
-  auto with_discs(const Point_2& p, const Point_2& q, Function function) const {
-    if constexpr (!has_radii) {
+  auto with_discs(const Image_2& p, const Image_2& q, Function function) const {
+    if constexpr (!has_radii && !is_periodic) {
       if (radius_ != 0) {
         using Moving_disc = typename Disc_traits::Point_2;
         return function(disc_traits_, Moving_disc(disc_about(p.motion(), radius_), p.id()),
@@ -165,19 +174,19 @@ class Encounter_tracker final : private Edge_follower<Traits> {
     return function(this->traits(), p, q);
   }
   template <class Function>
-  auto with_discs(const Edge_ids& pair, Function function) const {
-    return with_discs(this->graph().point(pair[0]), this->graph().point(pair[1]), function);
+  auto with_discs(const Edge_name& pair, Function function) const {
+    return with_discs(this->first_end(pair), this->second_end(pair), function);
   }
 
   // ---- candidates ----
 
-  bool is_near(Point_id a, Point_id b) const { return is_among(partners_[a].near, b); }
+  bool is_near(Point_id a, const Neighbor& b) const { return is_among(partners_[a].near, b); }
 
   // Schedules the begin of the encounter of a candidate, unless it is in range or scheduled.
   // Precondition: `after` is not before the last change of a motion of the two.
-  void examine(Point_id a, Point_id b, const Time& after) {
+  void examine(Point_id a, const Neighbor& b, const Time& after) {
     if (is_near(a, b) || is_among(partners_[a].waiting, b)) return;
-    const Edge_ids pair = edge_ids(a, b);
+    const Edge_name pair = edge_to(a, b);
     Certificate certificate =
         with_discs(pair, [&](const auto& traits, const auto& p, const auto& q) {
           return traits.apart_certificate(p, q, range_, after);
@@ -186,45 +195,45 @@ class Encounter_tracker final : private Edge_follower<Traits> {
     wait(pair, std::move(certificate));
   }
 
-  // Candidates (p, q), p < q, for which a point w is in range of both and wq is an edge. Here w is
-  // in range of p, and q any neighbor of w.
-  void examine_from(Point_id p, Point_id w, const Time& after) {
-    for (const Point_id q : this->graph().neighbors(w)) {
-      if (p < q && is_near(w, q)) examine(p, q, after);
+  // Candidates (p, q), of which p is the first end, for which a point w is in range of both and wq
+  // is an edge. Here w is in range of p, and q any neighbor of w.
+  void examine_from(Point_id p, const Neighbor& w, const Time& after) {
+    for (const Neighbor& next : this->graph().neighbors(id_of(w))) {
+      const Neighbor q = beyond(w, next);
+      if (is_first_end(p, q) && is_near(id_of(w), next)) examine(p, q, after);
     }
   }
 
   // The same; w is in range of q, its neighbor, and p any point in range of w.
-  void examine_to(Point_id w, Point_id q, const Time& after) {
+  void examine_to(Point_id w, const Neighbor& q, const Time& after) {
     for (const Near& near : partners_[w].near) {
-      if (near.id < q) examine(q, near.id, after);
+      const Neighbor p = beyond(seen_from(q, w), near.id);
+      if (is_first_end(id_of(p), seen_from(p, id_of(q)))) examine(id_of(q), p, after);
     }
   }
 
-  void examine_new_edge(const Edge_ids& edge, const Time& after) {
-    const auto [a, b] = edge;
-    examine(a, b, after);
-    if (!is_near(a, b)) return;
-    examine_to(a, b, after);
-    examine_to(b, a, after);
+  void examine_new_edge(const Edge_name& edge, const Time& after) {
+    const auto [from_a, from_b] = ends_of(edge);
+    examine(from_a.first, from_a.second, after);
+    if (!is_near(from_a.first, from_a.second)) return;
+    examine_to(from_a.first, from_a.second, after);
+    examine_to(from_b.first, from_b.second, after);
   }
 
-  void examine_new_near(const Edge_ids& pair, const Time& after) {
-    const auto [a, b] = pair;
-    examine_from(a, b, after);
-    examine_from(b, a, after);
+  void examine_new_near(const Edge_name& pair, const Time& after) {
+    const auto ends = ends_of(pair);
+    for (const auto& [id, other] : ends) examine_from(id, other, after);
     if (!this->graph().is_edge(pair)) return;
-    examine_to(a, b, after);
-    examine_to(b, a, after);
+    for (const auto& [id, other] : ends) examine_to(id, other, after);
   }
 
   void examine_new_motion(Point_id id, const Time& after) {
     if constexpr (has_radii) {
       for (const Point_id other : enlarged_discs_->overlapping(id)) examine(id, other, after);
     } else {
-      for (const Point_id other : this->graph().neighbors(id)) {
+      for (const Neighbor& other : this->graph().neighbors(id)) {
         examine(id, other, after);
-        if (is_near(id, other)) examine_to(other, id, after);
+        if (is_near(id, other)) examine_to(id_of(other), seen_from(other, id), after);
       }
       for (const Near& near : partners_[id].near) examine_from(id, near.id, after);
     }
@@ -243,33 +252,36 @@ class Encounter_tracker final : private Edge_follower<Traits> {
            std::tuple(b.is_end, !b.is_recheck, b.points);
   }
   KINETRI_ALWAYS_INLINE void prefetch(const Entry& entry) const {
-    for (const Point_id id : entry.points) {
+    for (const Point_id id : ids_of(entry.points)) {
       this->graph().prefetch(id);
       prefetch_object(partners_[id]);
     }
   }
 
   // Schedules the failure of the certificate that a pair is apart.
-  void wait(const Edge_ids& pair, Certificate certificate) {
+  void wait(const Edge_name& pair, Certificate certificate) {
     Entry entry;
     entry.points = pair;
     const Queue_handle event = queue_.push(entry, std::move(certificate));
     if (event == no_event) return;
-    for (const auto& [id, other] : {std::pair(pair[0], pair[1]), std::pair(pair[1], pair[0])}) {
+    for (const auto& [id, other] : ends_of(pair)) {
       auto& waiting = partners_[id].waiting;
       waiting.insert(place(waiting, other), {other, event});
     }
   }
 
-  void stop_waiting(const Edge_ids& pair) {
-    remove_from(partners_[pair[0]].waiting, pair[1]);
-    remove_from(partners_[pair[1]].waiting, pair[0]);
+  void stop_waiting(const Edge_name& pair) {
+    for (const auto& [id, other] : ends_of(pair)) remove_from(partners_[id].waiting, other);
   }
 
   // The point is about to get another motion, or to be erased.
   void discard_entries(Point_id id) {
     for (const auto& [other, event] : partners_[id].waiting) {
-      remove_from(partners_[other].waiting, id);
+      if (id_of(other) != id) {
+        remove_from(partners_[id_of(other)].waiting, seen_from(other, id));
+      } else if (!is_first_end(id, other)) {
+        continue;  // its own image, which is there twice
+      }
       queue_.erase(event);
     }
     partners_[id].waiting.clear();
@@ -297,7 +309,7 @@ class Encounter_tracker final : private Edge_follower<Traits> {
     const auto waits = [](const Entry& entry) { return entry.is_end; };
     while (const auto due = queue_.take_due(time, waits)) {
       const auto& [entry, entry_time] = *due;
-      const auto [a, b] = entry.points;
+      const auto [a, b] = ends_of(entry.points)[0];
       if (entry.is_end) {
         const std::uint32_t record = place(partners_[a].near, b)->record;
         if (entry.is_recheck) {
@@ -305,8 +317,8 @@ class Encounter_tracker final : private Edge_follower<Traits> {
           continue;
         }
         records_[record].end_event = no_event;
-        const Point_2& p = this->graph().point(a);
-        const Point_2& q = this->graph().point(b);
+        const auto& p = this->first_end(entry.points);
+        const auto& q = this->second_end(entry.points);
         end(record, entry_time, p.motion(), q.motion());
         Certificate next = with_discs(
             p, q, [this, &at = entry_time](const auto& traits, const auto& of_p, const auto& of_q) {
@@ -328,22 +340,21 @@ class Encounter_tracker final : private Edge_follower<Traits> {
   // ---- encounters ----
 
   void begin(const Entry& entry, const Time& time) {
-    const Edge_ids& pair = entry.points;
-    const auto [a, b] = pair;
+    const Edge_name& pair = entry.points;
     const std::uint32_t index = records_.begin(pair, time);
-    auto& near_a = partners_[a].near;
-    auto& near_b = partners_[b].near;
     // The pairs that will be examined.
     if constexpr (!has_radii) {
-      for (const auto* const near_one : {&near_a, &near_b}) {
-        for (const Near& near : *near_one) {
-          this->graph().prefetch(near.id);
-          prefetch_address(&partners_[near.id].waiting);
+      for (const Point_id id : ids_of(pair)) {
+        for (const Near& near : partners_[id].near) {
+          this->graph().prefetch(id_of(near.id));
+          prefetch_address(&partners_[id_of(near.id)].waiting);
         }
       }
     }
-    near_a.insert(place(near_a, b), {b, index});
-    near_b.insert(place(near_b, a), {a, index});
+    for (const auto& [id, other] : ends_of(pair)) {
+      auto& near = partners_[id].near;
+      near.insert(place(near, other), {other, index});
+    }
     // A filter cannot decide the end from the begin on, when the certificate is 0.
     schedule_end(records_[index],
                  entry.changes_sign
@@ -359,9 +370,7 @@ class Encounter_tracker final : private Edge_follower<Traits> {
   // The motions are those up to `time`. Precondition: the record has no entry in the queue.
   void end(std::uint32_t index, const Time& time, const Motion& p, const Motion& q) {
     Record& record = records_[index];
-    const auto [a, b] = record.points;
-    remove_from(partners_[a].near, b);
-    remove_from(partners_[b].near, a);
+    for (const auto& [id, other] : ends_of(record.points)) remove_from(partners_[id].near, other);
     records_.end(record, time, p, q);
   }
 
@@ -371,19 +380,17 @@ class Encounter_tracker final : private Edge_follower<Traits> {
       const auto point = place(changed, other);
       return point != changed.end() && point->id == other ? &*point->before : nullptr;
     };
+    const auto point_before = [&](Point_id point) -> const Point_2& {
+      const Point_2* const changed_point = before(point);
+      return changed_point == nullptr ? this->graph().point(point) : *changed_point;
+    };
     const std::vector<Near> partners(partners_[id].near.begin(), partners_[id].near.end());
     for (const auto& [other, index] : partners) {
-      const Point_2* const other_before = before(other);
-      if (other < id && other_before != nullptr) continue;  // done before
+      if (!is_first_end(id, other) && before(id_of(other)) != nullptr) continue;  // done before
       Record& record = records_[index];
-      const auto motion_before = [&](Point_id point) -> const Motion& {
-        const Point_2* const changed_point = point == id ? before(id) : other_before;
-        return (changed_point == nullptr ? this->graph().point(point) : *changed_point).motion();
-      };
-      const Motion& p = motion_before(record.points[0]);
-      const Motion& q = motion_before(record.points[1]);
+      const auto [p, q] = motions_of(record.points, point_before);
       const bool goes_on =
-          this->graph().contains(id) && this->graph().contains(other) &&
+          this->graph().contains(id) && this->graph().contains(id_of(other)) &&
           with_discs(record.points, [&](const auto& traits, const auto& of_p, const auto& of_q) {
             return traits.do_touch(of_p, of_q, range_, time);
           });
@@ -393,6 +400,18 @@ class Encounter_tracker final : private Edge_follower<Traits> {
       }
       records_.begin_piece(record, time, p, q);
       schedule_end(record, time);
+    }
+  }
+
+  // The motions of the ends of a pair, if its points are those that `point_of` gives.
+  template <class Point_of>
+  std::pair<Motion, Motion> motions_of(const Edge_name& pair, const Point_of& point_of) const {
+    const auto& [a, b] = ids_of(pair);
+    if constexpr (is_periodic) {
+      return {this->traits().image(point_of(a), {}).motion(),
+              this->traits().image(point_of(b), pair.offset).motion()};
+    } else {
+      return {point_of(a).motion(), point_of(b).motion()};
     }
   }
 
@@ -415,7 +434,10 @@ class Encounter_tracker final : private Edge_follower<Traits> {
   Queue queue_{*this};
   Records records_;
   Departures<Point_2> departures_;
-  std::unique_ptr<Enlarged_discs<Traits>> enlarged_discs_;  // if has_radii
+  struct Nothing {};
+  [[no_unique_address]] std::conditional_t<has_radii, std::unique_ptr<Enlarged_discs<Traits>>,
+                                           Nothing>
+      enlarged_discs_;
   Certificate_counters certificate_counters_;
 };
 

@@ -5,35 +5,36 @@
 
 namespace kinetri {
 
-template <ContactKineticTraits_2 Traits>
-Encounters<Traits>::Encounters(Simulation_2<Traits>& simulation, double range)
+template <DistanceKineticTraits_2 Traits>
+Encounters<Traits>::Encounters(detail::Simulation_of<Traits>& simulation,
+                               double range) requires ContactKineticTraits_2<Traits>
     : tracker_(std::make_unique<detail::Encounter_tracker<Traits>>(simulation, range,
                                                                    simulation.options().radius)) {}
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Encounters<Traits>::Encounters(Triangulation& triangulation,
                                double range) requires(!HasWeight<typename Traits::Motion>)
     : tracker_(std::make_unique<detail::Encounter_tracker<Traits>>(triangulation, range, 0)) {}
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Encounters<Traits>::~Encounters() = default;
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 double Encounters<Traits>::range() const {
   return tracker_->range();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 std::vector<Encounter> Encounters<Traits>::encounters() {
   return tracker_->encounters();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 const Certificate_counters& Encounters<Traits>::certificate_counters() const {
   return tracker_->certificate_counters();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 const Queue_counters& Encounters<Traits>::queue_counters() const {
   return tracker_->queue_counters();
 }
@@ -42,5 +43,6 @@ template class Encounters<Linear_kinetic_traits_2>;
 template class Encounters<Polynomial_kinetic_traits_2>;
 template class Encounters<Disc_kinetic_traits_2>;
 template class Encounters<Polynomial_disc_kinetic_traits_2>;
+template class Encounters<Periodic_kinetic_traits_2>;
 
 }  // namespace kinetri

@@ -31,7 +31,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr Double_interval everything = {-infinite, infinite};
 
 template <class Disc>
-constexpr bool is_linear = std::same_as<typename Disc::Center_motion, Linear_motion_2>;
+constexpr bool is_linear = std::same_as<Center_motion_of<Disc>, Linear_motion_2>;
 
 // The vector from the center of q to that of p, and the sum of the radii.
 struct Relative_place {
@@ -42,18 +42,18 @@ struct Relative_place {
   // At the time t. Precondition: an Upward_rounding is in force.
   template <class Disc>
   Relative_place(const Disc& p, const Disc& q, const Interval& t)
-      : x(coordinate(p, t, &Vector_2::x) - coordinate(q, t, &Vector_2::x)),
-        y(coordinate(p, t, &Vector_2::y) - coordinate(q, t, &Vector_2::y)),
+      : x(coordinate(center(p), t, &Vector_2::x) - coordinate(center(q), t, &Vector_2::x)),
+        y(coordinate(center(p), t, &Vector_2::y) - coordinate(center(q), t, &Vector_2::y)),
         reach(radius(p, t) + radius(q, t)) {}
 
   Interval squared_distance() const { return CGAL::square(x) + CGAL::square(y); }
   Interval gap() const { return CGAL::sqrt(squared_distance()) - reach; }
 
  private:
-  template <class Disc>
-  static Interval coordinate(const Disc& disc, const Interval& t, double Vector_2::*axis) {
+  template <class Motion>
+  static Interval coordinate(const Motion& disc, const Interval& t, double Vector_2::*axis) {
     const Interval elapsed = t - Interval(disc.epoch);
-    if constexpr (is_linear<Disc>) {
+    if constexpr (is_linear<Motion>) {
       return Interval(disc.position.*axis) + Interval(disc.velocity.*axis) * elapsed;
     } else {
       const Interval jerk = Interval(disc.jerk.*axis) / Interval(6);
@@ -63,9 +63,22 @@ struct Relative_place {
       return Interval(disc.position.*axis) + elapsed * velocity;
     }
   }
+  static Interval coordinate(const Image_motion_2& image, const Interval& t,
+                             double Vector_2::*axis) {
+    Interval result = coordinate(image.motion, t, axis);
+    const auto add = [&](double times, const Linear_motion_2& vector) {
+      result += Interval(times) * coordinate(vector, t, axis);
+    };
+    if (image.offset.x != 0) add(image.offset.x, image.box->first());
+    if (image.offset.y != 0) add(image.offset.y, image.box->second());
+    return result;
+  }
   template <class Disc>
   static Interval radius(const Disc& disc, const Interval& t) {
-    return Interval(disc.radius) + Interval(disc.growth) * (t - Interval(disc.epoch));
+    if constexpr (!HasWeight<Disc>)
+      return {0.0};
+    else
+      return Interval(disc.radius) + Interval(disc.growth) * (t - Interval(disc.epoch));
   }
 };
 
@@ -117,8 +130,8 @@ Lower_bound lower_bound_of_gap(const Disc_motion_2& p, const Disc_motion_2& q,
   return {s, std::isnan(tangent.inf()) || std::isnan(gap) ? -infinite : gap};
 }
 
-Lower_bound lower_bound_of_gap(const Polynomial_disc_motion_2& p, const Polynomial_disc_motion_2& q,
-                               const Double_interval& times) {
+template <class Disc>
+Lower_bound lower_bound_of_gap(const Disc& p, const Disc& q, const Double_interval& times) {
   return {times.lower, gap_bounds(p, q, times).lower};
 }
 
@@ -139,6 +152,17 @@ Coefficients coordinate(const Polynomial_motion_2& motion, double Vector_2::*axi
   const Rational c2 = to_rational(motion.acceleration.*axis) / 2;
   const Rational c3 = to_rational(motion.jerk.*axis) / 6;
   return {c0 - e * (c1 - e * (c2 - e * c3)), c1 - e * (2 * c2 - 3 * e * c3), c2 - 3 * e * c3, c3};
+}
+
+Coefficients coordinate(const Image_motion_2& image, double Vector_2::*axis) {
+  Coefficients result = coordinate(image.motion, axis);
+  const auto add = [&](std::int32_t times, const Linear_motion_2& vector) {
+    const Coefficients of_vector = coordinate(vector, axis);
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] += times * of_vector[i];
+  };
+  if (image.offset.x != 0) add(image.offset.x, image.box->first());
+  if (image.offset.y != 0) add(image.offset.y, image.box->second());
+  return result;
 }
 
 Coefficients difference(Coefficients a, const Coefficients& b) {
@@ -165,8 +189,11 @@ Coefficients squared_distance(const Disc& p, const Disc& q) {
 }
 
 template <class Disc>
-bool has_radius(const Disc& disc) {
-  return disc.radius != 0 || disc.growth != 0;
+bool has_radius([[maybe_unused]] const Disc& disc) {
+  if constexpr (!HasWeight<Disc>)
+    return false;
+  else
+    return disc.radius != 0 || disc.growth != 0;
 }
 
 template <class Disc>
@@ -175,6 +202,9 @@ bool are_points(const Disc& p, const Disc& q) {
 }
 
 // The sum of the radii.
+Coefficients reach(const Image_motion_2& /*p*/, const Image_motion_2& /*q*/) {
+  return {0, 0};
+}
 template <class Disc>
 Coefficients reach(const Disc& p, const Disc& q) {
   const auto constant_term = [](const Disc& disc) -> Rational {
@@ -222,13 +252,14 @@ struct Least_distance_root : Root_source {
 
 // The first time between the two at which the gap is least. The gap sqrt(f) - r - g t, with
 // f = a t^2 + b t + c, is a convex function (docs/MATH.md, section 11).
-Algebraic_number time_of_least_gap(const Disc_motion_2& p, const Disc_motion_2& q,
-                                   const Algebraic_number& since, const Algebraic_number& until) {
+template <class Disc>
+Algebraic_number time_of_least_gap(const Disc& p, const Disc& q, const Algebraic_number& since,
+                                   const Algebraic_number& until) {
   const Coefficients f = squared_distance(p, q);
   const Rational& c = f[0];
   const Rational& b = f[1];
   const Rational& a = f[2];
-  const Rational g = to_rational(p.growth) + to_rational(q.growth);
+  const Rational g = reach(p, q)[1];
   const Rational excess = a - g * g;
   const auto clamped = [&](const Algebraic_number& least) {
     return least < since ? since : least > until ? until : least;
@@ -323,6 +354,13 @@ Comparison_result Gap_of_pair<Disc>::compare(const Gap_of_pair& other) const {
 // ---- the least one ----
 
 template <>
+Gap_of_pair<Image_motion_2> least_gap(const Image_motion_2& p, const Image_motion_2& q,
+                                      const Algebraic_number& since,
+                                      const Algebraic_number& until) {
+  return {p, q, time_of_least_gap(p, q, since, until)};
+}
+
+template <>
 Gap_of_pair<Disc_motion_2> least_gap(const Disc_motion_2& p, const Disc_motion_2& q,
                                      const Algebraic_number& since, const Algebraic_number& until) {
   if (are_points(p, q)) {
@@ -394,6 +432,7 @@ Double_interval least_gap_bounds(const Disc& p, const Disc& q, const Algebraic_n
                                             const Algebraic_number&)
 KINETRI_INSTANTIATE(Disc_motion_2);
 KINETRI_INSTANTIATE(Polynomial_disc_motion_2);
+KINETRI_INSTANTIATE(Image_motion_2);
 #undef KINETRI_INSTANTIATE
 
 }  // namespace kinetri::detail

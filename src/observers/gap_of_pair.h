@@ -1,29 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The gap between two discs: the distance of their centers minus both radii. Points are discs of
-// radius 0.
+// radius 0; so are images of points in a periodic box.
 #ifndef KINETRI_SRC_OBSERVERS_GAP_OF_PAIR_H
 #define KINETRI_SRC_OBSERVERS_GAP_OF_PAIR_H
 
+#include <concepts>
 #include <optional>
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/impl/base/double_interval.h"
 #include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/kinetic/image_motion_2.h"
 
 namespace kinetri::detail {
 
-/// The disc itself if it has a radius of its own, else the disc of that radius about the point.
+/// The disc itself if it has a radius of its own, else the disc of that radius about the point; an
+/// image of a point itself, which has no radius.
 template <class Motion>
-auto disc_about(const Motion& motion, double radius) {
-  if constexpr (HasWeight<Motion>) {
+auto disc_about(const Motion& motion, [[maybe_unused]] double radius) {
+  if constexpr (HasWeight<Motion> || std::same_as<Motion, Image_motion_2>) {
     return motion;
   } else {
     return Basic_disc_motion_2<Motion>{motion, radius, 0, 0};
   }
 }
 
-/// The gap of two discs at a time, exactly. `Disc` is Disc_motion_2 or Polynomial_disc_motion_2.
+/// The gap of two discs at a time, exactly. `Disc` is Disc_motion_2, Polynomial_disc_motion_2 or
+/// Image_motion_2, whose box must exist as long as this object.
 template <class Disc>
 class Gap_of_pair {
  public:
@@ -69,6 +73,7 @@ Double_interval least_gap_bounds(const Disc& p, const Disc& q, const Algebraic_n
 
 extern template class Gap_of_pair<Disc_motion_2>;
 extern template class Gap_of_pair<Polynomial_disc_motion_2>;
+extern template class Gap_of_pair<Image_motion_2>;
 
 }  // namespace kinetri::detail
 

@@ -9,6 +9,7 @@
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/kinetic/image_motion_2.h"
 
 namespace kinetri::detail {
 
@@ -16,10 +17,11 @@ namespace kinetri::detail {
 /// time at which they come in range a filter cannot decide when they separate. In linear motion
 /// their gap is convex, so they are in range until any later time at which they are; such a time is
 /// likely that of about their least distance, which an exact predicate checks.
-template <class Traits>
-double later_time_in_range(const Traits& traits, const typename Traits::Point_2& p,
-                           const typename Traits::Point_2& q, double range, double from) {
-  if constexpr (std::same_as<Center_motion_of<typename Traits::Motion>, Linear_motion_2>) {
+template <class Traits, class Point>
+double later_time_in_range(const Traits& traits, const Point& p, const Point& q, double range,
+                           double from) {
+  using Center = Center_motion_of<typename Point::Motion>;
+  if constexpr (std::same_as<Center, Linear_motion_2> || std::same_as<Center, Image_motion_2>) {
     const Vector_2 place_p = rounded_place(p.motion(), from);
     const Vector_2 place_q = rounded_place(q.motion(), from);
     const Vector_2 velocity_p = rounded_velocity(p.motion(), from);

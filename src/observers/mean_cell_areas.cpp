@@ -144,7 +144,10 @@ class Mean_area_tracker final : private Edge_follower<Traits> {
   void begin(Point_id id, double time);
   void update_link(Point_id id);
   // The point that has the vertex of the point.
-  Point_id shown_at(Point_id id) const { return this->graph().hidden_by(id).value_or(id); }
+  Point_id shown_at(Point_id id) const {
+    const auto link = this->graph().link(id);
+    return link ? (*link)[0] : id;
+  }
 
   std::unique_ptr<Cell_integrator<Traits>> integrator_;
   std::vector<Record> records_;  // by id
@@ -217,7 +220,7 @@ template <ContactKineticTraits_2 Traits>
 void Mean_area_tracker<Traits>::update_link(Point_id id) {
   Record& record = records_[id];
   if (record.is_linked) --links_;
-  record.is_linked = this->graph().hidden_by(id).has_value();
+  record.is_linked = this->graph().link(id).has_value();
   if (record.is_linked) ++links_;
 }
 

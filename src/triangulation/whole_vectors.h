@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "kinetri/impl/triangulation/torus_triangulation.h"
 #include "kinetri/impl/triangulation/wrapping.h"
 
 namespace kinetri::detail {

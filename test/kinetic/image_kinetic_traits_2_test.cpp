@@ -92,6 +92,38 @@ TEST_P(Image_traits, decide_as_polynomials_by_definition) {
             traits.instantaneous_traits(Instant{t, Time_side::at}).orientation_2_object()(p, q, r),
             sign_at(turn, t));
       }
+      // Distances, with a range that is reached at a time or not.
+      const double range = static_cast<double>(i % 4);
+      const auto [a, b, c, d, e] = test::paths_of(std::array<Image_motion_2, 5>{
+          m[0], m[1], m[2], m[3], Image_motion_2{{{range, 0}, {0, 0}, 0}, {}, m[0].box}});
+      const auto square = [](const auto& u, const auto& v) {
+        return (u[0] - v[0]) * (u[0] - v[0]) + (u[1] - v[1]) * (u[1] - v[1]);
+      };
+      const Polynomial gap = square(a, b) - e[0] * e[0];
+      const Polynomial closer = square(c, d) - square(a, b);
+      const auto contact = [&](const auto& in) { return traits.contact_failure(p, q, range, in); };
+      for (const Time& t : times_of(gap, source.time())) {
+        EXPECT_EQ(traits.do_touch(p, q, range, t), sign_at(gap, t) != CGAL::POSITIVE);
+        expect_failure(traits.near_certificate(p, q, range, t), -gap, t, contact);
+        // Apart until the first time, `t` included, at which the gap is not positive.
+        const Certificate apart = traits.apart_certificate(p, q, range, t);
+        std::optional<Time> touch;
+        if (sign_at(gap, t) != CGAL::POSITIVE) {
+          touch = t;
+        } else if (const auto root = first_root_after(gap, t)) {
+          touch = root->value;
+        }
+        ASSERT_EQ(apart.kind, touch ? Kind::fails : Kind::never_fails);
+        if (touch) {
+          EXPECT_EQ(apart.failure ? *apart.failure : contact(apart.bounds), *touch);
+        }
+        if (HasFailure()) return;
+      }
+      for (const Time& t : times_of(closer, source.time())) {
+        expect_failure(traits.closer_certificate(p, q, r, s, t), closer, t,
+                       [&](const auto& in) { return traits.closer_failure(p, q, r, s, in); });
+        if (HasFailure()) return;
+      }
       // A coincidence is a common root.
       const Time t = source.time();
       const Certificate apart = traits.coincidence_certificate(p, q, t, for_ever);

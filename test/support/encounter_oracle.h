@@ -18,29 +18,32 @@
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/observers/encounters.h"
 #include "support/discs.h"
+#include "support/images.h"
 #include "support/motions.h"
 
 namespace kinetri::test {
+
+/// A motion from one time to another one, both included.
+template <class Motion>
+struct Leg_of {
+  Motion motion;
+  Algebraic_number since;
+  std::optional<Algebraic_number> until = std::nullopt;  // none while it lasts
+  bool is_initial = false;                               // the point existed before the first time
+  bool is_last = false;                                  // the point was erased at the end
+  bool goes_on = false;                                  // lasts at the present time
+
+  // Whether the point has it just before, or just after, the events of a time.
+  bool is_before(const Algebraic_number& t) const { return since < t || is_initial; }
+  bool is_after(const Algebraic_number& t) const { return *until > t || goes_on; }
+};
 
 /// Records the motions of each point as an observer.
 template <class Traits>
 class Leg_recorder : public Event_observer {
  public:
   using Motion = typename Traits::Motion;
-
-  /// A motion from one time to another one, both included.
-  struct Leg {
-    Motion motion;
-    Algebraic_number since;
-    std::optional<Algebraic_number> until = std::nullopt;  // none while it lasts
-    bool is_initial = false;  // the point existed before the first time
-    bool is_last = false;     // the point was erased at the end
-
-    // Whether the point has it just before, or just after, the events of a time.
-    bool is_before(const Algebraic_number& t) const { return since < t || is_initial; }
-    bool is_after(const Algebraic_number& t) const { return *until > t || goes_on; }
-    bool goes_on = false;  // lasts at the present time
-  };
+  using Leg = Leg_of<Motion>;
 
   template <class Observed>  // a simulation or a triangulation
   Leg_recorder(Observed& observed, const Kinetic_triangulation_2<Traits>& triangulation)
@@ -52,7 +55,7 @@ class Leg_recorder : public Event_observer {
       legs_[id].back().is_initial = true;
     }
   }
-  explicit Leg_recorder(Simulation_2<Traits>& simulation)
+  explicit Leg_recorder(detail::Simulation_of<Traits>& simulation)
       : Leg_recorder(simulation, simulation.triangulation()) {}
 
   /// By id, in the order of time. Motions that last get the present time as their end.
@@ -139,7 +142,9 @@ struct Functions {
 
   template <class Motion>
   Functions(const Motion& p, const Motion& q, double radius, double range) {
-    constexpr int degree = std::is_same_v<Center_motion_of<Motion>, Linear_motion_2> ? 2 : 6;
+    constexpr bool is_linear = std::is_same_v<Center_motion_of<Motion>, Linear_motion_2> ||
+                               std::is_same_v<Motion, Image_motion_2>;
+    constexpr int degree = is_linear ? 2 : 6;
     const auto distance = [&](const Rational& t) {
       return Rational(CGAL::squared_distance(place_at(center(p), t), place_at(center(q), t)));
     };
@@ -206,90 +211,105 @@ inline std::vector<Time_interval> not_positive(const Polynomial& p, const Algebr
 
 }  // namespace encounter_oracle
 
+/// Adds the encounters of two points, or images, with these legs. `points` has their names. Two of
+/// which one is erased and the other one inserted at one time meet then if `may_replace`.
+template <class Legs>
+void add_encounters(const std::vector<Legs>& legs_a, const std::vector<Legs>& legs_b,
+                    const Periodic_edge& points, double radius, double range, bool may_replace,
+                    std::vector<Encounter>& result) {
+  using namespace encounter_oracle;
+  bool is_present = false;
+  Encounter present;
+  Algebraic_number least;  // of its gaps
+  const auto close = [&] {
+    if (is_present) result.push_back(present);
+    is_present = false;
+  };
+  // A leg ends when the next one begins or the point is erased. Two legs share a time if both
+  // are those just before it, or both just after it, or if one point is erased and the other
+  // inserted then.
+  const auto are_at_one_time = [may_replace](const Legs& p, const Legs& q, bool p_is_first,
+                                             bool q_is_first, const Algebraic_number& t) {
+    const auto comes = [&](const Legs& leg, bool is_first) {
+      return is_first && !leg.is_initial && leg.since == t;
+    };
+    return (p.is_before(t) && q.is_before(t)) || (p.is_after(t) && q.is_after(t)) ||
+           (may_replace &&
+            ((p.is_last && comes(q, q_is_first)) || (q.is_last && comes(p, p_is_first))));
+  };
+  for (std::size_t i = 0, j = 0; i < legs_a.size() && j < legs_b.size();) {
+    const auto& p = legs_a[i];
+    const auto& q = legs_b[j];
+    const Algebraic_number since = std::max(p.since, q.since);
+    const Algebraic_number until = std::min(*p.until, *q.until);
+    if (since < until || (since == until && are_at_one_time(p, q, i == 0, j == 0, since))) {
+      const Functions functions(p.motion, q.motion, radius, range);
+      for (const auto& [from, to] : not_positive(functions.excess, since, until)) {
+        const bool goes_on = is_present && from == since && present.end == since;
+        if (!goes_on) {
+          close();
+          is_present = true;
+          present = Encounter{points.ids, from, to, from, 0, 0, points.offset};
+        }
+        present.end = to;
+        std::vector<Algebraic_number> times = {from};
+        for (const auto& root : roots_between(functions.critical, from, to)) {
+          times.push_back(root);
+        }
+        times.push_back(to);
+        bool is_first = !goes_on;
+        for (const Algebraic_number& time : times) {
+          const Algebraic_number gap =
+              root_difference_at(functions.squared_distance, functions.radii, time);
+          if (!is_first && gap >= least) continue;
+          is_first = false;
+          least = gap;
+          present.closest = time;
+          present.distance = root_difference_at(functions.squared_distance, {}, time).to_double();
+          present.gap = gap.to_double();
+        }
+      }
+    }
+    // Of two that end at one time the one that has no next leg stays, for the other's next one.
+    const bool p_is_last = i + 1 == legs_a.size();
+    const bool q_is_last = j + 1 == legs_b.size();
+    const auto order = *p.until <=> *q.until;
+    if (order < 0 || (order == 0 && (!p_is_last || q_is_last))) ++i;
+    if (order > 0 || (order == 0 && (!q_is_last || p_is_last))) ++j;
+  }
+  close();
+}
+
+inline void sort_encounters(std::vector<Encounter>& encounters) {
+  std::sort(encounters.begin(), encounters.end(), [](const Encounter& a, const Encounter& b) {
+    const auto order = a.begin <=> b.begin;
+    if (order != 0) return order < 0;
+    return Periodic_edge{a.points, a.offset} < Periodic_edge{b.points, b.offset};
+  });
+}
+
 /// The encounters of these motions, in the order of Encounters. `radius` is the common radius of
 /// points.
 template <class Legs>
 std::vector<Encounter> expected_encounters(const std::vector<std::vector<Legs>>& legs,
                                            double radius, double range) {
-  using namespace encounter_oracle;
   std::vector<Encounter> result;
   for (Point_id a = 0; a < legs.size(); ++a) {
     for (Point_id b = a + 1; b < legs.size(); ++b) {
-      bool is_present = false;
-      Encounter present;
-      Algebraic_number least;  // of its gaps
-      const auto close = [&] {
-        if (is_present) result.push_back(present);
-        is_present = false;
-      };
-      // A leg ends when the next one begins or the point is erased. Two legs share a time if both
-      // are those just before it, or both just after it, or if one point is erased and the other
-      // inserted then.
-      const auto are_at_one_time = [](const Legs& p, const Legs& q, bool p_is_first,
-                                      bool q_is_first, const Algebraic_number& t) {
-        const auto comes = [&](const Legs& leg, bool is_first) {
-          return is_first && !leg.is_initial && leg.since == t;
-        };
-        return (p.is_before(t) && q.is_before(t)) || (p.is_after(t) && q.is_after(t)) ||
-               (p.is_last && comes(q, q_is_first)) || (q.is_last && comes(p, p_is_first));
-      };
-      for (std::size_t i = 0, j = 0; i < legs[a].size() && j < legs[b].size();) {
-        const auto& p = legs[a][i];
-        const auto& q = legs[b][j];
-        const Algebraic_number since = std::max(p.since, q.since);
-        const Algebraic_number until = std::min(*p.until, *q.until);
-        if (since < until || (since == until && are_at_one_time(p, q, i == 0, j == 0, since))) {
-          const Functions functions(p.motion, q.motion, radius, range);
-          for (const auto& [from, to] : not_positive(functions.excess, since, until)) {
-            const bool goes_on = is_present && from == since && present.end == since;
-            if (!goes_on) {
-              close();
-              is_present = true;
-              present = Encounter{{a, b}, from, to, from, 0, 0};
-            }
-            present.end = to;
-            std::vector<Algebraic_number> times = {from};
-            for (const auto& root : roots_between(functions.critical, from, to)) {
-              times.push_back(root);
-            }
-            times.push_back(to);
-            bool is_first = !goes_on;
-            for (const Algebraic_number& time : times) {
-              const Algebraic_number gap =
-                  root_difference_at(functions.squared_distance, functions.radii, time);
-              if (!is_first && gap >= least) continue;
-              is_first = false;
-              least = gap;
-              present.closest = time;
-              present.distance =
-                  root_difference_at(functions.squared_distance, {}, time).to_double();
-              present.gap = gap.to_double();
-            }
-          }
-        }
-        // Of two that end at one time the one that has no next leg stays, for the other's next one.
-        const bool p_is_last = i + 1 == legs[a].size();
-        const bool q_is_last = j + 1 == legs[b].size();
-        const auto order = *p.until <=> *q.until;
-        if (order < 0 || (order == 0 && (!p_is_last || q_is_last))) ++i;
-        if (order > 0 || (order == 0 && (!q_is_last || p_is_last))) ++j;
-      }
-      close();
+      add_encounters(legs[a], legs[b], {{a, b}, {}}, radius, range, true, result);
     }
   }
-  std::sort(result.begin(), result.end(), [](const Encounter& a, const Encounter& b) {
-    const auto order = a.begin <=> b.begin;
-    return order != 0 ? order < 0 : a.points < b.points;
-  });
+  sort_encounters(result);
   return result;
 }
 
 inline std::string text_of(const Encounter& encounter) {
   std::ostringstream out;
   out.precision(17);
-  out << encounter.points[0] << ' ' << encounter.points[1] << " from "
-      << encounter.begin.to_double() << " to " << encounter.end.to_double() << ", closest at "
-      << encounter.closest.to_double() << ": " << encounter.distance << ", gap " << encounter.gap;
+  out << encounter.points[0] << ' ' << encounter.points[1] << " (" << encounter.offset.x << ", "
+      << encounter.offset.y << ") from " << encounter.begin.to_double() << " to "
+      << encounter.end.to_double() << ", closest at " << encounter.closest.to_double() << ": "
+      << encounter.distance << ", gap " << encounter.gap;
   return out.str();
 }
 
@@ -299,8 +319,9 @@ inline void expect_equal(const std::vector<Encounter>& found,
   for (std::size_t i = 0; i < number; ++i) {
     const Encounter& a = found[i];
     const Encounter& b = expected[i];
-    ASSERT_TRUE(a.points == b.points && a.begin == b.begin && a.end == b.end &&
-                a.closest == b.closest && a.distance == b.distance && a.gap == b.gap)
+    ASSERT_TRUE(a.points == b.points && a.offset == b.offset && a.begin == b.begin &&
+                a.end == b.end && a.closest == b.closest && a.distance == b.distance &&
+                a.gap == b.gap)
         << "found    " << text_of(a) << "\nexpected " << text_of(b);
   }
   EXPECT_EQ(found.size(), expected.size())

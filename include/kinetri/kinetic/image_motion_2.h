@@ -101,6 +101,18 @@ inline Vector_2 rounded_place(const Image_motion_2& image, double t) {
   return place;
 }
 
+/// The velocity, rounded, for output, not for decisions.
+inline Vector_2 rounded_velocity(const Image_motion_2& image, double /*t*/) {
+  Vector_2 velocity = image.motion.velocity;
+  const auto add = [&](double times, const Linear_motion_2& vector) {
+    velocity.x += times * vector.velocity.x;
+    velocity.y += times * vector.velocity.y;
+  };
+  if (image.offset.x != 0) add(image.offset.x, image.box->first());
+  if (image.offset.y != 0) add(image.offset.y, image.box->second());
+  return velocity;
+}
+
 /// Bounds how far, in either coordinate, rounded_place(image, t) is from the position at any of
 /// the times. Not finite if numbers overflow. Precondition: t is one of the times.
 inline double place_error(const Image_motion_2& image, double t, const Double_interval& times) {

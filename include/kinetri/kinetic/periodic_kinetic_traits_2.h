@@ -102,14 +102,21 @@ class Basic_periodic_kinetic_traits_2
   }
 
   /// @{
-  /// As KineticTraits_2 and BatchKineticTraits_2 say, of images.
+  /// As KineticTraits_2, BatchKineticTraits_2 and DistanceKineticTraits_2 say, of images.
+  using Base::apart_certificate;
   using Base::certificates_after_flip;
+  using Base::closer_certificate;
+  using Base::closer_failure;
   using Base::coincidence_certificate;
+  using Base::contact_failure;
+  using Base::do_touch;
   using Base::flatness_certificate;
   using Base::in_circle_certificate;
   using Base::in_circle_certificates;
   using Base::in_circle_failure;
   using Base::is_surrounded;
+  using Base::near_certificate;
+  using Base::next_apart_certificate;
   using Base::orientation_certificate;
   using Base::orientation_failure;
   /// @}
@@ -117,9 +124,7 @@ class Basic_periodic_kinetic_traits_2
   /// @{
   /// As PeriodicContactKineticTraits_2 says: of two images, the contacts of discs about them.
   using Base::contact_certificate;
-  using Base::contact_failure;
   using Base::do_approach;
-  using Base::do_touch;
   using Base::has_approach_speed;
   using Base::may_overlap;
   using Base::next_contact_certificate;
@@ -174,6 +179,7 @@ static_assert(!WeightedKineticTraits_2<Periodic_kinetic_traits_2>);
 static_assert(PeriodicKineticTraits_2<Periodic_disc_kinetic_traits_2>);
 static_assert(BatchKineticTraits_2<Periodic_disc_kinetic_traits_2>);
 static_assert(WeightedKineticTraits_2<Periodic_disc_kinetic_traits_2>);
+static_assert(DistanceKineticTraits_2<Periodic_kinetic_traits_2>);
 
 }  // namespace kinetri
 

@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "kinetri/impl/observers/neighbor_names.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
@@ -26,10 +27,13 @@ struct Encounter {
   /// even; infinite on overflow.
   double distance = 0;
   double gap = 0;  ///< the gap at that time, rounded in the same way; of points, the distance
+  /// In a periodic box, `points` and this are a Periodic_edge: the encounter is that of the first
+  /// point with this image of the second one. Else zero.
+  Lattice_offset_2 offset = {};
 };
 
 namespace detail {
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 class Encounter_tracker;
 }  // namespace detail
 
@@ -44,12 +48,19 @@ class Encounter_tracker;
 /// point that is erased and one that is inserted at the same time may have an encounter at that
 /// time. All of it is exact.
 ///
+/// In a periodic box encounters are those of images: of a point with each image that comes in range
+/// of it, be it of another point or of itself, once for each pair modulo the lattice
+/// (Periodic_edge). So any range is allowed, and a point in range of two images of another one has
+/// two encounters. Offsets are against the positions as given: if a motion moves a point to
+/// another image of itself, its encounters end and others begin. A point that is erased and one
+/// that is inserted at the same time have no encounter there.
+///
 /// Cost: for each new edge and each encounter some certificates, in proportion to the number of
 /// points in range of one; for each encounter two entries of a queue. Least gaps are computed on
 /// request. Memory: O(n + encounters). For discs with radii of their own a second simulation, of
 /// enlarged discs, runs beside the observed one; its cost is that of the observed one with a
 /// response, and a certificate for each pair that overlaps there.
-template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
+template <DistanceKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Encounters {
  public:
   using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what is observed
@@ -57,7 +68,8 @@ class Encounters {
   /// Observes from the current time on. The simulation must outlive this object. Throws
   /// Precondition_error if `range` is negative or not finite, or if a radius enlarged by half of it
   /// is not finite.
-  Encounters(Simulation_2<Traits>& simulation, double range);
+  Encounters(detail::Simulation_of<Traits>& simulation,
+             double range) requires ContactKineticTraits_2<Traits>;
   /// The same of a triangulation of points.
   Encounters(Triangulation& triangulation,
              double range) requires(!HasWeight<typename Traits::Motion>);
@@ -67,9 +79,10 @@ class Encounters {
   double range() const;
 
   /// All encounters up to the current time, also those that have not ended, in the order of
-  /// `begin`, then of ids. Cost: O(m log m) comparisons of times for m encounters, and the rounding
-  /// of the least distance of those that have not ended or have ended since the last call: some
-  /// hundred floating-point operations for most points in linear motion, else exact arithmetic.
+  /// `begin`, then of ids, then of the offset. Cost: O(m log m) comparisons of times for m
+  /// encounters, and the rounding of the least distance of those that have not ended or have ended
+  /// since the last call: some hundred floating-point operations for most points in linear motion,
+  /// else exact arithmetic.
   std::vector<Encounter> encounters();
 
   /// Counts of certificates.
@@ -81,10 +94,15 @@ class Encounters {
   std::unique_ptr<detail::Encounter_tracker<Traits>> tracker_;
 };
 
+/// The traits follow from the simulation.
+template <ContactKineticTraits_2 Traits>
+Encounters(Simulation_2<Traits>&, double) -> Encounters<Traits>;
+
 extern template class Encounters<Linear_kinetic_traits_2>;
 extern template class Encounters<Polynomial_kinetic_traits_2>;
 extern template class Encounters<Disc_kinetic_traits_2>;
 extern template class Encounters<Polynomial_disc_kinetic_traits_2>;
+extern template class Encounters<Periodic_kinetic_traits_2>;
 
 }  // namespace kinetri
 

@@ -62,17 +62,37 @@ struct Distance_comparison {
   }
 };
 
+// Whether the relative velocities p - q and r - s certainly have the same length, exactly: for
+// example, if both pairs share a point and the other two have equal velocities.
+inline bool have_equal_speeds(const Linear_motion_2& p, const Linear_motion_2& q,
+                              const Linear_motion_2& r, const Linear_motion_2& s) {
+  return (p.velocity == r.velocity && q.velocity == s.velocity) ||
+         (p.velocity == s.velocity && q.velocity == r.velocity);
+}
+// Of images, if as many lattice vectors are between the points of both pairs, or none moves.
+inline bool have_equal_speeds(const Image_motion_2& p, const Image_motion_2& q,
+                              const Image_motion_2& r, const Image_motion_2& s) {
+  const Offset_difference first(p, q);
+  const Offset_difference second(r, s);
+  const Periodic_box_2* const box = p.box != nullptr ? p.box : r.box != nullptr ? r.box : s.box;
+  const bool is_box_at_rest =
+      box == nullptr || (is_at_rest(box->first()) && is_at_rest(box->second()));
+  const auto are_equal = [&](double sign) {
+    return is_box_at_rest ||
+           (first.first == sign * second.first && first.second == sign * second.second);
+  };
+  const auto& [a, b, c, d] =
+      std::array{p.motion.velocity, q.motion.velocity, r.motion.velocity, s.motion.velocity};
+  return (a == c && b == d && are_equal(1)) || (a == d && b == c && are_equal(-1));
+}
+
 // Calls `function` with the differences r - s and p - q.
-template <class Function>
-inline auto with_two_differences(const Linear_motion_2& p, const Linear_motion_2& q,
-                                 const Linear_motion_2& r, const Linear_motion_2& s, double origin,
-                                 const Function& function) {
-  // For example, if both pairs share a point and the other two have equal velocities.
-  const bool have_equal_speeds = (p.velocity == r.velocity && q.velocity == s.velocity) ||
-                                 (p.velocity == s.velocity && q.velocity == r.velocity);
-  using Differences = Linear_differences<1>;
+template <LinearMotion Motion, class Function>
+inline auto with_two_differences(const Motion& p, const Motion& q, const Motion& r, const Motion& s,
+                                 double origin, const Function& function) {
+  using Differences = Linear_differences<1, Motion>;
   Two_differences<Differences> d = {Differences({&r}, s, origin), Differences({&p}, q, origin),
-                                    have_equal_speeds};
+                                    have_equal_speeds(p, q, r, s)};
   return function(d);
 }
 template <class Function>
@@ -92,20 +112,22 @@ inline auto with_two_differences(const Polynomial_motion_2& p, const Polynomial_
 }
 
 // Whether the differences are constant.
-template <class Reach>
-inline bool are_constant(const Linear_contact<Reach>& d) {
+template <class Motion, class Reach>
+inline bool are_constant(const Linear_contact<Motion, Reach>& d) {
   return speed(d) == 0;
 }
-inline bool are_constant(const Two_differences<Linear_differences<1>>& d) {
+template <class Motion>
+inline bool are_constant(const Two_differences<Linear_differences<1, Motion>>& d) {
   return d.first.speed() == 0 && d.second.speed() == 0;
 }
 
 // Whether the certificate is linear in time, exactly.
-template <class Reach>
-inline bool is_linear(const Linear_contact<Reach>& d) {
+template <class Motion, class Reach>
+inline bool is_linear(const Linear_contact<Motion, Reach>& d) {
   return are_constant(d);
 }
-inline bool is_linear(const Two_differences<Linear_differences<1>>& d) {
+template <class Motion>
+inline bool is_linear(const Two_differences<Linear_differences<1, Motion>>& d) {
   return d.have_equal_speeds;
 }
 
@@ -165,8 +187,8 @@ inline Filter_result classify_quadratic(Differences& d, const Certificate& certi
 }
 
 // For linear and for polynomial motion.
-template <class Reach>
-inline Filter_result near(Linear_contact<Reach>& d, const Double_interval& after,
+template <class Motion, class Reach>
+inline Filter_result near(Linear_contact<Motion, Reach>& d, const Double_interval& after,
                           bool vanishes_at) {
   return classify_quadratic(d, Nearness(), after, vanishes_at);
 }
@@ -177,8 +199,9 @@ inline Filter_result near(const Differences_and_reach<Polynomial_differences<1, 
   return classify_ahead(within, Nearness(), after, vanishes_at);
 }
 
-inline Filter_result closer(Two_differences<Linear_differences<1>>& d, const Double_interval& after,
-                            bool vanishes_at) {
+template <class Motion>
+inline Filter_result closer(Two_differences<Linear_differences<1, Motion>>& d,
+                            const Double_interval& after, bool vanishes_at) {
   return classify_quadratic(d, Distance_comparison(), after, vanishes_at);
 }
 template <std::size_t K>
@@ -189,8 +212,8 @@ inline Filter_result closer(Two_differences<Polynomial_differences<1, K>>& d,
 
 // Whether the two are certainly apart at the origin and separate from then on, as half of all pairs
 // do.
-template <class Reach>
-inline bool do_part(const Linear_contact<Reach>& d) {
+template <class Motion, class Reach>
+inline bool do_part(const Linear_contact<Motion, Reach>& d) {
   const double terms = d.terms();
   const double extent = size(d.reach());
   if (!is_in_range(terms) || !is_in_range(speed(d)) || !(extent < greatest_size)) return false;
@@ -204,8 +227,8 @@ inline bool do_part(const Linear_contact<Reach>& d) {
 // The first contact is the first touch if the distance is certainly positive from the time on, or
 // up to a root at which it certainly changes its sign. If `vanishes_at`, no caller needs a result:
 // discs that separate never touch again.
-template <class Reach>
-inline Filter_result apart(Linear_contact<Reach>& d, const Double_interval& after,
+template <class Motion, class Reach>
+inline Filter_result apart(Linear_contact<Motion, Reach>& d, const Double_interval& after,
                            bool vanishes_at) {
   if (vanishes_at) return {};
   if (do_part(d)) return {Kind::never_fails};

@@ -3,6 +3,7 @@
 // For images of points in a periodic box, and for those of discs the questions that depend on
 // weights; disc_filter.h has the others.
 #include "contact_filter_impl.h"
+#include "distance_filter_impl.h"
 #include "filter.h"
 #include "filter_impl.h"
 #include "paired_filter_impl.h"
@@ -20,13 +21,19 @@ template std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<
                                                         const Double_interval&);
 template Filter_result filter_contact(const M&, const M&, double, const Double_interval&);
 template Sign certain_distance_slope(const M&, const M&, const Double_interval&);
-template Sign certain_gap(const M&, const M&, double, const Double_interval&);
 template Sign certain_x_order(const M&, const M&, const Double_interval&);
 template Sign certain_y_order(const M&, const M&, const Double_interval&);
 template Sign certain_orientation(const M&, const M&, const M&, const Double_interval&);
 template Sign certain_in_circle(const M&, const M&, const M&, const M&, const Double_interval&);
 template Sign certain_scalar_product(const M&, const M&, const M&, const Double_interval&);
 template Sign certain_distance_order(const M&, const M&, const M&, const Double_interval&);
+template Filter_result filter_apart(const M&, const M&, double, const Double_interval&, bool);
+template Filter_result filter_near(const M&, const M&, double, const Double_interval&, bool);
+template Filter_result filter_closer(const M&, const M&, const M&, const M&, const Double_interval&,
+                                     bool);
+template Sign certain_distance_comparison(const M&, const M&, const M&, const M&,
+                                          const Double_interval&);
+template Sign certain_gap(const M&, const M&, double, const Double_interval&);
 template bool certainly_apart(const M&, const M&, const Double_interval&);
 template bool certainly_surrounded(const M&, std::span<const M* const>, const Double_interval&);
 

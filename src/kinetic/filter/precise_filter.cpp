@@ -275,6 +275,11 @@ template double precise_in_circle(const Image_disc_motion_2&, const Image_disc_m
 template std::optional<Rounding> rounded_in_circle(const Linear_motion_2&, const Linear_motion_2&,
                                                    const Linear_motion_2&, const Linear_motion_2&,
                                                    const Double_interval&);
+template double precise_contact(const Image_motion_2&, const Image_motion_2&, double, double,
+                                double);
+template double precise_distance_comparison(const Image_motion_2&, const Image_motion_2&,
+                                            const Image_motion_2&, const Image_motion_2&, double,
+                                            double);
 template std::optional<Rounding> rounded_in_circle(const Image_motion_2&, const Image_motion_2&,
                                                    const Image_motion_2&, const Image_motion_2&,
                                                    const Double_interval&);

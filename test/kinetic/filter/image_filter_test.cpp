@@ -19,10 +19,37 @@ namespace {
 
 class Image_filter : public testing::TestWithParam<int> {};
 
+// A range, and the polynomials of certificates of distances of four images. The sign is that of:
+struct Distances {
+  double range = 0;
+  Polynomial gap;     // |pq|^2 - range^2
+  Polynomial closer;  // |rs|^2 - |pq|^2
+};
+
+// The range is zero, or about a multiple of the distance at the time.
+Distances distances_of(const std::array<Image_motion_2, 4>& m, double t, int multiple) {
+  Distances result;
+  const Vector_2 p = rounded_place(m[0], t);
+  const Vector_2 q = rounded_place(m[1], t);
+  const double range = 0.5 * multiple * std::hypot(p.x - q.x, p.y - q.y);
+  if (std::isfinite(range)) result.range = range;
+  // The range, as an image at rest.
+  const auto [a, b, c, d, e] = test::paths_of(std::array<Image_motion_2, 5>{
+      m[0], m[1], m[2], m[3], Image_motion_2{{{result.range, 0}, {0, 0}, 0}, {}, m[0].box}});
+  const auto square = [](const auto& u, const auto& v) {
+    return (u[0] - v[0]) * (u[0] - v[0]) + (u[1] - v[1]) * (u[1] - v[1]);
+  };
+  result.gap = square(a, b) - e[0] * e[0];
+  result.closer = square(c, d) - square(a, b);
+  return result;
+}
+
 TEST_P(Image_filter, never_contradicts_exact_arithmetic) {
   test::Images source(51);
   test::Decided decided;
   int undecided = 0;
+  int decided_distances = 0;
+  int undecided_distances = 0;
   const int cases = 1200 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
@@ -63,6 +90,41 @@ TEST_P(Image_filter, never_contradicts_exact_arithmetic) {
     expect_sign([&] { return certain_orientation(m[0], m[1], m[2], interval); }, turn);
     expect_sign([&] { return certain_in_circle(m[0], m[1], m[2], m[3], interval); }, in_circle);
     if (HasFatalFailure()) return;
+    const auto [range, gap, closer] = distances_of(m, t, source.integer(4));
+    expect_sign([&] { return certain_gap(m[0], m[1], range, interval); }, gap);
+    expect_sign([&] { return certain_distance_comparison(m[0], m[1], m[2], m[3], interval); },
+                closer);
+    const auto expect_distance = [&](const Polynomial& p, const auto& filter,
+                                     const auto& filter_of_negation) {
+      const Filter_result result = test::in_mode(mode, [&] {
+        return filter(Double_interval{t, t}, false);
+      });
+      test::expect_true(result, p, t);
+      decided_distances += result.kind != Filter_result::Kind::unknown;
+      undecided_distances +=
+          result.kind == Filter_result::Kind::unknown && sign_just_after(p, t) == CGAL::POSITIVE;
+      if (HasFatalFailure() || result.kind != Filter_result::Kind::fails) return;
+      test::expect_true(
+          test::in_mode(mode, [&] { return filter_of_negation(result.bounds, true); }), -p,
+          first_root_after(p, t).value().value);
+    };
+    const auto apart = [&](const Double_interval& after, bool vanishes) {
+      return filter_apart(m[0], m[1], range, after, vanishes);
+    };
+    const auto near = [&](const Double_interval& after, bool vanishes) {
+      return filter_near(m[0], m[1], range, after, vanishes);
+    };
+    expect_distance(gap, apart, near);
+    expect_distance(-gap, near, apart);
+    expect_distance(
+        closer,
+        [&](const Double_interval& after, bool vanishes) {
+          return filter_closer(m[0], m[1], m[2], m[3], after, vanishes);
+        },
+        [&](const Double_interval& after, bool vanishes) {
+          return filter_closer(m[2], m[3], m[0], m[1], after, vanishes);
+        });
+    if (HasFatalFailure()) return;
     if (test::in_mode(mode, [&] { return certainly_apart(m[0], m[1], interval); })) {
       // A common root would be one of the gcd.
       ASSERT_LE(gcd(paths[0][0] - paths[1][0], paths[0][1] - paths[1][1]).degree(), 0)
@@ -82,6 +144,8 @@ TEST_P(Image_filter, never_contradicts_exact_arithmetic) {
     EXPECT_GT(decided.all, cases * 98 / 100) << "of the certificates, half hold at the start";
     EXPECT_GT(decided.failures, cases / 30);
     EXPECT_LT(undecided, cases / 50);
+    EXPECT_GT(decided_distances, cases);
+    EXPECT_LT(undecided_distances, cases / 3) << "a quarter begin at about the range";
   }
 }
 
@@ -145,14 +209,19 @@ TEST_P(Image_filter, of_twice_the_precision_has_the_signs_of_exact_arithmetic_or
       EXPECT_EQ(value > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE,
                 p.sign_at(to_rational(high) + to_rational(low)));
     };
-    const auto expect_signs = [&](double high, double low) {
+    const auto [range, gap, closer] = distances_of(m, t, source.integer(4));
+    const auto expect_signs = [&, range = range, &gap = gap, &closer = closer](double high,
+                                                                               double low) {
+      expect_sign(precise_contact(m[0], m[1], range, high, low), gap, high, low);
+      expect_sign(precise_distance_comparison(m[0], m[1], m[2], m[3], high, low), closer, high,
+                  low);
       expect_sign(precise_in_circle(m[0], m[1], m[2], m[3], high, low), in_circle, high, low);
       expect_sign(precise_orientation(m[0], m[1], m[2], high, low), turn, high, low);
     };
     expect_signs(t, 0);
     expect_signs(t, t * 0x1p-60);
     // At a root of either and as near to it as two numbers can be, where signs are difficult.
-    for (const Polynomial& p : {in_circle, turn}) {
+    for (const Polynomial& p : {in_circle, turn, gap, closer}) {
       if (p.is_zero()) continue;
       const auto root = first_root_after(p, t);
       if (!root) continue;

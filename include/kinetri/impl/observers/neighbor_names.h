@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What names an edge, and a neighbor of a point: so that the observers of edges are the same code
+// for the plane and for a periodic box.
+#ifndef KINETRI_IMPL_OBSERVERS_NEIGHBOR_NAMES_H
+#define KINETRI_IMPL_OBSERVERS_NEIGHBOR_NAMES_H
+
+#include <array>
+#include <type_traits>
+#include <utility>
+
+#include "kinetri/impl/events/basic_event.h"
+#include "kinetri/impl/triangulation/edge_changes.h"
+#include "kinetri/kinetic/kinetic_traits_2.h"
+#include "kinetri/simulation/simulation_2.h"
+
+namespace kinetri::detail {
+
+/// What names an edge, or any pair of points: their ids; in a periodic box, where pairs are of
+/// images, with the offset.
+template <class Traits>
+using Edge_name = std::conditional_t<PeriodicKineticTraits_2<Traits>, Periodic_edge, Edge_ids>;
+
+/// What names a neighbor of a point: its id; in a periodic box the image, as seen from the position
+/// of the point as given.
+template <class Traits>
+using Neighbor_name = std::conditional_t<PeriodicKineticTraits_2<Traits>, Periodic_image, Point_id>;
+
+/// The simulation of points with these traits, for constructors. There is none in a periodic box.
+template <class Traits>
+struct Simulation_type {
+  struct None;
+  using type = None;  ///< incomplete, so that there is no object
+};
+/// The same in the plane.
+template <ContactKineticTraits_2 Traits>
+struct Simulation_type<Traits> {
+  using type = Simulation_2<Traits>;  ///< of these points
+};
+template <class Traits>
+using Simulation_of = typename Simulation_type<Traits>::type;
+
+/// @{
+/// The id of a neighbor.
+inline Point_id id_of(Point_id neighbor) {
+  return neighbor;
+}
+inline Point_id id_of(const Periodic_image& neighbor) {
+  return neighbor.id;
+}
+/// @}
+
+/// @{
+/// The two ends of an edge, each with the other one as seen from there.
+inline std::array<std::pair<Point_id, Point_id>, 2> ends_of(const Edge_ids& edge) {
+  return {{{edge[0], edge[1]}, {edge[1], edge[0]}}};
+}
+inline std::array<std::pair<Point_id, Periodic_image>, 2> ends_of(const Periodic_edge& edge) {
+  const auto& [ids, offset] = edge;
+  return {{{ids[0], {ids[1], offset}}, {ids[1], {ids[0], {-offset.x, -offset.y}}}}};
+}
+/// @}
+
+/// @{
+/// The edge from a point to a neighbor. In a periodic box they differ, or the offset is not zero.
+inline Edge_ids edge_to(Point_id id, Point_id neighbor) {
+  return edge_ids(id, neighbor);
+}
+inline Periodic_edge edge_to(Point_id id, const Periodic_image& neighbor) {
+  return periodic_edge(id, neighbor.id, neighbor.offset);
+}
+/// @}
+
+/// @{
+/// Whether edge_to(id, neighbor) has the point as its first end, with the neighbor as seen from
+/// there. Of the two ends of an edge one is first. False if they are one.
+inline bool is_first_end(Point_id id, Point_id neighbor) {
+  return id < neighbor;
+}
+inline bool is_first_end(Point_id id, const Periodic_image& neighbor) {
+  return id != neighbor.id ? id < neighbor.id : Lattice_offset_2() < neighbor.offset;
+}
+/// @}
+
+/// Names no neighbor.
+template <class Traits>
+constexpr Neighbor_name<Traits> no_neighbor() {
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    return {};
+  } else {
+    return no_point;
+  }
+}
+
+}  // namespace kinetri::detail
+
+#endif  // KINETRI_IMPL_OBSERVERS_NEIGHBOR_NAMES_H
