@@ -5,9 +5,12 @@
 #define KINETRI_SRC_TRIANGULATION_NEAREST_POINTS_H
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <set>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -15,15 +18,15 @@
 
 namespace kinetri::detail {
 
-/// Searches at one time. Invariant: seen_, once it is made, has for each point the last point whose
-/// search reached it.
+/// Searches at one time, of points or, in a periodic box, of images. Invariant in the plane: seen_,
+/// once it is made, has for each point the last point whose search reached it.
 template <KineticTraits_2 Traits>
 class Nearest_points {
  public:
   using At_time = Triangulation_at_time<Traits>;
   using Vertex = typename At_time::Vertex;
   using Name = typename At_time::Name;
-  using Triangulation = typename At_time::Triangulation;
+  using Edge_name = typename At_time::Edge_name;
   using Neighbor = typename Ball_positions<Traits>::Neighbor;
 
   /// The triangulation must outlive this object.
@@ -77,33 +80,99 @@ class Nearest_points {
     return is_alone ? at_.name(v) : at_.all_at(v).front();
   }
 
-  /// Fills `result` with points nearest to `v`, nearest first, as long as there are points: all of
-  /// `own`, which are points of the vertex, and those of other vertices.
+  /// The k points nearest to each point, other than that, nearest first: those of the point `id`
+  /// from k * id on; no_name if there are no more. In a periodic box k images, those of the point
+  /// too. Points that coincide for a while are searched for once, together.
+  std::vector<Name> nearest_to_each(std::size_t k) {
+    std::vector<Name> result(k * at_.kinetic().next_id(), At_time::no_name);
+    const auto row = [&](Point_id id) { return std::span(result).subspan(k * id, k); };
+    std::vector<Name> own;  // the points of a vertex, if there are several
+    std::vector<Name> nearest;
+    for (const auto handle : at_.triangulation().finite_vertex_handles()) {
+      const Vertex v = {handle};
+      const auto& hidden = at_.names_hidden_by(v);
+      if (hidden.empty()) {
+        find_nearest(v, {}, row(at_.id(v)));
+        continue;
+      }
+      own.assign(1, at_.name(v));
+      own.insert(own.end(), hidden.begin(), hidden.end());
+      nearest.assign(k + 1, At_time::no_name);
+      find_nearest(v, own, nearest);
+      for (const Name& one : own) {
+        auto near = nearest.begin();
+        for (Name& next : row(At_time::id_of(one))) {
+          if (*near == one) ++near;
+          next = At_time::seen_from(one, *near++);
+        }
+      }
+    }
+    return result;
+  }
+
+  /// The closest pair, in a periodic box of images, also of one point; of several the first in the
+  /// order of names of edges.
+  // No other point is in the circle whose diameter joins a closest pair, so the two have an edge;
+  // but of several coinciding points not every two have one, and those without a vertex have none.
+  std::optional<Edge_name> closest_pair() const {
+    std::optional<Edge_name> closest = at_.first_coincident_pair();
+    Ball least;
+    double limit = closest ? 0 : std::numeric_limits<double>::infinity();  // of the length
+    for (const auto& finite_edge : at_.triangulation().finite_edges()) {
+      const auto [v, u] = at_.ends(finite_edge);
+      if (are_apart(balls_.approximate(v), balls_.approximate(u), limit)) continue;
+      const Edge_name edge = At_time::pair_of(at_.name(v), at_.name(u));
+      const Ball length = balls_.neighbor(balls_.position(v), u).squared_distance;
+      if (closest) {
+        const auto known = compare(length, least);
+        const auto order = known ? *known : compare_lengths(edge, *closest);
+        if (order == CGAL::LARGER || (order == CGAL::EQUAL && *closest < edge)) continue;
+      }
+      closest = edge;
+      least = length;
+      limit = length_bound(least);
+    }
+    if (!closest || least.is_nonzero()) return closest;
+    const auto [first, second] = at_.ends_of(*closest);
+    if (!at_.coincide(first, second)) return closest;
+    const std::vector<Name> there = at_.all_at(first);
+    if (there.size() < 2) return closest;
+    return std::min(*closest, At_time::pair_of(there[0], there[1]));
+  }
+
+ private:
+  // Fills `result` with points nearest to `v`, nearest first, as long as there are points: all of
+  // `own`, which are points of the vertex, and those of other vertices.
+  //
   // Edges connect all points within or on a circle about `v` with `v`: so the next nearest point is
   // a neighbor of one that is known.
-  void find_nearest(Vertex v, std::span<const Point_id> own, std::span<Point_id> result) {
-    seen_.resize(at_.kinetic().next_id(), no_point);
+  void find_nearest(const Vertex& v, std::span<const Name> own, std::span<Name> result) {
+    if constexpr (At_time::is_periodic) {
+      seen_.clear();
+    } else {
+      seen_.resize(at_.kinetic().next_id(), no_point);
+    }
     const Ball_2 here = balls_.position(v);
     std::vector<Neighbor> border;  // a heap: the nearest one is at the front
     const auto is_farther = [&](const Neighbor& a, const Neighbor& b) {
       return balls_.compare_distance(v, a, b) == CGAL::LARGER;
     };
-    const auto add_neighbors = [&](Vertex known) {
-      at_.for_each_neighbor(known, [&](Vertex u) {
-        if (std::exchange(seen_[at_.id(u)], at_.id(v)) == at_.id(v)) return;
+    const auto add_neighbors = [&](const Vertex& known) {
+      at_.for_each_neighbor(known, [&](const Vertex& u) {
+        if (!is_new(u, v)) return;
         border.push_back(balls_.neighbor(here, u));
         std::ranges::push_heap(border, is_farther);
       });
     };
-    seen_[at_.id(v)] = at_.id(v);
+    is_new(v, v);
     add_neighbors(v);
-    std::vector<Point_id> equally_near(own.begin(), own.end());
+    std::vector<Name> equally_near(own.begin(), own.end());
     const auto take_nearest = [&] {
       std::ranges::pop_heap(border, is_farther);
       const Vertex u = border.back().vertex;
       border.pop_back();
-      equally_near.push_back(at_.id(u));
-      const std::vector<Point_id>& hidden = at_.hidden_by(at_.id(u));
+      equally_near.push_back(at_.name(u));
+      const auto& hidden = at_.names_hidden_by(u);
       equally_near.insert(equally_near.end(), hidden.begin(), hidden.end());
       add_neighbors(u);
     };
@@ -113,7 +182,7 @@ class Nearest_points {
     auto next = result.begin();
     for (;;) {
       std::ranges::sort(equally_near);
-      for (const Point_id u : equally_near) {
+      for (const Name& u : equally_near) {
         if (next != result.end()) *next++ = u;
       }
       if (next == result.end() || border.empty()) return;
@@ -126,46 +195,25 @@ class Nearest_points {
     }
   }
 
-  /// The closest pair; of several the first in the order of Edge_ids.
-  // No other point is in the circle whose diameter joins a closest pair, so the two have an edge;
-  // but of several coinciding points not every two have one, and those without a vertex have none.
-  std::optional<Edge_ids> closest_pair() const {
-    std::optional<Edge_ids> closest = at_.kinetic().first_coincident_pair();
-    Ball least;
-    double limit = closest ? 0 : std::numeric_limits<double>::infinity();  // of the length
-    for (const auto& [face, i] : at_.triangulation().finite_edges()) {
-      const Vertex v = face->vertex(Triangulation::cw(i));
-      const Vertex u = face->vertex(Triangulation::ccw(i));
-      if (are_apart(balls_.approximate(v), balls_.approximate(u), limit)) continue;
-      const Edge_ids edge = edge_ids(at_.id(v), at_.id(u));
-      const Ball length = balls_.neighbor(balls_.position(v), u).squared_distance;
-      if (closest) {
-        const auto known = compare(length, least);
-        const auto order = known ? *known : compare_lengths(edge, *closest);
-        if (order == CGAL::LARGER || (order == CGAL::EQUAL && *closest < edge)) continue;
-      }
-      closest = edge;
-      least = length;
-      limit = length_bound(least);
+  // Whether the search from `v` has not reached `u` before; from now on it has.
+  bool is_new(const Vertex& u, const Vertex& v) {
+    if constexpr (At_time::is_periodic) {
+      return seen_.insert(at_.name(u)).second;
+    } else {
+      return std::exchange(seen_[at_.id(u)], at_.id(v)) != at_.id(v);
     }
-    if (!closest || least.is_nonzero()) return closest;
-    const Vertex first = at_.kinetic().vertex((*closest)[0]);
-    if (!at_.coincide(first, at_.kinetic().vertex((*closest)[1]))) return closest;
-    const std::vector<Point_id> there = at_.all_at(first);
-    return there.size() < 2 ? *closest : std::min(*closest, Edge_ids{there[0], there[1]});
   }
 
- private:
   // Exactly.
-  Comparison_result compare_lengths(const Edge_ids& a, const Edge_ids& b) const {
+  Comparison_result compare_lengths(const Edge_name& a, const Edge_name& b) const {
     // The denominator is positive.
     struct Fraction {
       Polynomial numerator;
       Polynomial denominator;
     };
-    const auto squared_length = [&](const Edge_ids& edge) -> Fraction {
-      const Trajectory_2 d =
-          at_.vector(at_.kinetic().vertex(edge[0]), at_.kinetic().vertex(edge[1]));
+    const auto squared_length = [&](const Edge_name& edge) -> Fraction {
+      const auto [v, u] = at_.ends_of(edge);
+      const Trajectory_2 d = at_.vector(v, u);
       return {d.x * d.x + d.y * d.y, d.w * d.w};
     };
     const Fraction of_a = squared_length(a);
@@ -176,7 +224,7 @@ class Nearest_points {
 
   const At_time& at_;
   Ball_positions<Traits> balls_;
-  std::vector<Point_id> seen_;
+  std::conditional_t<At_time::is_periodic, std::set<Name>, std::vector<Point_id>> seen_;
 };
 
 }  // namespace kinetri::detail

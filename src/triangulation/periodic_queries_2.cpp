@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "kinetri/impl/base/check.h"
@@ -193,6 +194,17 @@ std::vector<Periodic_image> Periodic_queries_2::nearest_neighbors() const {
     if (kinetic.contains(id)) result[id] = nearest_neighbor(id);
   }
   return result;
+}
+
+std::vector<Periodic_image> Periodic_queries_2::nearest_neighbors(std::size_t k) const {
+  check_is_current();
+  KINETRI_PRECONDITION(k <= no_point, "k is " + std::to_string(k) + "; expected less than 2^32");
+  return detail::Nearest_points<Traits>(at()).nearest_to_each(k);
+}
+
+std::optional<Periodic_edge> Periodic_queries_2::closest_pair() const {
+  check_is_current();
+  return detail::Nearest_points<Traits>(at()).closest_pair();
 }
 
 std::vector<double> Periodic_queries_2::rounded_positions(bool are_wrapped) const {

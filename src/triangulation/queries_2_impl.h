@@ -183,29 +183,7 @@ std::vector<Point_id> Kinetic_queries_2<Traits>::nearest_neighbors(std::size_t k
     HasNearestNeighbors<Traits> {
   check_is_current();
   KINETRI_PRECONDITION(k <= no_point, "k is " + std::to_string(k) + "; expected less than 2^32");
-  detail::Nearest_points<Traits> points(at());
-  std::vector<Point_id> result(k * at().kinetic().next_id(), no_point);
-  std::vector<Point_id> own;  // the points of a vertex, if there are several
-  std::vector<Point_id> nearest;
-  for (const Vertex_handle v : at().triangulation().finite_vertex_handles()) {
-    const std::vector<Point_id>& hidden = at().hidden_by(at().id(v));
-    if (hidden.empty()) {
-      points.find_nearest(v, {}, std::span(result).subspan(k * at().id(v), k));
-      continue;
-    }
-    own.assign(1, at().id(v));
-    own.insert(own.end(), hidden.begin(), hidden.end());
-    nearest.assign(k + 1, no_point);
-    points.find_nearest(v, own, nearest);
-    for (const Point_id id : own) {
-      auto next = result.begin() + static_cast<std::ptrdiff_t>(k * id);
-      const auto end = next + static_cast<std::ptrdiff_t>(k);
-      for (auto near = nearest.begin(); next != end; ++near) {
-        if (*near != id) *next++ = *near;
-      }
-    }
-  }
-  return result;
+  return detail::Nearest_points<Traits>(at()).nearest_to_each(k);
 }
 
 template <KineticTraits_2 Traits>

@@ -7,6 +7,7 @@
 #define KINETRI_SRC_TRIANGULATION_TRIANGULATION_AT_TIME_H
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <set>
@@ -61,6 +62,15 @@ class Triangulation_at_time {
   using Name = std::conditional_t<is_periodic, Periodic_image, Point_id>;
   using Place = typename Types::Image_2;  ///< what predicates take
   /// @}
+  using Edge_name = typename Types::Edge_name;
+  /// Of no point.
+  static constexpr Name no_name = [] {
+    if constexpr (is_periodic) {
+      return Periodic_image();
+    } else {
+      return no_point;
+    }
+  }();
 
   Triangulation_at_time(std::unique_ptr<const Kinetic> kinetic, const Time& time)
       : kinetic_(std::move(kinetic)),
@@ -79,6 +89,29 @@ class Triangulation_at_time {
       return {id(v), v.offset};
     } else {
       return id(v);
+    }
+  }
+  static Point_id id_of(const Name& name) {
+    if constexpr (is_periodic) {
+      return name.id;
+    } else {
+      return name;
+    }
+  }
+  /// In a periodic box the image `there` as the point of the image `here` has it: against its
+  /// position as given.
+  static Name seen_from([[maybe_unused]] const Name& here, const Name& there) {
+    if constexpr (is_periodic) {
+      return {there.id, sum(there.offset, reversed(here.offset))};
+    } else {
+      return there;
+    }
+  }
+  static Edge_name pair_of(const Name& a, const Name& b) {
+    if constexpr (is_periodic) {
+      return periodic_edge(a.id, b.id, seen_from(a, b).offset);
+    } else {
+      return edge_ids(a, b);
     }
   }
   /// The vertex at the position of the point or image. Precondition: there is that point.
@@ -108,6 +141,41 @@ class Triangulation_at_time {
       return kinetic_->hidden_by(id(v));
     }
   }
+
+  /// The first pair of a point and one that it hides so; none if there is none. O(n).
+  std::optional<Edge_name> first_coincident_pair() const {
+    const std::optional<Edge_ids> ids = kinetic_->first_coincident_pair();
+    if constexpr (is_periodic) {
+      if (!ids) return std::nullopt;
+      const auto [shown, hidden] = *ids;
+      return periodic_edge(shown, hidden,
+                           reversed(offset_of_hidden(hidden, kinetic_->vertex(shown))));
+    } else {
+      return ids;
+    }
+  }
+
+  /// @{
+  /// The ends of an edge, and of a pair of points.
+  static std::array<Vertex, 2> ends(const typename Types::Edge& edge) {
+    const auto& [face, i] = edge;
+    const int first = Triangulation::cw(i);
+    const int second = Triangulation::ccw(i);
+    if constexpr (is_periodic) {
+      return {Vertex{face->vertex(first), {}},
+              Vertex{face->vertex(second), Triangulation::offset(face, first, second)}};
+    } else {
+      return {face->vertex(first), face->vertex(second)};
+    }
+  }
+  std::array<Vertex, 2> ends_of(const Edge_name& pair) const {
+    if constexpr (is_periodic) {
+      return {vertex({pair.ids[0], {}}), vertex({pair.ids[1], pair.offset})};
+    } else {
+      return {vertex(pair[0]), vertex(pair[1])};
+    }
+  }
+  /// @}
 
   // ---- predicates ----
 

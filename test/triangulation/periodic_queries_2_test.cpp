@@ -69,7 +69,10 @@ class Oracle {
       points.emplace_back(id, scaled(kinetic.motion(id)));
       given_[id] = place(points.back().second);
     }
-    for (const auto& copy : test::copies(box_, points)) copies_.push_back(exact(copy));
+    for (const auto& copy : test::copies(box_, points)) {
+      if (in_cells_.size() < points.size()) in_cells_.push_back(copy);
+      copies_.push_back(exact(copy));
+    }
     for (std::size_t i = 0; i < points.size(); ++i) base_[copies_[i].image.id] = copies_[i];
     for (const auto face : kinetic.triangulation().finite_face_handles()) {
       for (const Copy& copy : copies_) {
@@ -154,6 +157,47 @@ class Oracle {
       if (!best || key < *best) best = key;
     }
     return relative(std::get<1>(*best), own);
+  }
+
+  /// Of all images less than k + 2 vectors of the reduced basis away from the cell of the point.
+  /// The k images along the shortest vector are at most (k + 1) / 2 of its lengths away, and what
+  /// is farther than r cells on one side is more than 0.86 (r - 1) of them away.
+  std::vector<Periodic_image> nearest_neighbors(Point_id id, int k) const {
+    const test::Reduced<Wide> basis(box_);
+    const Periodic_image& own = base_.at(id).image;
+    const auto place_of_own = std::ranges::find(in_cells_, id, id_of)->place;
+    std::vector<std::tuple<Wide, Periodic_image>> found;
+    for (const test::Copy<Wide>& copy : in_cells_) {
+      for (int r = -k - 2; r <= k + 2; ++r) {
+        for (int s = -k - 2; s <= k + 2; ++s) {
+          const test::Copy<Wide> moved = basis.moved(copy, r, s);
+          const Periodic_image image = image_of(moved);
+          if (image == own) continue;
+          const test::Vector<Wide> away = moved.place - place_of_own;
+          found.emplace_back(dot(away, away), relative(image, base_.at(id)));
+        }
+      }
+    }
+    std::ranges::sort(found);
+    std::vector<Periodic_image> result;
+    for (int i = 0; i < k; ++i) {
+      result.push_back(std::get<1>(found[static_cast<std::size_t>(i)]));
+    }
+    return result;
+  }
+
+  std::optional<Periodic_edge> closest_pair() const {
+    std::optional<std::tuple<Rational, Periodic_edge>> best;
+    for (const auto& [id, own] : base_) {
+      for (const Copy& copy : copies_) {
+        if (copy.image == own.image) continue;
+        const Periodic_image image = relative(copy.image, own);
+        const std::tuple key(squared_distance(copy.place, own.place),
+                             periodic_edge(id, image.id, image.offset));
+        if (!best || key < *best) best = key;
+      }
+    }
+    return best ? std::optional(std::get<1>(*best)) : std::nullopt;
   }
 
   /// The smallest id of a point with an image at the position of the point.
@@ -258,10 +302,12 @@ class Oracle {
     };
     return {divided(v.x), divided(v.y)};
   }
-  Copy exact(const test::Copy<Wide>& copy) const {
+  static Point_id id_of(const test::Copy<Wide>& copy) { return std::get<0>(copy.image); }
+  static Periodic_image image_of(const test::Copy<Wide>& copy) {
     const auto& [id, x, y] = copy.image;
-    return {place(copy.place), {id, {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)}}};
+    return {id, {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)}};
   }
+  Copy exact(const test::Copy<Wide>& copy) const { return {place(copy.place), image_of(copy)}; }
   Copy in_cell_of(const Vector_2& query) const {
     const auto at = [&](double x) { return static_cast<Wide>(2 * x) * (q_ / 2); };
     return exact(test::copies<Wide>(box_, {{0, {at(query.x), at(query.y)}}}).front());
@@ -277,6 +323,7 @@ class Oracle {
   Place first_;
   Place second_;
   std::map<Point_id, Place> given_;
+  std::vector<test::Copy<Wide>> in_cells_;  // one of each point, in one cell
   std::vector<Copy> copies_;
   std::map<Point_id, Copy> base_;
   std::vector<std::vector<Copy>> faces_;
@@ -345,6 +392,11 @@ void expect_right_answers(const Kinetic& kinetic, const Rational& t, test::Rando
   const std::vector<double> positions = queries.rounded_positions();
   const std::vector<double> wrapped = queries.rounded_positions(true);
   const std::vector<Periodic_image> nearest = queries.nearest_neighbors();
+  const int k = random.integer(0, 9);
+  const std::vector<Periodic_image> k_nearest =
+      queries.nearest_neighbors(static_cast<std::size_t>(k));
+  ASSERT_EQ(k_nearest.size(), static_cast<std::size_t>(k) * kinetic.next_id());
+  EXPECT_EQ(queries.closest_pair(), oracle.closest_pair());
   ASSERT_EQ(areas.size(), kinetic.next_id());
   ASSERT_EQ(nearest.size(), kinetic.next_id());
   ASSERT_EQ(wrapped.size(), 2 * kinetic.next_id());
@@ -354,6 +406,8 @@ void expect_right_answers(const Kinetic& kinetic, const Rational& t, test::Rando
     SCOPED_TRACE("point " + std::to_string(id));
     EXPECT_EQ(text(queries.nearest_neighbor(id)), text(oracle.nearest_neighbor(id)));
     EXPECT_EQ(nearest[id], queries.nearest_neighbor(id));
+    const auto first = k_nearest.begin() + k * static_cast<std::ptrdiff_t>(id);
+    EXPECT_EQ(text({first, first + k}), text(oracle.nearest_neighbors(id, k)));
     expect_neighbors(kinetic, queries, id);
     // The hidden ones are at the position.
     const auto coincident = kinetic.coincident_points(id);
@@ -555,10 +609,19 @@ TEST(Periodic_queries_2, are_those_about_copies_in_the_plane) {
       if (!kinetic.current_time().is_known_rational()) ++irrational;
       const Periodic_queries_2 queries(kinetic);
       const Kinetic_queries_2 expected(plane);
+      constexpr std::size_t k = 12;
+      const std::vector<Periodic_image> nearest = queries.nearest_neighbors(k);
+      const std::vector<Point_id> in_plane_nearest = expected.nearest_neighbors(k);
       for (Point_id id = 0; id < motions.size(); ++id) {
         const Point_id middle = id * number + number / 2;
         EXPECT_EQ(text(queries.nearest_neighbor(id)),
                   text(images[*expected.nearest_neighbor(middle)]));
+        std::vector<Periodic_image> k_nearest;
+        for (std::size_t i = 0; i < k; ++i) {
+          k_nearest.push_back(images[in_plane_nearest[k * middle + i]]);
+        }
+        const auto first = nearest.begin() + static_cast<std::ptrdiff_t>(k * id);
+        EXPECT_EQ(text({first, first + static_cast<std::ptrdiff_t>(k)}), text(k_nearest));
         const auto cell = queries.rounded_voronoi_cell(id);
         const auto in_plane = expected.rounded_voronoi_cell(middle);
         std::vector<Periodic_image> neighbors;
@@ -606,6 +669,9 @@ TEST(Periodic_queries_2, about_one_point_in_a_square) {
   const Periodic_queries_2 queries(kinetic);
   EXPECT_EQ(queries.time(), Time(0));
   EXPECT_EQ(text(queries.nearest_neighbor(0)), "0 (-1, 0)");
+  EXPECT_EQ(text(queries.nearest_neighbors(5)),
+            "0 (-1, 0); 0 (0, -1); 0 (0, 1); 0 (1, 0); 0 (-1, -1); ");
+  EXPECT_EQ(queries.closest_pair(), (Periodic_edge{{0, 0}, {0, 1}}));
   EXPECT_EQ(text(*queries.nearest_vertex({0, 0})), "0 (-2, 0)");
   EXPECT_EQ(text(queries.locate({5, 1}).points), "0 (-1, 0); ");
   EXPECT_EQ(queries.locate({7, 1}).kind, Kind::edge);
@@ -629,6 +695,8 @@ TEST(Periodic_queries_2, about_nothing) {
   EXPECT_EQ(empty.locate({1, 1}), Periodic_location_2());
   EXPECT_TRUE(empty.rounded_voronoi_areas().empty());
   EXPECT_TRUE(empty.nearest_neighbors().empty());
+  EXPECT_TRUE(empty.nearest_neighbors(3).empty());
+  EXPECT_EQ(empty.closest_pair(), std::nullopt);
   kinetic.insert({{1, 1}, {0, 0}, 0});
   kinetic.insert({{1, 2}, {0, 0}, 0});
   kinetic.erase(0);
@@ -636,6 +704,8 @@ TEST(Periodic_queries_2, about_nothing) {
   EXPECT_TRUE(std::isnan(queries.rounded_positions()[0]));
   EXPECT_EQ(queries.rounded_positions()[3], 2);
   EXPECT_EQ(queries.nearest_neighbors()[0], Periodic_image());
+  EXPECT_EQ(text(queries.nearest_neighbors(2)),
+            text({Periodic_image(), Periodic_image(), {1, {-1, 0}}, {1, {0, -1}}}));
   EXPECT_EQ(queries.rounded_voronoi_areas(), (std::vector<double>{0, 16}));
 }
 
@@ -657,6 +727,8 @@ TEST(Periodic_queries_2, throw_as_those_in_the_plane) {
   EXPECT_THROW(queries.neighbors(2), Precondition_error);
   EXPECT_THROW(queries.voronoi_cell(2), Precondition_error);
   EXPECT_THROW(queries.nearest_neighbor(2), Precondition_error);
+  EXPECT_PRECONDITION_ERROR(queries.nearest_neighbors(std::size_t{1} << 32),
+                            "k is 4294967296; expected less than 2^32");
   for (const double far : {1e10, 1e300}) {
     EXPECT_EQ(
         test::message_of<Periodic_box_error>([&] {
@@ -697,6 +769,17 @@ TEST(Periodic_queries_2, refuse_images_beyond_2_to_the_31_boxes) {
             }),
             "an image of a point is 2^31 or more lattice vectors away from the position of the "
             "point; give positions that are closer together");
+}
+
+// An image of a point that is on it for a while is another one, at the distance 0.
+TEST(Periodic_queries_2, about_images_that_coincide_for_a_while) {
+  const Kinetic kinetic =
+      kinetic_of(square(4), {{{1, 1}, {0, 0}, 0}, {{9, 1}, {0, 0}, 0}, {{2, 1}, {0, 0}, 0}});
+  const Periodic_queries_2 queries(kinetic);
+  EXPECT_EQ(queries.closest_pair(), (Periodic_edge{{0, 1}, {-2, 0}}));
+  EXPECT_EQ(text(queries.nearest_neighbors(3)),
+            "1 (-2, 0); 2 (0, 0); 2 (-1, 0); 0 (2, 0); 2 (2, 0); 2 (1, 0); "
+            "0 (0, 0); 1 (-2, 0); 0 (1, 0); ");
 }
 
 // Numbers whose products are too great for binary64.

@@ -13,12 +13,14 @@
 #ifndef KINETRI_TRIANGULATION_PERIODIC_QUERIES_2_H
 #define KINETRI_TRIANGULATION_PERIODIC_QUERIES_2_H
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "kinetri/base/ids.h"
+#include "kinetri/events/event.h"
 #include "kinetri/kinetic/moving_point_2.h"
 #include "kinetri/kinetic/periodic_kinetic_traits_2.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
@@ -136,6 +138,18 @@ class Periodic_queries_2 {
   /// The nearest_neighbor of each point, by id; one with the id no_point if there is no point `id`.
   /// next_id() images.
   std::vector<Periodic_image> nearest_neighbors() const;
+
+  /// The k images nearest to each point, of other points or of itself, but for itself, in the order
+  /// of distance, then of name. Those of the point `id` are the k images from k * id on; images
+  /// with the id no_point if there is no point `id`. k * next_id() images. Precondition: k is less
+  /// than 2^32. Cost: as Kinetic_queries_2::nearest_neighbors(k), and a look into a set of names
+  /// for each image that is compared.
+  std::vector<Periodic_image> nearest_neighbors(std::size_t k) const;
+
+  /// The two images nearest to each other, of two points or of one, as the edge between them is
+  /// named; of several such pairs the first in the order of Periodic_edge; none if there are no
+  /// points. Cost: as Kinetic_queries_2::closest_pair.
+  std::optional<Periodic_edge> closest_pair() const;
 
   /// The positions of all points: x and y of the point `id` at 2 * id and 2 * id + 1, each rounded
   /// to the nearest binary64 number, ties to even; NaN at an id without a point. The result has 2 *

@@ -215,6 +215,7 @@ class Torus_triangulation {
   auto finite_face_handles() const { return tds_.face_handles(); }
   auto all_face_handles() const { return tds_.face_handles(); }
   auto all_edges() const { return tds_.edges(); }
+  auto finite_edges() const { return tds_.edges(); }
   /// @}
 
   static int ccw(int i) { return Triangulation_data_structure::ccw(i); }
