@@ -319,13 +319,16 @@ auto Kinetic_types<Traits>::Topology::vertex_near(const Point_2& point, double t
     -> Vertex_handle {
   Vertex_handle nearest;
   if constexpr (HasRoundedPlace<Motion>) {
-    const auto place_of = [&](const Point_2& p) {
-      const Vector_2 place = rounded_place(p.motion(), time);
+    const auto wrapped = [&] {
       if constexpr (is_periodic) {
-        return Wrapping(triangulation_.geom_traits().box(), time).place_of_image(place);
+        return [in_box = Wrapping(triangulation_.geom_traits().box(), time)](
+                   const Vector_2& place) { return in_box.place_of_image(place); };
       } else {
-        return place;
+        return [](const Vector_2& place) { return place; };
       }
+    }();
+    const auto place_of = [&](const Point_2& p) {
+      return wrapped(rounded_place(p.motion(), time));
     };
     const Vector_2 place = place_of(point);
     const auto tries = static_cast<std::size_t>(2 * std::cbrt(number_of_vertices_));
