@@ -119,6 +119,24 @@ class PeriodicBoxError(Error, ValueError):
     """The area of a periodic box is not positive, or not at a time; or an image is too many lattice vectors away."""
 
 
+class PeriodicOffsetError(Error):
+    """An edge in a periodic box would get an offset of 2^31 or more: points or the box have moved too far.
+
+    An object that was to advance, or to change its points, is then within an event: it can only be looked at. Make
+    another one, from a snapshot, or with positions that are closer to each other.
+
+    Attributes
+    ----------
+    ids : tuple of two int
+        The ends of the edge; twice the same for an edge from a point to its own image.
+    time : Time
+        The time at which it would be added.
+    """
+
+    ids: tuple[int, int]
+    time: Time
+
+
 class PackingError(Error):
     """A packing does not reach the requested share."""
 

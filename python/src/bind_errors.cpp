@@ -71,6 +71,9 @@ void translate(std::exception_ptr thrown) {
           attribute("time", error.time()));
   } catch (const Outside_box_error& error) {
     raise("OutsideBoxError", error, attribute("id", error.point()));
+  } catch (const Periodic_offset_error& error) {
+    raise("PeriodicOffsetError", error, attribute("ids", std::pair(error.first(), error.second())),
+          attribute("time", error.time()));
   } catch (const Periodic_box_error& error) {
     raise("PeriodicBoxError", error);
   } catch (const Packing_error& error) {

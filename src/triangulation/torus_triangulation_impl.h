@@ -21,11 +21,13 @@ Lattice_offset_2 Torus_triangulation<Traits>::checked_difference(Lattice_offset_
   const std::int64_t x = std::int64_t{a.x} - b.x;
   const std::int64_t y = std::int64_t{a.y} - b.y;
   if (const auto offset = to_offset(x, y)) return *offset;
-  throw Error("the image of point " + std::to_string(of.id()) + " next to point " +
-              std::to_string(against.id()) + " is moved by (" + std::to_string(x) + ", " +
-              std::to_string(y) +
-              ") vectors of the box; expected less than 2^31 of each: give positions that are "
-              "closer together, or stop before the points or the box have moved so far");
+  throw Offset_overflow(
+      of.id(), against.id(),
+      "the image of point " + std::to_string(of.id()) + " next to point " +
+          std::to_string(against.id()) + " is moved by (" + std::to_string(x) + ", " +
+          std::to_string(y) +
+          ") vectors of the box; expected less than 2^31 of each: give positions that are closer "
+          "together, or stop before the points or the box have moved so far");
 }
 
 // Sets the offsets of the corners i, ccw(i), cw(i), which are all against the same image.
@@ -61,7 +63,7 @@ std::optional<Lattice_offset_2> Torus_triangulation<Traits>::offset_beyond(const
   return to_offset(x, y);
 }
 
-// Throws an Error if it is too great.
+// Throws an Offset_overflow if it is too great.
 template <TorusTraits_2 Traits>
 inline Lattice_offset_2 Torus_triangulation<Traits>::offset_across(const Edge& edge) {
   const auto& [face, i] = edge;

@@ -451,6 +451,29 @@ TEST(Periodic_triangulation_2, refuses_positions_beyond_2_to_the_31_boxes) {
   EXPECT_EQ(audit(kinetic), "");
 }
 
+// Each is less than 2^31 boxes away, but not from each other.
+TEST(Periodic_triangulation_2, names_points_whose_edge_has_an_offset_of_2_to_the_31) {
+  const auto motions_with = [](double x) -> std::vector<Linear_motion_2> {
+    return {{{0, 0}, {0, 0}, 0}, {{1.5e9 + 0.5, 0.5}, {0, 0}, 0}, {{x + 0.5, 0.25}, {0, 0}, 0}};
+  };
+  const auto expect_error = [](const auto& call) {
+    try {
+      call();
+      ADD_FAILURE() << "no error";
+    } catch (const Periodic_offset_error& error) {
+      EXPECT_EQ(error.first(), 1u);
+      EXPECT_EQ(error.second(), 2u);
+      EXPECT_EQ(error.time(), Time(3));
+      EXPECT_EQ(std::string(error.what()).substr(0, 32), "the image of point 2 next to poi");
+    }
+  };
+  expect_error([&] { Kinetic(motions_with(-1.5e9), Time(3), Traits(square(1))); });
+  Kinetic kinetic(motions_with(0), Time(3), Traits(square(1)));
+  EXPECT_EQ(audit(kinetic), "");
+  EXPECT_THROW(kinetic.set_motion(2, motions_with(-1.5e9)[2]), Periodic_box_error);
+  EXPECT_THROW(kinetic.step(), Precondition_error) << "within the event";
+}
+
 // The given vectors are nearly parallel then; a start must not flip one edge after the other.
 TEST(Periodic_triangulation_2, starts_at_a_late_time_of_a_sheared_box) {
   const Periodic_box_2 box = {{{1, 0}, {0, 0}, 0}, {{0, 1}, {1, 0}, 0}};
@@ -464,11 +487,20 @@ TEST(Periodic_triangulation_2, starts_at_a_late_time_of_a_sheared_box) {
 TEST(Periodic_triangulation_2, stays_within_an_event_after_an_offset_that_is_too_great) {
   const Periodic_box_2 box = {{{1, 0}, {0, 0}, 0}, {{std::sqrt(0.5), 1}, {0, -1}, 0}};
   Kinetic kinetic = kinetic_of(box, {{{0, 0}, {0, 0}, 0}});
+  Time last;
   const std::string message = test::message_of<Error>([&] {
-    while (kinetic.step() > 0) {
+    try {
+      while (kinetic.step() > 0) last = kinetic.current_time();
+    } catch (const Periodic_offset_error& error) {
+      EXPECT_EQ(error.first(), 0u);
+      EXPECT_EQ(error.second(), 0u);
+      EXPECT_LT(last, error.time());
+      EXPECT_LT(error.time(), Time(1));
+      EXPECT_EQ(error.time(), kinetic.current_time());
+      throw;
     }
   });
-  EXPECT_NE(message.find("expected less than 2^31 of each"), std::string::npos) << message;
+  EXPECT_TRUE(message.starts_with("the image of point 0 next to point 0 is moved by (")) << message;
   EXPECT_PRECONDITION_ERROR(kinetic.step(),
                             "an exception has left the triangulation within an event; make another "
                             "one, or restore a snapshot");

@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <ostream>
-#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -30,11 +29,8 @@
 namespace kinetri::app {
 namespace {
 
-// The error for an offset that is too great, of which only the base class itself tells; other
-// errors are thrown again.
-Run_error offset_error(const Error& error, double time) {
-  if (typeid(error) != typeid(Error)) throw;
-  return Run_error(joined("at t = ", time, " ", error.what()));
+Run_error offset_error(const Periodic_offset_error& error) {
+  return Run_error(joined("at t = ", error.time().to_double(), " ", error.what()));
 }
 
 class Periodic_run {
@@ -163,8 +159,8 @@ std::unique_ptr<Periodic_triangulation> Periodic_run::make_triangulation() const
                              "the periodic box, or --coincident hide"));
   } catch (const Periodic_box_error& error) {  // a point is too far away
     throw Input_error(name, 0, error.what());
-  } catch (const Error& error) {
-    throw offset_error(error, periodic_.from);
+  } catch (const Periodic_offset_error& error) {
+    throw offset_error(error);
   }
 }
 
@@ -193,8 +189,8 @@ void Periodic_run::advance() {
       }
     }
     if (is_at_end) triangulation_->advance_to(until);
-  } catch (const Error& error) {
-    throw offset_error(error, time());
+  } catch (const Periodic_offset_error& error) {
+    throw offset_error(error);
   }
   statistics_.interrupted = !is_at_end;
   statistics_.reached = time();

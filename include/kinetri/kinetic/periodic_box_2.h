@@ -5,6 +5,8 @@
 #define KINETRI_KINETIC_PERIODIC_BOX_2_H
 
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/algebra/polynomial.h"
@@ -18,6 +20,29 @@ namespace kinetri {
 class Periodic_box_error : public Error {
  public:
   using Error::Error;
+};
+
+/// An edge of a triangulation in a periodic box would get an offset of 2^31 or more: points or the
+/// box have moved too far. Kinetic_triangulation_2 says what can be done then.
+class Periodic_offset_error : public Error {
+ public:
+  /// About an edge between images of the points at the time, with the message that what() gives.
+  Periodic_offset_error(Point_id first, Point_id second, Algebraic_number time,
+                        const std::string& message)
+      : Error(message), first_(first), second_(second), time_(std::move(time)) {}
+  /// @{
+  /// The ends of the edge, as given to the constructor: the smaller id first, and twice the same id
+  /// for an edge from a point to its own image.
+  Point_id first() const noexcept { return first_; }
+  Point_id second() const noexcept { return second_; }
+  /// @}
+  /// The time, exactly.
+  const Algebraic_number& time() const noexcept { return time_; }
+
+ private:
+  Point_id first_;
+  Point_id second_;
+  Algebraic_number time_;
 };
 
 /// A parallelogram that is repeated all over the plane, spanned by two *lattice vectors*. Each is a

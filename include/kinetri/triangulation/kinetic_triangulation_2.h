@@ -48,11 +48,13 @@ struct Triangulation_snapshot {
 /// periodic box, on the flat torus: n visible points have 3n edges and 2n faces, from n = 1 on, and
 /// there is no hull. Then read "image of a point" for "point" where positions are compared. Time
 /// ends when the box loses its area: `next_event_time` and `step` know only events before that, and
-/// `advance_to` throws Periodic_box_error from then on. An Error says that an edge would get an
-/// offset of 2^31 or more, as may happen just before the end; then only const functions may be
-/// called. One thread executes the events. With weights the vertex of a hidden point also has the
-/// `offset()` of its image in the triangle that hides it, against corner 0; and before the end
-/// hidden points may cross infinitely many triangles without an event: then `step` needs a time.
+/// `advance_to` throws Periodic_box_error from then on. A Periodic_offset_error says that an edge
+/// would get an offset of 2^31 or more, as may happen just before the end; so does a
+/// Periodic_box_error about a point that is moved or inserted so far away from others. Then only
+/// const functions may be called, unless the change was refused before its event. One thread
+/// executes the events. With weights the vertex of a hidden point also has the `offset()` of its
+/// image in the triangle that hides it, against corner 0; and before the end hidden points may
+/// cross infinitely many triangles without an event: then `step` needs a time.
 ///
 /// The triangulation just after a time is a function of the motions and the time alone. If points
 /// are cocircular for a while, a perturbation of the lifting x^2 + y^2 by e1 x y + e2 x^2 + e3 y^2,

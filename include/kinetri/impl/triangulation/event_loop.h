@@ -74,6 +74,8 @@ class Kinetic_types<Traits>::Event_loop {
     Vertex_handle companion;  // was at the same position: the search starts there
   };
 
+  template <class Function>
+  void within_event(const Function& function);
   std::size_t run_events_of_instant();
   void execute(const Entry& failure);
   bool retry_postponed();

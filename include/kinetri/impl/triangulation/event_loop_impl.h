@@ -27,16 +27,22 @@ std::size_t Kinetic_types<Traits>::Event_loop::run_to(const Time& time,
   return events;
 }
 
-// In a periodic box an offset may be too great.
 template <class Traits>
 std::size_t Kinetic_types<Traits>::Event_loop::run_instant() {
   std::size_t events = 0;
-  if constexpr (is_periodic) {
-    reporter_.within_event([&] { events = run_events_of_instant(); });
-  } else {
-    events = run_events_of_instant();
-  }
+  within_event([&] { events = run_events_of_instant(); });
   return events;
+}
+
+// In a periodic box an offset may be too great.
+template <class Traits>
+template <class Function>
+void Kinetic_types<Traits>::Event_loop::within_event(const Function& function) {
+  if constexpr (is_periodic) {
+    schedule_.with_time_of_errors([&] { reporter_.within_event(function); });
+  } else {
+    function();
+  }
 }
 
 template <class Traits>
@@ -222,13 +228,15 @@ void Kinetic_types<Traits>::Event_loop::reverse() {
     schedule_.set_end(certification_.traits().box().collapse_after(schedule_.current_time()));
   }
   updates_.show_current_time();
-  if (has_flat_triangle()) {
-    rebuild();
-  } else {
-    schedule_.schedule_all();
-    execute_due_events();
-  }
-  reporter_.report_edges();
+  within_event([&] {
+    if (has_flat_triangle()) {
+      rebuild();
+    } else {
+      schedule_.schedule_all();
+      execute_due_events();
+    }
+    reporter_.report_edges();
+  });
 }
 
 // Whether a triangle is flat at the present time, or the points are on a line.

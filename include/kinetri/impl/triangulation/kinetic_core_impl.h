@@ -26,9 +26,11 @@ void Kinetic_types<Traits>::Kinetic_core::start_with(std::span<const Point_2> po
   topology.set_weights_equal(Kinetic_types<Traits>::Topology::have_equal_weights(points));
   std::vector<Edge_ids> coincident;
   const auto build = [&](std::span<const Point_2> some) {
-    return Kinetic_types<Traits>::Static_construction::build(
-        some, schedule.current_time(),
-        certification.traits().instantaneous_traits(topology.clock()), coincident);
+    return schedule.with_time_of_errors([&] {
+      return Kinetic_types<Traits>::Static_construction::build(
+          some, schedule.current_time(),
+          certification.traits().instantaneous_traits(topology.clock()), coincident);
+    });
   };
   Triangulation made = build(points);
   std::vector<Point_2> distinct(coincident.empty() ? points.end() : points.begin(), points.end());

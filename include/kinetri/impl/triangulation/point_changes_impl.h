@@ -39,15 +39,17 @@ void Kinetic_types<Traits>::Point_changes::change_all(Event_kind kind,
 template <class Traits>
 Changed_edges Kinetic_types<Traits>::Point_changes::perform(std::span<const Event> events,
                                                             std::span<const Change> changes) {
-  Vertex_changes planned = plan(changes);
-  if constexpr (is_weighted) note_weights(planned.changes);
   Changed_edges links;
-  reporter_.report(events.front(), [&] {
-    reporter_.start_noting();
-    note_separated(planned);
-    make(planned);
-    if (!schedule_.is_deferred()) loop_.execute_due_events();
-    links = set_twins(planned);
+  schedule_.with_time_of_errors([&] {
+    Vertex_changes planned = plan(changes);
+    if constexpr (is_weighted) note_weights(planned.changes);
+    reporter_.report(events.front(), [&] {
+      reporter_.start_noting();
+      note_separated(planned);
+      make(planned);
+      if (!schedule_.is_deferred()) loop_.execute_due_events();
+      links = set_twins(planned);
+    });
   });
   reporter_.report_happened(events.subspan(1));
   // A link may have the ends of an edge that is added or removed. In a periodic box a simulation of

@@ -18,6 +18,8 @@
 #include "kinetri/impl/events/divided_scheduler.h"
 #include "kinetri/impl/events/event_scheduler.h"
 #include "kinetri/impl/triangulation/certification.h"
+#include "kinetri/impl/triangulation/torus_triangulation.h"
+#include "kinetri/kinetic/periodic_box_2.h"
 #include "kinetri/triangulation/triangulation_counters.h"
 
 namespace kinetri::detail {
@@ -173,6 +175,21 @@ class Kinetic_types<Traits>::Schedule {
   /// The same for a certificate that fails then.
   void set_current_time(const Certificate_points& failed, const Double_interval& bounds) {
     pending_time_.emplace(failed, bounds);
+  }
+
+  /// Calls a function, in which an offset that is too great is an error at the present time.
+  template <class Function>
+  decltype(auto) with_time_of_errors(const Function& function) const {
+    if constexpr (is_periodic) {
+      try {
+        return function();
+      } catch (const Offset_overflow& error) {
+        const auto [first, second] = edge_ids(error.of(), error.against());
+        throw Periodic_offset_error(first, second, current_time().detached(), error.what());
+      }
+    } else {
+      return function();
+    }
   }
 
   // ---- the queue ----

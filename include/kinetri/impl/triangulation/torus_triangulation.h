@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "kinetri/base/error.h"
 #include "kinetri/base/ids.h"
 #include "kinetri/impl/events/basic_event.h"
 #include "kinetri/impl/triangulation/incident.h"
@@ -128,6 +129,23 @@ struct Torus_data_structure<Traits> {
           Traits, CGAL::Regular_triangulation_face_base_2<Traits, Kinetic_face_base_2<Traits>>>>;
 };
 
+/// An edge would get an offset of 2^31 or more.
+class Offset_overflow : public Error {
+ public:
+  /// Of an image of the point `of` against the point `against`, with the message of what().
+  Offset_overflow(Point_id of, Point_id against, const std::string& message)
+      : Error(message), of_(of), against_(against) {}
+  /// @{
+  /// As given to the constructor.
+  Point_id of() const noexcept { return of_; }
+  Point_id against() const noexcept { return against_; }
+  /// @}
+
+ private:
+  Point_id of_;
+  Point_id against_;
+};
+
 /// Vertices, faces, and the links between them.
 ///
 /// With weights, read "regular" for "Delaunay". A point without a power cell is a hidden vertex:
@@ -141,9 +159,9 @@ struct Torus_data_structure<Traits> {
 /// direction. Only differences of offsets have a meaning: each face sees the lattice from its
 /// corner 0.
 ///
-/// An Error says that an edge would get a greater offset; the triangulation then keeps its
-/// invariants, but may not be Delaunay (see also remove_from_faces). If memory is missing, it can
-/// only be destroyed.
+/// An Offset_overflow says that an edge would get a greater offset; the triangulation then keeps
+/// its invariants, but may not be Delaunay (see also remove_from_faces). If memory is missing, it
+/// can only be destroyed.
 template <TorusTraits_2 Traits>
 class Torus_triangulation {
  public:
@@ -340,8 +358,9 @@ class Torus_triangulation {
                         std::size_t most_flips = std::numeric_limits<std::size_t>::max());
 
   /// Removes a vertex from its faces by flips, and makes the triangulation Delaunay. The vertex
-  /// stays, in no face. If no flip leads on, the result is false: then, as after an Error, `v` may
-  /// still be in faces, some of which may be flat, and the triangulation must be constructed anew.
+  /// stays, in no face. If no flip leads on, the result is false: then, as after an
+  /// Offset_overflow, `v` may still be in faces, some of which may be flat, and the triangulation
+  /// must be constructed anew.
   bool remove_from_faces(Vertex_handle v, Journal& journal = Journal().itself());
   /// The same without the last step: appends the edges that may be violated to `edges`, and removes
   /// from these those of faces that have been deleted. If the vertex has degree 3, its present
