@@ -334,6 +334,52 @@ TEST(Periodic_triangulation_2, follows_points_that_are_moved_step_by_step) {
   }
 }
 
+// In steps: the triangulation of the ends, which may be in other boxes, with the events that a
+// start with the velocities of the step has.
+TEST(Periodic_triangulation_2, advances_through_positions) {
+  Random random(5);
+  const Periodic_box_2 box = {{{5, 0}, {0, 0}, 0}, {{0, 4}, {2, 0.5}, 0}};
+  const auto places = [&](int n) {
+    std::vector<Vector_2> result;
+    for (int i = 0; i < n; ++i) {
+      const double x = random(-80, 80) / 8.0;
+      result.push_back({x, random(-80, 80) / 8.0});
+    }
+    return result;
+  };
+  std::vector<Linear_motion_2> motions;
+  for (const Vector_2& place : places(12)) motions.push_back({place, {0, 0}, 0});
+  Kinetic kinetic = kinetic_of(box, motions);
+  std::size_t flips = 0;
+  for (double now = 0; now < 3; now += 0.5) {
+    const std::vector<Vector_2> ends = places(12);
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      const Vector_2 here = motions[i].position;
+      motions[i] = {here, {(ends[i].x - here.x) * 2, (ends[i].y - here.y) * 2}, now};
+    }
+    Kinetic alone(motions, Time(now), Traits(box));
+    const std::size_t expected = alone.advance_to(Time(now + 0.5));
+    EXPECT_EQ(kinetic.advance_through(ends, 0.5), expected);
+    flips += expected;
+    for (std::size_t i = 0; i < motions.size(); ++i) motions[i] = {ends[i], {0, 0}, 0};
+    const Kinetic made(motions, Time(now + 0.5), Traits(box));
+    EXPECT_EQ(kinetic.current_time(), Time(now + 0.5));
+    EXPECT_EQ(kinetic.periodic_edges(), made.periodic_edges());
+    EXPECT_EQ(audit(kinetic), "");
+  }
+  EXPECT_GT(flips, 100u);
+
+  // The box would have no area: nothing happens.
+  Kinetic shrinking =
+      kinetic_of({{{4, 0}, {-1, 0}, 0}, {{0, 4}, {0, 0}, 0}}, {{{1, 1}, {1, 2}, 0}});
+  const std::vector<Vector_2> end = {{3, 3}};
+  EXPECT_THROW(shrinking.advance_through(end, 4), Periodic_box_error);
+  EXPECT_EQ(shrinking.motion(0).velocity, (Vector_2{1, 2}));
+  EXPECT_EQ(shrinking.current_time(), Time(0));
+  shrinking.advance_through(end, 3);
+  EXPECT_EQ(shrinking.motion(0).position, end[0]);
+}
+
 TEST(Periodic_triangulation_2, is_repaired_after_small_steps_and_constructed_after_great_ones) {
   using Types = detail::Kinetic_types<Traits>;
   Random random(1);

@@ -6,9 +6,11 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "kinetri/kinetic/image_motion_2.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 #include "kinetri/triangulation/kinetic_regular_triangulation_2.h"
 #include "support/kinetic_runs.h"
@@ -277,6 +279,95 @@ TEST(Advance_through, executes_the_events_on_the_way_and_ends_at_the_positions) 
     }
   }
   EXPECT_GT(all_events, 1000U);
+}
+
+// Also the motions on the way: from the rounded position, by the rounded quotient.
+TEST(Advance_through, tells_observers_what_happens_on_the_way_and_then_the_ends) {
+  Random random(2);
+  const std::size_t n = 30;
+  std::vector<Linear_motion_2> motions;
+  for (const Vector_2& place : random_places(n, random)) {
+    motions.push_back({place, {random.between(-1, 1), random.between(-1, 1)}, 0.1});
+  }
+  Kinetic_delaunay kinetic(motions, Algebraic_number(0.1));
+  kinetic.advance_to(Algebraic_number(0.3));
+  std::vector<Linear_motion_2> on_the_way;
+  const double end = 0.3 + 0.7;
+  const Places ends = random_places(n, random);
+  for (Point_id id = 0; id < n; ++id) {
+    const Vector_2 here = rounded_position(Image_motion_2{motions[id]}, Algebraic_number(0.3));
+    on_the_way.push_back(
+        {here, {(ends[id].x - here.x) / (end - 0.3), (ends[id].y - here.y) / (end - 0.3)}, 0.3});
+  }
+  struct Recorder : Event_observer {
+    explicit Recorder(Kinetic_delaunay& observed) : kinetic(observed) {
+      kinetic.add_observer(*this);
+    }
+    void after_event(const Event& event) override {
+      events.push_back(event);
+      motion_of_7.push_back(kinetic.motion(7));
+    }
+    Kinetic_delaunay& kinetic;
+    std::vector<Event> events;
+    std::vector<Linear_motion_2> motion_of_7;
+  };
+  Kinetic_delaunay alone(on_the_way, Algebraic_number(0.3));
+  Recorder expected(alone);
+  alone.advance_to(Algebraic_number(end));
+  Recorder recorder(kinetic);
+  EXPECT_EQ(kinetic.advance_through(ends, 0.7), expected.events.size());
+  const auto is_change = [](const Event& event) {
+    return event.kind == Event_kind::trajectory || event.kind == Event_kind::rebuild;
+  };
+  std::vector<Event> flips;
+  std::size_t changes = 0;
+  for (std::size_t i = 0; i < recorder.events.size(); ++i) {
+    const Event& event = recorder.events[i];
+    if (is_change(event)) {
+      if (event.kind == Event_kind::trajectory) ++changes;
+      EXPECT_TRUE(event.time == Algebraic_number(0.3) || event.time == Algebraic_number(end));
+      continue;
+    }
+    EXPECT_EQ(recorder.motion_of_7[i].velocity, on_the_way[7].velocity);
+    flips.push_back(event);
+  }
+  EXPECT_EQ(changes, 2 * n);
+  ASSERT_GT(flips.size(), 20u);
+  ASSERT_EQ(flips.size(), expected.events.size());
+  for (std::size_t i = 0; i < flips.size(); ++i) {
+    EXPECT_EQ(flips[i].time, expected.events[i].time);
+    EXPECT_EQ(flips[i].removed, expected.events[i].removed);
+    EXPECT_EQ(flips[i].added, expected.events[i].added);
+  }
+  EXPECT_EQ(test::difference_from_new(kinetic), "");
+}
+
+TEST(Advance_through, leaves_the_points_on_the_way_if_an_observer_throws) {
+  struct Thrower : Event_observer {
+    void before_event(const Event& event) override {
+      if (event.kind == Event_kind::hull_remove) throw std::runtime_error("stop");
+    }
+  };
+  Kinetic_delaunay kinetic(resting({{0, 0}, {9, 0}, {0, 9}, {5, 5}}));
+  Thrower thrower;
+  kinetic.add_observer(thrower);
+  EXPECT_THROW(kinetic.advance_through(Places{{0, 0}, {9, 0}, {0, 9}, {3, 3}}, 0.5),
+               std::runtime_error);
+  EXPECT_EQ(kinetic.current_time(), Algebraic_number(0.125));
+  EXPECT_EQ(kinetic.motion(3).velocity, (Vector_2{-4, -4}));
+  kinetic.remove_observer(thrower);
+  EXPECT_THROW(kinetic.advance_to(Algebraic_number(1)), Precondition_error);
+}
+
+TEST(Advance_through, ends_on_the_way_if_points_would_stay_at_one_position) {
+  Kinetic_delaunay kinetic(resting({{0, 0}, {8, 0}, {0, 8}, {4, 4}}), {}, {},
+                           Coincident_points::refuse);
+  EXPECT_THROW(kinetic.advance_through(Places{{0, 0}, {8, 0}, {0, 8}, {0, 8}}, 2),
+               Coincident_trajectories_error);
+  EXPECT_EQ(kinetic.current_time(), Algebraic_number(2));
+  EXPECT_EQ(kinetic.motion(3).velocity, (Vector_2{-2, 2}));
+  EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
+  EXPECT_EQ(kinetic.advance_through(Places{{0, 0}, {8, 0}, {0, 8}, {-4, 12}}, 2), 0u);
 }
 
 TEST(Advance_through, a_refused_duration_or_position_changes_nothing) {

@@ -311,10 +311,17 @@ class Kinetic_triangulation_2 {
   /// Moves the points `ids` on straight lines to these positions, which they reach in the time
   /// `duration`, and executes the events on the way; the other points go on. Returns the number of
   /// these events. The line begins at the position at the binary64 number nearest to
-  /// current_time(), rounded, and ends at that nearest to the sum with `duration`. Since velocities
-  /// are rounded, the positions are set in the end (set_positions): a point jumps to its position,
-  /// as far as rounding has missed it. Throws what set_motions throws: of the end, when the points
-  /// have moved. Precondition: as for set_positions; the end is finite, and after current_time().
+  /// current_time(), rounded as by set_velocities, and ends at that nearest to the sum with
+  /// `duration`. Since velocities are rounded, the positions are set in the end (set_positions): a
+  /// point jumps to its position, as far as rounding has missed it. In a periodic box positions are
+  /// as given, in the box or not, and the line to them is the one in the plane.
+  ///
+  /// It is set_motions, advance_to and set_positions, and throws what these throw. A broken
+  /// precondition, coincident points on the way that are refused, and a periodic box without an
+  /// area by the end change nothing. If set_positions is refused, the time is the end, and the
+  /// points still have the motions of the way. Else, as if an observer throws, the state is that of
+  /// advance_to, in which points are on the way. Precondition: as for set_positions; the end is
+  /// finite, and after current_time().
   std::size_t advance_through(std::span<const Point_id> ids, std::span<const Vector_2> positions,
                               double duration) requires
       MotionWithVelocity_2<typename Traits::Motion> &&

@@ -320,11 +320,14 @@ std::size_t Kinetic_triangulation_2<Traits>::advance_through(std::span<const Poi
                        "a duration of " + std::to_string(duration) + " from time " +
                            std::to_string(now) +
                            "; expected one that ends later, at a finite time");
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    traits().box().require_area(current_time(), Time(end));
+  }
   std::vector<Motion> motions;
   motions.reserve(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
     KINETRI_PRECONDITION(contains(ids[i]), detail::unknown_id_problem(ids[i]));
-    const Vector_2 here = rounded_place(motion(ids[i]), now);
+    const Vector_2 here = with_velocity_at(motion(ids[i]), {}, now).position;
     const Vector_2 velocity = {(positions[i].x - here.x) / (end - now),
                                (positions[i].y - here.y) / (end - now)};
     motions.push_back(with_velocity_at(at_rest_in(motion(ids[i]), here), velocity, now));
