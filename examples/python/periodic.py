@@ -36,6 +36,13 @@ def main():
     wrapped = kd.positions(wrapped=True)
     print(len(kd.triangles()), "triangles;", kd.box, "has the area", kd.box.area(kd.time))
     print("point 7, in the box at", wrapped[7].round(3).tolist(), "has the neighbors", *kd.neighbors(7))
+
+    nearest = kd.nearest_neighbors(k=6)
+    print("its six nearest are", *nearest.ids[7], "and up to", nearest.distances[7, 5].round(3), "away")
+    images = kd.positions()[nearest.ids] + nearest.offsets @ kd.box.vectors_at(kd.time)
+    print("the mean of their images is", images[7].mean(axis=0).round(3).tolist())
+    corner = kd.locate([0, 0])
+    print("the corner of the box is in the triangle", *corner.points, "with the offsets", *corner.offsets)
     print("audit passed:", bool(kd.audit()))
 
 

@@ -30,8 +30,17 @@ _Delaunay = TypeVar("_Delaunay", bound="KineticDelaunay")
 _Simulation = TypeVar("_Simulation", bound="Simulation")
 
 
-class VoronoiCell(NamedTuple):
+class _VoronoiCell(NamedTuple):
+    neighbors: Ids
+    vertices: Floats
+    rays: Floats | None
+    is_empty: bool
+
+
+class VoronoiCell(_VoronoiCell):
     """The region of all positions at least as near to a point as to any other.
+
+    It is the tuple of the first four attributes.
 
     Attributes
     ----------
@@ -43,32 +52,46 @@ class VoronoiCell(NamedTuple):
         The directions of the first and last sides of an unbounded cell.
     is_empty : bool
         Whether the cell is empty; only with weights.
+    offsets : array of int32, shape (k, 2), or None
+        In a periodic box, the offset of the image of each neighbor. Cells are bounded there.
     """
 
-    neighbors: Ids
-    vertices: Floats
-    rays: Floats | None
-    is_empty: bool
+    offsets: Offsets | None = None
 
 
-class NearestNeighbors(NamedTuple):
+class _NearestNeighbors(NamedTuple):
+    ids: Ids
+    distances: Floats
+
+
+class NearestNeighbors(_NearestNeighbors):
     """The nearest neighbor of each point, or the k nearest.
+
+    It is the tuple of the first two attributes: ``ids, distances = kd.nearest_neighbors()``.
 
     Attributes
     ----------
     ids : array of uint32, shape (n,) or (n, k)
         By id: the nearest neighbor, exactly; `NO_POINT` if there is none. With k, the k nearest in the exact
-        order of their distances. Ties are broken by the smaller id.
+        order of their distances. Ties are broken by the smaller id, then by the smaller offset.
     distances : array of float64, shape (n,) or (n, k)
         The distance of the rounded positions; NaN if there is no neighbor.
+    offsets : array of int32, shape (n, 2) or (n, k, 2), or None
+        In a periodic box, the offset of the image of each neighbor; (0, 0) if there is none.
     """
 
-    ids: Ids
-    distances: Floats
+    offsets: Offsets | None = None
 
 
-class Location(NamedTuple):
+class _Location(NamedTuple):
+    kind: str
+    points: tuple[int, ...]
+
+
+class Location(_Location):
     """The vertex, edge or face at a position.
+
+    It is the tuple of the first two attributes.
 
     Attributes
     ----------
@@ -76,10 +99,11 @@ class Location(NamedTuple):
         What contains the position, decided exactly.
     points : tuple of int
         The point; or the ends of the edge; or the corners of the triangle, counterclockwise.
+    offsets : tuple of (int, int), or None
+        In a periodic box, the offset of the image of each of these points.
     """
 
-    kind: str
-    points: tuple[int, ...]
+    offsets: tuple[tuple[int, int], ...] | None = None
 
 
 class AuditReport:
@@ -613,11 +637,14 @@ class MovingPoints(RunAnswers):
         PreconditionError
             If there is no such point, one is given twice, a shape is wrong, or the end is not a finite time
             after the present. Nothing is changed then.
+        PeriodicBoxError
+            If a periodic box has no area in the end, or before it. Nothing is changed then.
         CoincidentTrajectoriesError
             If two points would coincide for a while, with ``coincident="refuse"``: on the way, and then nothing
-            is changed; or in the end, when they have moved.
+            is changed; or in the end: the time is the end then, and the points still have the velocities of the way.
         KeyboardInterrupt
-            After Ctrl-C: the points are on the way.
+            After Ctrl-C: time has stopped at an event, and the points are on the way, where `advance_to` goes on. So do
+            errors of `progress` leave it, and those of a `Simulation` on the way as `advance_to` does.
 
         Examples
         --------
@@ -631,10 +658,11 @@ class MovingPoints(RunAnswers):
         chosen, ends = self._ids_and_rows(
             "positions", (positions,) if ids is None else (ids, positions), {})
         now = float(self.time)
-        end = now + duration
-        if not (np.isfinite(end) and end > now):
+        end = now + _arrays.one_number("duration", duration)
+        if not (np.isfinite(end) and end > self.time):
             raise PreconditionError(
                 f"a duration of {duration} from time {now}; expected one that ends later, at a finite time")
+        self._engine.check_can_advance_to(end)
         here = self.positions()[chosen]
         with np.errstate(over="ignore"):  # which is refused
             velocities = (ends - here) / (end - now)
@@ -737,7 +765,8 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         int or None
-            The id, the smallest one of equally near points. None if there are no points.
+            The id, the smallest one of equally near points. None if there are no points. In a periodic box the point
+            with the nearest image: see `KineticDelaunay.nearest_vertex_offset`.
         """
         return self._engine.nearest_vertex(*_arrays.float_array("place", place, (2,)).tolist())
 
@@ -752,8 +781,12 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         Location
+            In a periodic box with offsets.
         """
-        return Location(*self._engine.locate(*_arrays.float_array("place", place, (2,)).tolist()))
+        kind, points, offsets = self._engine.locate(*_arrays.float_array("place", place, (2,)).tolist())
+        location = Location(kind, points)
+        location.offsets = offsets
+        return location
 
     def voronoi_cell(self, id: int) -> VoronoiCell:
         """The Voronoi cell of a point; with weights, its power cell.
@@ -766,9 +799,18 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         VoronoiCell
-            Its sides are decided exactly, and each coordinate is rounded to the nearest float64.
+            Its sides are decided exactly, and each coordinate is rounded to the nearest float64. In a periodic box it
+            is around the position as `positions()` gives it, and has offsets.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no such point.
         """
-        return VoronoiCell(*self._engine.voronoi_cell(_arrays.one_id("id", id)))
+        neighbors, vertices, rays, is_empty, offsets = self._engine.voronoi_cell(_arrays.one_id("id", id))
+        cell = VoronoiCell(neighbors, vertices, rays, is_empty)
+        cell.offsets = offsets
+        return cell
 
     def voronoi_areas(self, clip: ArrayLike | None = None) -> Floats:
         """The area of each point's Voronoi cell within a polygon; with weights, of its power cell.
@@ -854,7 +896,9 @@ class MovingPoints(RunAnswers):
         -------
         NearestNeighbors
             `ids` and `distances`, by id: of shape (n,), with k of shape (n, k). If there are fewer than k other
-            points, rows end with `NO_POINT` and NaN; rows of ids without a point consist of these.
+            points, rows end with `NO_POINT` and NaN; rows of ids without a point consist of these. In a periodic box
+            neighbors are images, with offsets, and there is no end of them: images of other points, and those of the
+            point itself except the one in its own place.
 
         Raises
         ------
@@ -875,13 +919,20 @@ class MovingPoints(RunAnswers):
             k = _arrays.count("k", k)
             if not 1 <= k <= NO_POINT:
                 raise PreconditionError(f"k is {k}; expected a whole number from 1 to {NO_POINT}")
-        ids = self._engine.nearest_neighbors(k)
+        ids, offsets = self._engine.nearest_neighbors(k)
         distances = np.full(ids.shape, np.nan)
         there = ids != NO_POINT
         places = self.positions()
-        difference = places[ids[there]] - places[np.nonzero(there)[0]]
+        if offsets is None:
+            neighbors = places[ids[there]]
+        else:
+            offsets = offsets.reshape(*ids.shape, 2)
+            neighbors = self._engine.positions_of(ids[there], offsets[there])
+        difference = neighbors - places[np.nonzero(there)[0]]
         distances[there] = np.hypot(difference[:, 0], difference[:, 1])
-        return NearestNeighbors(ids, distances)
+        nearest = NearestNeighbors(ids, distances)
+        nearest.offsets = offsets
+        return nearest
 
     def gabriel_edges(self) -> Ids:
         """The edges of the Gabriel graph, exactly, just after the present time.
@@ -932,7 +983,8 @@ class MovingPoints(RunAnswers):
         Returns
         -------
         tuple of two int, or None
-            The smaller id first. None if there are fewer than two points.
+            The smaller id first. None if there are fewer than two points. In a periodic box images of two points, or
+            of one: see `KineticDelaunay.closest_pair_offset`. None if there are no points, there.
         """
         return self._engine.closest_pair()
 
@@ -1114,8 +1166,8 @@ class KineticDelaunay(MovingPoints):
         A periodic box; or what `Box` takes as its first argument: two lengths, two lattice vectors, a box of freud, a
         cell or an Atoms of ASE. Points may be, and go, anywhere: only their positions modulo the lattice matter. There
         is no hull, and n points have 3n edges and 2n triangles, from one point on. What is not possible in a
-        periodic box raises a PreconditionError that says so: acceleration, several threads, hulls, cells,
-        queries for positions, nearest neighbors, questions about runs, pages, checkpoint files.
+        periodic box raises a PreconditionError that says so: acceleration, several threads, hulls, `cell_areas`,
+        proximity graphs, questions about runs, pages, checkpoint files.
 
     Raises
     ------
@@ -1257,6 +1309,63 @@ class KineticDelaunay(MovingPoints):
             If there is no box, or no such point.
         """
         return self._engine.neighbor_offsets(_arrays.one_id("id", id))
+
+    def nearest_vertex_offset(self, place: ArrayLike) -> tuple[int, int] | None:
+        """In a periodic box, which image of the point `nearest_vertex(place)` is nearest to a position.
+
+        Parameters
+        ----------
+        place : array_like of float, shape (2,)
+            Taken exactly. It may be anywhere, less than 2^31 lattice vectors away from the points.
+
+        Returns
+        -------
+        tuple of two int, or None
+            How often each lattice vector is added to the position of the point, as `positions()` gives it. Of equally
+            near images the one of the smallest id, then the smallest offset. None if there are no points.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no box.
+        PeriodicBoxError
+            If the position is too far away.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[0, 0], [3, 1]], [[0, 0], [0, 0]], box=(4, 4))
+        >>> kd.nearest_vertex([8.5, 0]), kd.nearest_vertex_offset([8.5, 0])
+        (0, (2, 0))
+        >>> kd.locate([8.5, 0]).offsets
+        ((2, 0), (2, -1), (2, 0))
+        """
+        return self._engine.nearest_vertex_offset(*_arrays.float_array("place", place, (2,)).tolist())
+
+    def closest_pair_offset(self) -> tuple[int, int] | None:
+        """In a periodic box, which image of the second point of `closest_pair()` is meant.
+
+        Returns
+        -------
+        tuple of two int, or None
+            As in `edge_offsets`. Of equally near pairs that with the smallest ids, then the smallest offset. None if
+            there are no points.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no box.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[0, 0], [3, 1]], [[0, 0], [0, 0]], box=(4, 4))
+        >>> kd.closest_pair(), kd.closest_pair_offset()
+        ((0, 1), (-1, 0))
+        >>> kd.nearest_neighbors(k=3).offsets[0].tolist()
+        [[-1, 0], [-1, -1], [0, 0]]
+        """
+        return self._engine.closest_pair_offset()
 
     # ---- time ----
 

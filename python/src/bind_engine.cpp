@@ -280,13 +280,28 @@ py::dict motion_fields(const Polynomial_disc_motion_2& motion) {
   return result;
 }
 
-py::tuple cell_fields(const Voronoi_cell_2<Vector_2>& cell) {
+/// None in the plane.
+using Offsets = std::optional<py::array_t<std::int32_t>>;
+
+Offsets array_of_offsets(std::optional<std::vector<Lattice_offset_2>> offsets) {
+  if (!offsets) return std::nullopt;
+  return array_of<std::int32_t>(std::move(*offsets), 2);
+}
+
+void check_has_box(const Engine& engine) {
+  if (engine.box()) return;
+  throw Precondition_error(
+      "offsets are of images in a periodic box; expected a KineticDelaunay with a box");
+}
+
+py::tuple cell_fields(Cell answer) {
+  const Voronoi_cell_2<Vector_2>& cell = answer.cell;
   std::optional<py::array_t<double>> rays;
   if (cell.rays) {
     rays = array_of<double>(std::vector<Vector_2>(cell.rays->begin(), cell.rays->end()), 2);
   }
   return py::make_tuple(array_of<Point_id>(cell.neighbors), array_of<double>(cell.vertices, 2),
-                        rays, cell.is_empty);
+                        rays, cell.is_empty, array_of_offsets(std::move(answer.offsets)));
 }
 
 std::string location_name(Location_2::Kind kind) {
@@ -372,10 +387,9 @@ void bind_present(py::class_<Moving, std::shared_ptr<Moving>>& type) {
                            [](auto radii) { return array_of<double>(std::move(radii)); }));
 }
 
-template <class Range>
-std::vector<Lattice_offset_2> offsets(const Range& edges_or_images) {
+std::vector<Lattice_offset_2> offsets(const std::vector<Periodic_edge>& edges) {
   std::vector<Lattice_offset_2> result;
-  for (const auto& one : edges_or_images) result.push_back(one.offset);
+  for (const Periodic_edge& edge : edges) result.push_back(edge.offset);
   return result;
 }
 
@@ -383,13 +397,15 @@ std::vector<Lattice_offset_2> offsets(const Range& edges_or_images) {
 std::vector<Lattice_offset_2> offsets(const std::vector<Periodic_triangle>& triangles) {
   std::vector<Lattice_offset_2> result;
   for (const Periodic_triangle& triangle : triangles) {
-    for (const Image& corner : triangle) result.push_back(corner.offset);
+    for (const Periodic_image& corner : triangle) result.push_back(corner.offset);
   }
   return result;
 }
 
-py::array_t<std::int32_t> array_of_offsets(std::vector<Lattice_offset_2> offsets) {
-  return array_of<std::int32_t>(std::move(offsets), 2);
+template <class Image_or_edge>
+py::object offset_of(const std::optional<Image_or_edge>& answer) {
+  if (!answer) return py::none();
+  return py::make_tuple(answer->offset.x, answer->offset.y);
 }
 
 void bind_box(py::class_<Moving, std::shared_ptr<Moving>>& type) {
@@ -402,9 +418,35 @@ void bind_box(py::class_<Moving, std::shared_ptr<Moving>>& type) {
       .def("neighbor_offsets",
            [](Moving& moving, Point_id id) {
              return array_of_offsets(moving.with_engine([&](Engine& e) {
+               check_has_box(e);
                check_contains(e, {&id, 1});
-               return offsets(e.periodic_neighbors(id));
+               return e.neighbors(id).offsets;
              }));
+           })
+      .def("nearest_vertex_offset",
+           [](Moving& moving, double x, double y) {
+             return offset_of(moving.with_engine([&](Engine& e) {
+               check_has_box(e);
+               return e.nearest_vertex({x, y});
+             }));
+           })
+      .def("closest_pair_offset",
+           [](Moving& moving) {
+             return offset_of(moving.with_engine([](Engine& e) {
+               check_has_box(e);
+               return e.closest_pair();
+             }));
+           })
+      .def("positions_of",
+           [](Moving& moving, const Ids& ids, const Array<std::int32_t>& offsets) {
+             std::vector<Lattice_offset_2> of_images;
+             for (py::ssize_t i = 0; i < offsets.size(); i += 2) {
+               of_images.push_back({offsets.data()[i], offsets.data()[i + 1]});
+             }
+             return array_of<double>(moving.with_engine([&](Engine& e) {
+               return e.positions_of(span_of(ids), of_images);
+             }),
+                                     2);
            })
       .def("wrapped_positions",
            answer([](Engine& e) { return e.wrapped_positions(); },
@@ -416,6 +458,11 @@ void bind_time_and_changes(py::class_<Moving, std::shared_ptr<Moving>>& type) {
            [](Moving& moving, const py::object& until, Event_observer* observer,
               const py::object& progress) {
              return moving.advance(time_of(until), observer, progress);
+           })
+      .def("check_can_advance_to",
+           [](Moving& moving, const py::object& time) {
+             const Algebraic_number until = time_of(time);
+             moving.with_engine([&](Engine& e) { e.check_can_advance_to(until); });
            })
       .def("threads",
            [](Moving& moving) { return moving.with_engine([](Engine& e) { return e.threads(); }); })
@@ -496,21 +543,29 @@ void bind_time_and_changes(py::class_<Moving, std::shared_ptr<Moving>>& type) {
 void bind_answers(py::class_<Moving, std::shared_ptr<Moving>>& type) {
   type.def("nearest_vertex",
            [](Moving& moving, double x, double y) {
-             return moving.with_engine([&](Engine& e) { return e.nearest_vertex({x, y}); });
+             const auto nearest = moving.with_engine([&](Engine& e) {
+               return e.nearest_vertex({x, y});
+             });
+             return nearest ? std::optional(nearest->id) : std::nullopt;
            })
       .def("locate",
            [](Moving& moving, double x, double y) {
-             const Location_2 location = moving.with_engine([&](Engine& e) {
+             const auto [kind, points] = moving.with_engine([&](Engine& e) {
                return e.locate({x, y});
              });
-             return py::make_tuple(location_name(location.kind),
-                                   py::tuple(py::cast(location.points)));
+             py::object offsets = py::none();
+             if (points.offsets) {
+               py::list of_points;
+               for (const auto& [k, l] : *points.offsets) of_points.append(py::make_tuple(k, l));
+               offsets = py::tuple(of_points);
+             }
+             return py::make_tuple(location_name(kind), py::tuple(py::cast(points.ids)), offsets);
            })
       .def("neighbors",
            [](Moving& moving, Point_id id) {
              return array_of<Point_id>(moving.with_engine([&](Engine& e) {
                check_contains(e, {&id, 1});
-               return e.neighbors(id);
+               return e.neighbors(id).ids;
              }));
            })
       .def("voronoi_cell",
@@ -544,15 +599,14 @@ void bind_answers(py::class_<Moving, std::shared_ptr<Moving>>& type) {
            answer([](Engine& e) { return e.relative_neighbor_edges(); }, array_of_edges))
       .def("nearest_neighbors",
            [](Moving& moving, std::optional<std::size_t> k) {
-             return array_of<Point_id>(moving.with_engine([&](Engine& e) {
-               return k ? e.nearest_neighbors(*k) : e.nearest_neighbors();
-             }),
-                                       k.value_or(0));
+             Images images = moving.with_engine([&](Engine& e) { return e.nearest_neighbors(k); });
+             return py::make_tuple(array_of<Point_id>(std::move(images.ids), k.value_or(0)),
+                                   array_of_offsets(std::move(images.offsets)));
            })
       .def("closest_pair",
            [](Moving& moving) {
              const auto pair = moving.with_engine([](Engine& e) { return e.closest_pair(); });
-             return pair ? py::object(py::make_tuple((*pair)[0], (*pair)[1])) : py::none();
+             return pair ? std::optional(std::pair(pair->ids[0], pair->ids[1])) : std::nullopt;
            })
       .def("audit",
            [](Moving& moving, const std::string& level) {

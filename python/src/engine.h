@@ -58,17 +58,27 @@ struct Motion_kind {
   friend bool operator==(const Motion_kind&, const Motion_kind&) = default;
 };
 
-/// An image of a point in a periodic box, and its offset against the point.
-struct Image {
-  Point_id id = no_point;
-  Lattice_offset_2 offset = {};
+/// Points; in a periodic box images of points, with as many offsets as ids.
+struct Images {
+  std::vector<Point_id> ids;
+  std::optional<std::vector<Lattice_offset_2>> offsets = std::nullopt;
+};
 
-  friend auto operator<=>(const Image&, const Image&) = default;
+/// As Location_2 and Periodic_location_2.
+struct Location {
+  Location_2::Kind kind;
+  Images points;
+};
+
+/// As Voronoi_cell_2; in a periodic box with the offsets of its neighbors.
+struct Cell {
+  Voronoi_cell_2<Vector_2> cell;
+  std::optional<std::vector<Lattice_offset_2>> offsets = std::nullopt;
 };
 
 /// The corners of a triangle in a periodic box, counterclockwise; offsets are against the first
 /// one. It is the corner that makes the triangle the least; so it has the least id.
-using Periodic_triangle = std::array<Image, 3>;
+using Periodic_triangle = std::array<Periodic_image, 3>;
 
 /// Counters since the start.
 struct Statistics {
@@ -112,15 +122,18 @@ class Engine {
   virtual std::vector<Periodic_edge> periodic_edges() const = 0;
   /// In the order of triangles().
   virtual std::vector<Periodic_triangle> periodic_triangles() const = 0;
-  /// In the order of neighbors(id). Offsets are against the image of the point `id` itself.
-  virtual std::vector<Image> periodic_neighbors(Point_id id) const = 0;
   /// As positions(), but of the images in the box.
   virtual std::vector<double> wrapped_positions() const = 0;
+  /// The positions of images (x, y, x, y, ...). Precondition: there are these points.
+  virtual std::vector<double> positions_of(std::span<const Point_id> ids,
+                                           std::span<const Lattice_offset_2> offsets) const = 0;
 
   // ---- time ----
   virtual std::optional<Time> next_event_time() = 0;
   virtual std::size_t step(const Time* until) = 0;
   virtual std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on) = 0;
+  /// Throws what advance_to would throw before the first event.
+  virtual void check_can_advance_to(const Time& time) const = 0;
   /// The number of threads of advance_to; 0 by default.
   virtual std::size_t threads() const = 0;
   virtual void set_threads(std::size_t most) = 0;
@@ -152,19 +165,18 @@ class Engine {
   virtual std::unique_ptr<Watch> watch(const Question& question) = 0;
 
   // ---- answers, at the current time ----
-  virtual std::optional<Point_id> nearest_vertex(const Vector_2& place) const = 0;
-  virtual Location_2 locate(const Vector_2& place) const = 0;
-  virtual std::vector<Point_id> neighbors(Point_id id) const = 0;
-  virtual Voronoi_cell_2<Vector_2> voronoi_cell(Point_id id) const = 0;
+  virtual std::optional<Periodic_image> nearest_vertex(const Vector_2& place) const = 0;
+  virtual Location locate(const Vector_2& place) const = 0;
+  virtual Images neighbors(Point_id id) const = 0;
+  virtual Cell voronoi_cell(Point_id id) const = 0;
   /// In a periodic box the polygon is empty: the areas are those of whole cells.
   virtual std::vector<double> voronoi_areas(std::span<const Vector_2> polygon) const = 0;
   virtual std::vector<Cell_area> cell_areas(const Cell_limits& limits) const = 0;
   virtual std::vector<Edge_ids> gabriel_edges() const = 0;
   virtual std::vector<Edge_ids> relative_neighbor_edges() const = 0;
-  virtual std::vector<Point_id> nearest_neighbors() const = 0;
-  /// k ids for each point.
-  virtual std::vector<Point_id> nearest_neighbors(std::size_t k) const = 0;
-  virtual std::optional<Edge_ids> closest_pair() const = 0;
+  /// One for each id or, if k is given, k.
+  virtual Images nearest_neighbors(std::optional<std::size_t> k) const = 0;
+  virtual std::optional<Periodic_edge> closest_pair() const = 0;
   /// By id, NaN if there is no point: positions (x, y, x, y, ...), velocities, radii.
   virtual std::vector<double> positions() const = 0;
   virtual std::vector<double> velocities() const = 0;

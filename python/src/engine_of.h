@@ -120,13 +120,16 @@ class Engine_of final : public Engine {
     refuse_without_box();
   }
   std::vector<Periodic_triangle> periodic_triangles() const override;
-  std::vector<Image> periodic_neighbors(Point_id id) const override;
   std::vector<double> wrapped_positions() const override {
     if constexpr (is_periodic) {
-      return positions_of([this](Point_id id) { return wrapped_motion(id); });
+      return positions_by_id([this](Point_id id) {
+        return wrapped(kinetic().motion(id), kinetic().traits().box(), current_time());
+      });
     }
     refuse_without_box();
   }
+  std::vector<double> positions_of(std::span<const Point_id> ids,
+                                   std::span<const Lattice_offset_2> offsets) const override;
 
   // ---- time ----
 
@@ -136,6 +139,12 @@ class Engine_of final : public Engine {
   }
   std::size_t advance_to(const Time& time, const std::function<bool()>& may_go_on) override {
     return core_->advance_to(time, may_go_on);
+  }
+  void check_can_advance_to(const Time& time) const override {
+    KINETRI_PRECONDITION(time >= current_time(),
+                         "the time to advance to is in the past; take the present one or a later "
+                         "one");
+    if constexpr (is_periodic) kinetic().traits().box().require_area(current_time(), time);
   }
   std::size_t threads() const override { return threads_; }
   void set_threads(std::size_t most) override {
@@ -200,23 +209,17 @@ class Engine_of final : public Engine {
 
   // ---- answers ----
 
-  std::optional<Point_id> nearest_vertex(const Vector_2& place) const override {
-    if constexpr (!is_periodic) return queries().nearest_vertex(place);
-    refuse_in_box("queries for the nearest point");
+  std::optional<Periodic_image> nearest_vertex(const Vector_2& place) const override;
+  Location locate(const Vector_2& place) const override {
+    auto [kind, points] = queries().locate(place);
+    return {kind, images_of(std::move(points))};
   }
-  Location_2 locate(const Vector_2& place) const override {
-    if constexpr (!is_periodic) return queries().locate(place);
-    refuse_in_box("queries for the triangle at a position");
-  }
-  std::vector<Point_id> neighbors(Point_id id) const override;
-  Voronoi_cell_2<Vector_2> voronoi_cell(Point_id id) const override {
-    if constexpr (!is_periodic) return queries().rounded_voronoi_cell(id);
-    refuse_in_box("Voronoi cells");
-  }
+  Images neighbors(Point_id id) const override { return images_of(queries().neighbors(id)); }
+  Cell voronoi_cell(Point_id id) const override;
   std::vector<double> voronoi_areas(std::span<const Vector_2> polygon) const override {
     if constexpr (is_periodic) {
       if (!polygon.empty()) refuse_in_box("areas within a polygon");
-      return Periodic_queries_2(kinetic()).rounded_voronoi_areas();
+      return queries().rounded_voronoi_areas();
     } else {
       return queries().rounded_voronoi_areas(polygon);
     }
@@ -226,28 +229,23 @@ class Engine_of final : public Engine {
     refuse_in_box("areas of cells");
   }
   std::vector<Edge_ids> gabriel_edges() const override {
-    if constexpr (knows_distances) return kinetri::gabriel_edges(kinetic());
-    refuse_distances();
+    if constexpr (has_proximity_graphs) return kinetri::gabriel_edges(kinetic());
+    refuse_graphs();
   }
   std::vector<Edge_ids> relative_neighbor_edges() const override {
-    if constexpr (knows_distances) return kinetri::relative_neighbor_edges(kinetic());
+    if constexpr (has_proximity_graphs) return kinetri::relative_neighbor_edges(kinetic());
+    refuse_graphs();
+  }
+  Images nearest_neighbors(std::optional<std::size_t> k) const override {
+    if constexpr (HasNearestNeighbors<Traits>) {
+      return images_of(k ? queries().nearest_neighbors(*k) : queries().nearest_neighbors());
+    }
     refuse_distances();
   }
-  std::vector<Point_id> nearest_neighbors() const override {
-    if constexpr (knows_distances) return queries().nearest_neighbors();
-    refuse_distances();
-  }
-  std::vector<Point_id> nearest_neighbors(std::size_t k) const override {
-    if constexpr (knows_distances) return queries().nearest_neighbors(k);
-    refuse_distances();
-  }
-  std::optional<Edge_ids> closest_pair() const override {
-    if constexpr (knows_distances) return queries().closest_pair();
-    refuse_distances();
-  }
+  std::optional<Periodic_edge> closest_pair() const override;
   std::vector<double> positions() const override {
     if constexpr (is_periodic) {
-      return positions_of([this](Point_id id) { return Image_motion_2{kinetic().motion(id)}; });
+      return positions_by_id([this](Point_id id) { return Image_motion_2{kinetic().motion(id)}; });
     } else {
       return queries().rounded_positions();
     }
@@ -278,13 +276,18 @@ class Engine_of final : public Engine {
   }
   template <class Triangulation>
   static std::vector<Point_id> hull_of(const Triangulation& triangulation);
-  Kinetic_queries_2<Traits> queries() const { return Kinetic_queries_2<Traits>(kinetic()); }
-  Image_motion_2 wrapped_motion(Point_id id) const {
-    return wrapped(kinetic().motion(id), kinetic().traits().box(), current_time());
+  auto queries() const {
+    if constexpr (is_periodic) {
+      return Periodic_queries_2(kinetic());
+    } else {
+      return Kinetic_queries_2<Traits>(kinetic());
+    }
   }
+  static Images images_of(std::vector<Point_id> points) { return {std::move(points)}; }
+  static Images images_of(const std::vector<Periodic_image>& images);
   /// By id, NaN if there is no point: x and y of the image that `image` gives.
   template <class Image_of_point>
-  std::vector<double> positions_of(const Image_of_point& image) const;
+  std::vector<double> positions_by_id(const Image_of_point& image) const;
   static void check_motions(const Motion_columns& motions) {
     if (is_periodic && (motions.accelerations != nullptr || motions.jerks != nullptr)) {
       refuse_in_box("acceleration and jerk");
@@ -302,9 +305,12 @@ class Engine_of final : public Engine {
   [[noreturn]] static void refuse_schedule() {
     refuse("a triangulation has no scheduled changes; expected a Simulation");
   }
-  static constexpr bool knows_distances = HasNearestNeighbors<Traits> && !is_periodic;
+  static constexpr bool has_proximity_graphs = HasNearestNeighbors<Traits> && !is_periodic;
+  [[noreturn]] static void refuse_graphs() {
+    if (is_periodic) refuse_in_box("proximity graphs");
+    refuse_distances();
+  }
   [[noreturn]] static void refuse_distances() {
-    if (is_periodic) refuse_in_box("nearest neighbors and their graphs");
     refuse(
         "the edges of a regular triangulation do not know which points are nearest to each "
         "other; expected points without radii of their own");
@@ -393,7 +399,7 @@ std::vector<Periodic_triangle> Engine_of<Core, Traits>::periodic_triangles() con
     result.reserve(2 * kinetic().number_of_points());
     for (const auto& face : triangulation.finite_face_handles()) {
       const auto corners_from = [&](int first) {
-        const auto corner = [&](int i) -> Image {
+        const auto corner = [&](int i) -> Periodic_image {
           return {face->vertex(i)->point().id(), triangulation.offset(face, first, i)};
         };
         return Periodic_triangle{corner(first), corner((first + 1) % 3), corner((first + 2) % 3)};
@@ -407,36 +413,8 @@ std::vector<Periodic_triangle> Engine_of<Core, Traits>::periodic_triangles() con
 }
 
 template <template <class> class Core, class Traits>
-std::vector<Image> Engine_of<Core, Traits>::periodic_neighbors(Point_id id) const {
-  std::vector<Image> result;
-  if constexpr (is_periodic) {
-    // The image of a point that is at the position of the point `id`.
-    const auto coincident = [&](Point_id other) -> Image {
-      const Lattice_offset_2 here = wrapped_motion(id).offset;
-      const Lattice_offset_2 there = wrapped_motion(other).offset;
-      const auto offset =
-          detail::to_offset(std::int64_t{there.x} - here.x, std::int64_t{there.y} - here.y);
-      if (offset) return {other, *offset};
-      throw Periodic_box_error("points " + std::to_string(id) + " and " + std::to_string(other) +
-                               " are 2^31 or more lattice vectors apart; give the position of an "
-                               "image that is closer");
-    };
-    if (kinetic().is_hidden(id)) return {coincident(kinetic().vertex(id)->point().id())};
-    const auto& triangulation = kinetic().triangulation();
-    detail::for_each_face_at(triangulation, kinetic().vertex(id), [&](const auto& face, int i) {
-      const int next = triangulation.ccw(i);
-      result.push_back({face->vertex(next)->point().id(), triangulation.offset(face, i, next)});
-    });
-    std::ranges::rotate(result, std::ranges::min_element(result));
-    for (const Point_id other : coincident_points(id)) result.push_back(coincident(other));
-    return result;
-  }
-  refuse_without_box();
-}
-
-template <template <class> class Core, class Traits>
 template <class Image_of_point>
-std::vector<double> Engine_of<Core, Traits>::positions_of(const Image_of_point& image) const {
+std::vector<double> Engine_of<Core, Traits>::positions_by_id(const Image_of_point& image) const {
   std::vector<double> result(2 * static_cast<std::size_t>(next_id()),
                              std::numeric_limits<double>::quiet_NaN());
   for (Point_id id = 0; id < next_id(); ++id) {
@@ -446,6 +424,22 @@ std::vector<double> Engine_of<Core, Traits>::positions_of(const Image_of_point& 
     result[2 * std::size_t{id} + 1] = position.y;
   }
   return result;
+}
+
+template <template <class> class Core, class Traits>
+std::vector<double> Engine_of<Core, Traits>::positions_of(
+    std::span<const Point_id> ids, std::span<const Lattice_offset_2> offsets) const {
+  std::vector<double> result;
+  if constexpr (is_periodic) {
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const Image_motion_2 image = {kinetic().motion(ids[i]), offsets[i],
+                                    &kinetic().traits().box()};
+      const Vector_2 position = rounded_position(image, current_time());
+      result.insert(result.end(), {position.x, position.y});
+    }
+    return result;
+  }
+  refuse_without_box();
 }
 
 // ---- time ----
@@ -539,14 +533,52 @@ void Engine_of<Core, Traits>::set_masses(std::span<const Point_id> ids,
 // ---- answers ----
 
 template <template <class> class Core, class Traits>
-std::vector<Point_id> Engine_of<Core, Traits>::neighbors(Point_id id) const {
-  if constexpr (is_periodic) {
-    std::vector<Point_id> result;
-    for (const Image& image : periodic_neighbors(id)) result.push_back(image.id);
-    return result;
-  } else {
-    return queries().neighbors(id);
+Images Engine_of<Core, Traits>::images_of(const std::vector<Periodic_image>& images) {
+  Images result;
+  auto& offsets = result.offsets.emplace();
+  result.ids.reserve(images.size());
+  offsets.reserve(images.size());
+  for (const auto& [id, offset] : images) {
+    result.ids.push_back(id);
+    offsets.push_back(offset);
   }
+  return result;
+}
+
+template <template <class> class Core, class Traits>
+std::optional<Periodic_image> Engine_of<Core, Traits>::nearest_vertex(const Vector_2& place) const {
+  const auto nearest = queries().nearest_vertex(place);
+  if constexpr (is_periodic) {
+    return nearest;
+  } else {
+    if (!nearest) return std::nullopt;
+    return Periodic_image{*nearest, {}};
+  }
+}
+
+template <template <class> class Core, class Traits>
+Cell Engine_of<Core, Traits>::voronoi_cell(Point_id id) const {
+  auto cell = queries().rounded_voronoi_cell(id);
+  if constexpr (is_periodic) {
+    auto [ids, offsets] = images_of(cell.neighbors);
+    return {{std::move(ids), std::move(cell.vertices)}, std::move(offsets)};
+  } else {
+    return {std::move(cell)};
+  }
+}
+
+template <template <class> class Core, class Traits>
+std::optional<Periodic_edge> Engine_of<Core, Traits>::closest_pair() const {
+  if constexpr (HasNearestNeighbors<Traits>) {
+    const auto pair = queries().closest_pair();
+    if constexpr (is_periodic) {
+      return pair;
+    } else {
+      if (!pair) return std::nullopt;
+      return Periodic_edge{*pair, {}};
+    }
+  }
+  refuse_distances();
 }
 
 template <template <class> class Core, class Traits>
