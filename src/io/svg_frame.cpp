@@ -86,17 +86,21 @@ struct Pixel {
   bool is_finite() const { return std::isfinite(x) && std::isfinite(y); }
 };
 
+struct Line {
+  Pixel from;
+  Pixel to;
+};
+
 class Picture {
  public:
   Picture(const Frame_2& frame, const Svg_view& view) : frame_(frame), view_(view), canvas_(view) {
-    for (const Vector_2& place : frame.places) {
-      places_.push_back({pixels(canvas_.x(place.x)), pixels(canvas_.y(place.y))});
-    }
+    for (const Vector_2& place : frame.places) places_.push_back(pixel(place));
   }
 
   void write(std::ostream& out) {
     begin();
     if (view_.box) add_box(*view_.box);
+    if (frame_.periodic) add_corners(frame_.periodic->corners);
     const auto disc = [&](std::size_t i) { return canvas_.length((*frame_.discs)[i].radius); };
     if (frame_.discs) {
       add_circles("discs", "fill=\"#56b4e9\" fill-opacity=\"0.35\" stroke=\"#0072b2\"", false,
@@ -104,12 +108,16 @@ class Picture {
       add_circles("hidden-discs", "fill=\"none\" stroke=\"#808080\" stroke-dasharray=\"4 3\"", true,
                   disc);
     }
-    std::vector<std::array<std::size_t, 2>> inner;
-    std::ranges::set_difference(frame_.edges, frame_.hull, std::back_inserter(inner));
     const double spacing = canvas_.spacing(view_.points);
     const double line = std::clamp(0.03 * spacing, 0.25, 1.2);
-    add_lines("edges", "#6f8fa8", line, inner);
-    add_lines("hull", "#0072b2", std::max(2 * line, 0.8), frame_.hull);
+    if (frame_.periodic) {
+      add_periodic_edges(*frame_.periodic, line, std::clamp(0.08 * spacing, 0.5, 3.4));
+    } else {
+      std::vector<std::array<std::size_t, 2>> inner;
+      std::ranges::set_difference(frame_.edges, frame_.hull, std::back_inserter(inner));
+      add_lines("edges", "#6f8fa8", line, lines_of(inner));
+      add_lines("hull", "#0072b2", std::max(2 * line, 0.8), lines_of(frame_.hull));
+    }
     const auto dot = [&](std::size_t) { return std::clamp(0.08 * spacing, 0.5, 3.4); };
     // Below the others, with which they may coincide.
     add_circles("hidden-points", "fill=\"#fdfdfb\" stroke=\"#808080\"", true, dot);
@@ -142,13 +150,57 @@ class Picture {
         "\" fill=\"none\" stroke=\"#404040\" stroke-width=\"1.5\"/>\n");
   }
 
+  // The outline of a periodic box.
+  void add_corners(const std::array<Vector_2, 4>& corners) {
+    add("<path class=\"box\" d=\"");
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Pixel corner = pixel(corners[i]);
+      if (!corner.is_finite()) break;
+      add(i == 0 ? 'M' : 'L', corner.x, ' ', corner.y);
+    }
+    add("Z\" fill=\"none\" stroke=\"#404040\" stroke-width=\"1.5\"/>\n");
+  }
+
+  // An edge that leaves the box is drawn at both ends, up to the image of the other one.
+  void add_periodic_edges(const Frame_2::Periodic& periodic, double width, double radius) {
+    std::vector<Line> within;
+    std::vector<Line> leaving;
+    for (std::size_t i = 0; i < frame_.edges.size(); ++i) {
+      const auto [a, b] = frame_.edges[i];
+      const Vector_2& shift = periodic.edge_shifts[i];
+      const Vector_2& from = frame_.places[a];
+      const Vector_2& to = frame_.places[b];
+      if (shift == Vector_2()) {
+        within.push_back({places_[a], places_[b]});
+      } else {
+        leaving.push_back({places_[a], pixel({to.x + shift.x, to.y + shift.y})});
+        leaving.push_back({places_[b], pixel({from.x - shift.x, from.y - shift.y})});
+      }
+    }
+    add_lines("edges", "#6f8fa8", width, within);
+    add_lines("leaving-edges", "#a9bccb", width, leaving);
+    begin_group("images", "fill=\"#e9b48c\"");
+    for (const auto& [from, to] : leaving) {
+      if (to.is_finite()) add_circle(to, radius);
+    }
+    add("</g>\n");
+  }
+
+  Pixel pixel(const Vector_2& place) const {
+    return {pixels(canvas_.x(place.x)), pixels(canvas_.y(place.y))};
+  }
+
+  std::vector<Line> lines_of(const std::vector<std::array<std::size_t, 2>>& edges) const {
+    std::vector<Line> result;
+    for (const auto& [a, b] : edges) result.push_back({places_[a], places_[b]});
+    return result;
+  }
+
   void add_lines(std::string_view name, std::string_view color, double width,
-                 const std::vector<std::array<std::size_t, 2>>& edges) {
+                 const std::vector<Line>& lines) {
     add("<path class=\"", name, "\" fill=\"none\" stroke=\"", color, "\" stroke-width=\"",
         pixels(width), "\" stroke-linecap=\"round\" d=\"");
-    for (const auto& [a, b] : edges) {
-      const Pixel& from = places_[a];
-      const Pixel& to = places_[b];
+    for (const auto& [from, to] : lines) {
       if (!from.is_finite() || !to.is_finite()) continue;
       add('M', from.x, ' ', from.y, 'L', to.x, ' ', to.y);
     }
@@ -167,11 +219,15 @@ class Picture {
       const Pixel& place = places_[i];
       if (is_hidden(i) != are_hidden || !place.is_finite()) continue;
       if (number++ == 0) begin_group(name, style);
-      add("<circle cx=\"", place.x, "\" cy=\"", place.y, "\" r=\"", pixels(radius(i)), "\"/>\n");
+      add_circle(place, radius(i));
     }
     if (number == 0 && are_hidden) return;
     if (number == 0) begin_group(name, style);
     add("</g>\n");
+  }
+
+  void add_circle(const Pixel& center, double radius) {
+    add("<circle cx=\"", center.x, "\" cy=\"", center.y, "\" r=\"", pixels(radius), "\"/>\n");
   }
 
   void begin_group(std::string_view name, std::string_view style) {

@@ -40,11 +40,12 @@ void write_array(std::ostream& out, std::string_view name, std::string_view attr
       << attributes << " format=\"binary\">" << data.base64() << "</DataArray>\n";
 }
 
-void write_vectors(std::ostream& out, std::string_view name, const std::vector<Vector_2>& vectors) {
+void write_vectors(std::ostream& out, std::string_view name, std::span<const Vector_2> vectors,
+                   const std::string& attributes = {}) {
   std::vector<double> numbers;
   numbers.reserve(3 * vectors.size());
   for (const Vector_2& v : vectors) numbers.insert(numbers.end(), {v.x, v.y, 0.0});
-  write_array<double>(out, name, " NumberOfComponents=\"3\"", numbers);
+  write_array<double>(out, name, joined(" NumberOfComponents=\"3\"", attributes), numbers);
 }
 
 void write_discs(std::ostream& out, const std::vector<Frame_2::Disc>& discs) {
@@ -64,6 +65,33 @@ void write_field(std::ostream& out, const std::string& field, Number value) {
   write_array<Number>(out, field, " NumberOfTuples=\"1\"", std::array<Number, 1>{value});
 }
 
+// The frame in the plane that has the images of a periodic box as points.
+struct Unwrapped {
+  Frame_2 frame;
+  std::vector<std::uint8_t> are_images;
+};
+
+Unwrapped unwrapped(const Frame_2& frame) {
+  Unwrapped result = {frame, std::vector<std::uint8_t>(frame.ids.size(), 0)};
+  Frame_2& all = result.frame;
+  const auto image = [&](std::size_t point, const Vector_2& shift) {
+    if (shift == Vector_2()) return point;
+    const Vector_2& place = frame.places[point];
+    all.ids.push_back(frame.ids[point]);
+    all.places.push_back({place.x + shift.x, place.y + shift.y});
+    all.velocities.push_back(frame.velocities[point]);
+    result.are_images.push_back(1);
+    return all.ids.size() - 1;
+  };
+  for (std::size_t i = 0; i < frame.triangles.size(); ++i) {
+    for (const std::size_t k : {1, 2}) {
+      std::size_t& corner = all.triangles[i][k];
+      corner = image(corner, frame.periodic->triangle_shifts[i][k - 1]);
+    }
+  }
+  return result;
+}
+
 void write_fields(std::ostream& out, const Frame_2& frame) {
   out << "      <FieldData>\n";
   write_field(out, "TimeValue", frame.time);
@@ -71,6 +99,9 @@ void write_fields(std::ostream& out, const Frame_2& frame) {
               std::accumulate(frame.events.begin(), frame.events.end(), std::uint64_t{0}));
   for (std::size_t kind = 0; kind < event_kinds; ++kind) {
     write_field(out, joined("events_", name(static_cast<Event_kind>(kind))), frame.events[kind]);
+  }
+  if (frame.periodic) {
+    write_vectors(out, "box", frame.periodic->corners, " NumberOfTuples=\"4\"");
   }
   out << "      </FieldData>\n";
 }
@@ -90,9 +121,8 @@ void write_cells(std::ostream& out, const Frame_2& frame) {
   out << "      </Cells>\n";
 }
 
-}  // namespace
-
-void write_vtu(std::ostream& out, const Frame_2& frame) {
+void write_file(std::ostream& out, const Frame_2& frame,
+                const std::vector<std::uint8_t>* are_images) {
   out << "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\">\n"
@@ -104,11 +134,20 @@ void write_vtu(std::ostream& out, const Frame_2& frame) {
   write_array<std::uint32_t>(out, "id", "", frame.ids);
   write_vectors(out, "velocity", frame.velocities);
   if (frame.discs) write_discs(out, *frame.discs);
+  if (are_images != nullptr) write_array<std::uint8_t>(out, "image", "", *are_images);
   out << "      </PointData>\n      <CellData/>\n      <Points>\n";
   write_vectors(out, "Points", frame.places);
   out << "      </Points>\n";
   write_cells(out, frame);
   out << "    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
+}
+
+}  // namespace
+
+void write_vtu(std::ostream& out, const Frame_2& frame) {
+  if (!frame.periodic) return write_file(out, frame, nullptr);
+  const Unwrapped all = unwrapped(frame);
+  write_file(out, all.frame, &all.are_images);
 }
 
 void write_pvd(std::ostream& out, std::span<const Vtu_frame> frames) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "kinetri/impl/kinetic/drawn_box_2.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri {
@@ -43,6 +44,41 @@ void add_faces(Frame_2& frame, const Triangulation& triangulation) {
   std::ranges::sort(frame.triangles);
 }
 
+// Moves the places into the box, and adds the edges and triangles.
+void add_periodic(Frame_2& frame,
+                  const Kinetic_triangulation_2<Periodic_kinetic_traits_2>& kinetic) {
+  const Drawn_box_2 box(kinetic.traits().box(), frame.time);
+  Frame_2::Periodic& periodic = frame.periodic.emplace();
+  periodic.corners = box.corners();
+  std::vector<Drawn_box_2::Image> images;
+  for (Vector_2& place : frame.places) {
+    images.push_back(box.image(place));
+    place = images.back().place;
+  }
+  const Positions positions(frame.ids);
+  for (const auto& [ids, offset] : kinetic.periodic_edges()) {
+    frame.edges.push_back(positions.of(ids));
+    const auto [a, b] = frame.edges.back();
+    periodic.edge_shifts.push_back(box.shift(offset, images[a], images[b]));
+  }
+  std::vector<Periodic_triangle> triangles;
+  for (const auto face : kinetic.triangulation().finite_face_handles()) {
+    const auto image = [face](int i) {
+      return Periodic_image{face->vertex(i)->point().id(), face->offset(i)};
+    };
+    triangles.push_back(periodic_triangle(image(0), image(1), image(2)));
+  }
+  std::ranges::sort(triangles);
+  for (const auto& [ids, offsets] : triangles) {
+    const std::array corners = {positions.of(ids[0]), positions.of(ids[1]), positions.of(ids[2])};
+    const auto shift = [&](std::size_t k) {
+      return box.shift(offsets[k - 1], images[corners[0]], images[corners[k]]);
+    };
+    frame.triangles.push_back(corners);
+    periodic.triangle_shifts.push_back({shift(1), shift(2)});
+  }
+}
+
 }  // namespace
 
 template <KineticTraits_2 Traits>
@@ -50,7 +86,6 @@ Frame_2 frame_of(const Kinetic_triangulation_2<Traits>& kinetic) {
   Frame_2 frame;
   frame.time = kinetic.current_time().to_double();
   frame.events = kinetic.counters().events;
-  const auto& triangulation = kinetic.triangulation();
   if constexpr (HasWeight<typename Traits::Motion>) frame.discs.emplace();
   for (Point_id id = 0; id < kinetic.next_id(); ++id) {
     if (!kinetic.contains(id)) continue;
@@ -63,14 +98,19 @@ Frame_2 frame_of(const Kinetic_triangulation_2<Traits>& kinetic) {
       frame.discs->push_back({radius, kinetic.is_hidden(id)});
     }
   }
-  const Positions positions(frame.ids);
-  for (const Edge_ids& edge : kinetic.finite_edge_ids()) {
-    frame.edges.push_back(positions.of(edge));
-  }
-  if (triangulation.dimension() == 2) {
-    add_faces(frame, triangulation);
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    add_periodic(frame, kinetic);
   } else {
-    frame.hull = frame.edges;
+    const auto& triangulation = kinetic.triangulation();
+    const Positions positions(frame.ids);
+    for (const Edge_ids& edge : kinetic.finite_edge_ids()) {
+      frame.edges.push_back(positions.of(edge));
+    }
+    if (triangulation.dimension() == 2) {
+      add_faces(frame, triangulation);
+    } else {
+      frame.hull = frame.edges;
+    }
   }
   return frame;
 }
@@ -79,5 +119,6 @@ template Frame_2 frame_of(const Kinetic_triangulation_2<Linear_kinetic_traits_2>
 template Frame_2 frame_of(const Kinetic_triangulation_2<Polynomial_kinetic_traits_2>&);
 template Frame_2 frame_of(const Kinetic_triangulation_2<Disc_kinetic_traits_2>&);
 template Frame_2 frame_of(const Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>&);
+template Frame_2 frame_of(const Kinetic_triangulation_2<Periodic_kinetic_traits_2>&);
 
 }  // namespace kinetri

@@ -154,5 +154,31 @@ TEST(Svg_frame, has_finer_lines_where_there_are_more_points) {
   EXPECT_GT(width(1'000'000), 0);
 }
 
+TEST(Svg_frame, draws_edges_that_leave_a_periodic_box_at_both_ends) {
+  Frame_2 frame;
+  frame.ids = {0, 1};
+  frame.places = {{1, 5}, {9, 5}};
+  frame.velocities.resize(2);
+  frame.edges = {{0, 1}, {0, 1}};
+  frame.periodic = {{Vector_2{0, 0}, {10, 0}, {12, 10}, {2, 10}}, {{0, 0}, {-10, 0}}, {}};
+  // 14 units of width are 672 pixels, as are 14 of height: 48 pixels each.
+  const std::string svg = picture(frame, {.extent = {-1, -2, 13, 12}, .points = 2});
+  const auto drawn = [](double x, double y) {
+    std::ostringstream out;
+    out << 24 + 48 * (x + 1) << ' ' << 24 + 48 * (12 - y);
+    return out.str();
+  };
+  EXPECT_EQ(lines(svg, "edges"), "M" + drawn(1, 5) + "L" + drawn(9, 5));
+  EXPECT_EQ(lines(svg, "leaving-edges"),
+            "M" + drawn(1, 5) + "L" + drawn(-1, 5) + "M" + drawn(9, 5) + "L" + drawn(11, 5));
+  EXPECT_EQ(count(between(svg, "<g class=\"images\"", "</g>"), "<circle "), 2U);
+  EXPECT_EQ(count(between(svg, "<g class=\"points\"", "</g>"), "<circle "), 2U);
+  EXPECT_NE(svg.find("<path class=\"box\" d=\"M" + drawn(0, 0) + "L" + drawn(10, 0) + "L" +
+                     drawn(12, 10) + "L" + drawn(2, 10) + "Z\""),
+            std::string::npos)
+      << svg;
+  EXPECT_EQ(count(svg, "class=\"hull\""), 0U);
+}
+
 }  // namespace
 }  // namespace kinetri::svg_frame_test

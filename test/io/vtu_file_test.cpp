@@ -125,5 +125,25 @@ TEST(Pvd_file, names_each_file_with_its_time) {
             std::string::npos);
 }
 
+TEST(Vtu_file, has_the_images_of_a_periodic_box_as_points) {
+  Frame_2 frame;
+  frame.ids = {4, 7};
+  frame.places = {{1, 5}, {9, 5}};
+  frame.velocities = {{1, 2}, {3, 4}};
+  frame.triangles = {{0, 1, 1}, {0, 0, 1}};
+  frame.periodic = {{Vector_2{0, 0}, {10, 0}, {12, 10}, {2, 10}},
+                    {},
+                    {{Vector_2{-10, 0}, {0, 0}}, {Vector_2{2, 10}, {0, 0}}}};
+  const std::string text = vtu(frame);
+  EXPECT_NE(text.find("NumberOfPoints=\"4\" NumberOfCells=\"2\""), std::string::npos);
+  EXPECT_EQ(array(text, "id", 4), (std::vector<std::uint64_t>{4, 7, 7, 4}));
+  EXPECT_EQ(array(text, "image", 1), (std::vector<std::uint64_t>{0, 0, 1, 1}));
+  EXPECT_EQ(array(text, "Points", 8), bits({1, 5, 0, 9, 5, 0, -1, 5, 0, 3, 15, 0}));
+  EXPECT_EQ(array(text, "velocity", 8), bits({1, 2, 0, 3, 4, 0, 3, 4, 0, 1, 2, 0}));
+  EXPECT_EQ(array(text, "connectivity", 8), (std::vector<std::uint64_t>{0, 2, 1, 0, 3, 1}));
+  EXPECT_EQ(array(text, "box", 8), bits({0, 0, 0, 10, 0, 0, 12, 10, 0, 2, 10, 0}));
+  EXPECT_EQ(vtu(two_triangles()).find("image"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace kinetri::vtu_file_test

@@ -174,5 +174,64 @@ TEST(Frame, of_an_irrational_time_is_rounded) {
   EXPECT_EQ(frame_of(kinetic).places[3].x, frame_of(kinetic).time);
 }
 
+// All numbers are multiples of 1/8, with which binary64 is exact.
+TEST(Frame, of_a_periodic_box_has_images_within_it) {
+  const Periodic_box_2 box({{8, 0}, {0, 0}}, {{1, 8}, {2, 0}});
+  for (const std::size_t points : {1, 2, 5, 40}) {
+    std::vector<Linear_motion_2> motions;
+    for (std::size_t i = 0; i < points; ++i) {
+      const auto k = static_cast<double>(i);
+      motions.push_back({{std::fmod(37 * k, 161) / 8 - 4, std::fmod(53 * k, 167) / 8 - 3},
+                         {std::fmod(3 * k, 7) / 8, std::fmod(5 * k, 11) / 8 - 0.5}});
+    }
+    Kinetic_triangulation_2<Periodic_kinetic_traits_2> kinetic(motions, 0,
+                                                               Periodic_kinetic_traits_2(box));
+    for (const double time : {0.0, 1.0, 7.0}) {
+      kinetic.advance_to(time);
+      const Frame_2 frame = frame_of(kinetic);
+      ASSERT_TRUE(frame.periodic);
+      EXPECT_TRUE(frame.hull.empty());
+      const auto& [corners, edge_shifts, triangle_shifts] = *frame.periodic;
+      const Vector_2 second = rounded_place(box.second(), time);
+      const auto edges = kinetic.periodic_edges();
+      ASSERT_EQ(frame.edges.size(), 3 * points);
+      ASSERT_EQ(edge_shifts.size(), edges.size());
+      for (const Vector_2& place : frame.places) {
+        EXPECT_TRUE(place.y >= 0 && place.y < 8);
+        const double along = place.x - place.y / 8 * corners[3].x;
+        EXPECT_TRUE(along >= 0 && along < 8);
+      }
+      for (std::size_t i = 0; i < edges.size(); ++i) {
+        const auto& [ids, offset] = edges[i];
+        EXPECT_EQ(frame.edges[i], (Edge{ids[0], ids[1]}));
+        const Vector_2 a = rounded_place(motions[ids[0]], time);
+        const Vector_2 b = rounded_place(motions[ids[1]], time);
+        EXPECT_EQ(frame.places[ids[1]].x + edge_shifts[i].x - frame.places[ids[0]].x,
+                  b.x + offset.x * 8 + offset.y * second.x - a.x);
+        EXPECT_EQ(frame.places[ids[1]].y + edge_shifts[i].y - frame.places[ids[0]].y,
+                  b.y + offset.y * 8.0 - a.y);
+      }
+      // The triangles cover the box once.
+      ASSERT_EQ(frame.triangles.size(), 2 * points);
+      ASSERT_EQ(triangle_shifts.size(), 2 * points);
+      double twice = 0;
+      for (std::size_t i = 0; i < frame.triangles.size(); ++i) {
+        const auto& [a, b, c] = frame.triangles[i];
+        EXPECT_TRUE(a <= b && a <= c);
+        const auto [to_b, to_c] = triangle_shifts[i];
+        const Vector_2& p = frame.places[a];
+        const Vector_2 u = {frame.places[b].x + to_b.x - p.x, frame.places[b].y + to_b.y - p.y};
+        const Vector_2 v = {frame.places[c].x + to_c.x - p.x, frame.places[c].y + to_c.y - p.y};
+        EXPECT_GT(u.x * v.y - u.y * v.x, 0);
+        twice += u.x * v.y - u.y * v.x;
+      }
+      EXPECT_EQ(twice, 2 * 64.0);
+      EXPECT_EQ(frame_of(Kinetic_triangulation_2<Periodic_kinetic_traits_2>::restore(
+                    kinetic.snapshot(), kinetic.traits())),
+                frame);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kinetri::frame_2_test

@@ -4,6 +4,8 @@
 #ifndef KINETRI_BASE_IDS_H
 #define KINETRI_BASE_IDS_H
 
+#include <algorithm>
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <limits>
@@ -28,6 +30,15 @@ struct Lattice_offset_2 {
   friend auto operator<=>(const Lattice_offset_2&, const Lattice_offset_2&) = default;
 };
 
+/// What is to be added to `from` to get `to`, modulo 2^32 and so without overflow.
+constexpr Lattice_offset_2 offset_between(const Lattice_offset_2& from,
+                                          const Lattice_offset_2& to) {
+  const auto difference = [](std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(b) - static_cast<std::uint32_t>(a));
+  };
+  return {difference(from.x, to.x), difference(from.y, to.y)};
+}
+
 /// An image of a point in a periodic box: its position is that of the point plus `offset.x` times
 /// the first and `offset.y` times the second lattice vector.
 struct Periodic_image {
@@ -36,6 +47,35 @@ struct Periodic_image {
 
   friend auto operator<=>(const Periodic_image&, const Periodic_image&) = default;
 };
+
+/// The corners of a triangle, counterclockwise.
+using Triangle_ids = std::array<Point_id, 3>;
+
+/// The corners in the same cyclic order, the least id first.
+constexpr Triangle_ids triangle_ids(Point_id a, Point_id b, Point_id c) {
+  if (a < b && a < c) return {a, b, c};
+  return b < c ? Triangle_ids{b, c, a} : Triangle_ids{c, a, b};
+}
+
+/// A triangle in a periodic box, counterclockwise: from a point corners[0] to images of the other
+/// two points; and all images of that. Of its three names, the least one.
+struct Periodic_triangle {
+  Triangle_ids corners = {};                     ///< the points, the least id first
+  std::array<Lattice_offset_2, 2> offsets = {};  ///< of the corners 1 and 2 against corner 0
+
+  friend auto operator<=>(const Periodic_triangle&, const Periodic_triangle&) = default;
+};
+
+/// The triangle of these images, which are given counterclockwise.
+constexpr Periodic_triangle periodic_triangle(const Periodic_image& a, const Periodic_image& b,
+                                              const Periodic_image& c) {
+  const auto named = [](const Periodic_image& p, const Periodic_image& q, const Periodic_image& r) {
+    return Periodic_triangle{
+        {p.id, q.id, r.id},
+        {offset_between(p.offset, q.offset), offset_between(p.offset, r.offset)}};
+  };
+  return std::min({named(a, b, c), named(b, c, a), named(c, a, b)});
+}
 
 }  // namespace kinetri
 

@@ -26,6 +26,10 @@ struct Svg_view {
 /// classes `points` and `discs` (if there are discs) have a `circle` for each point. Hidden points
 /// are in the groups `hidden-points` and `hidden-discs` instead: hollow dots, and dashed circles.
 ///
+/// Of a periodic box, `box` is a path, its outline. There is no `hull`; edges that leave the box
+/// are in a path `leaving-edges`, from each of their ends to the image of the other one, and
+/// `images` has a `circle` at each of these images.
+///
 /// Coordinates are rounded to hundredths of a pixel. Drawings are clipped to the extent; positions
 /// that are not finite are omitted. Drawings of one view have one size, with even numbers of pixels
 /// for video encoders. Errors are those of the stream. Precondition: the extent is finite, and its

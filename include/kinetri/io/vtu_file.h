@@ -21,6 +21,11 @@ namespace kinetri {
 ///               hidden, which is 1 for points that others hide, else 0
 ///   field data  TimeValue; events, how many there have been so far; and of each kind events_KIND
 ///
+/// Of a periodic box, points are those within the box; images at which triangles end outside of it
+/// follow, each as often as such a corner, with the id and velocity of the point. The point data
+/// has `image` too, 1 for these images, else 0; the field data `box`, the corners of the box,
+/// counterclockwise, with three components each.
+///
 /// Errors are those of the stream.
 void write_vtu(std::ostream& out, const Frame_2& frame);
 
