@@ -20,7 +20,8 @@
 // unit     of lengths, such as m
 // legend   on or off
 // play     on or off
-// edge     the ids of the ends of an edge whose certificate is shown
+// edge     the ids of the ends of an edge whose certificate is shown; in a periodic box also with its
+//          offset, as in 4-17,1,-2
 // theme    light or dark
 // list     on or off: the list of events
 // draw     webgl or canvas: how the picture is drawn; without it, by the faster one
@@ -60,10 +61,14 @@ const ADDRESS_WORDS = {
 
   edge(viewer, value) {
     const {recording, playback} = viewer;
-    const ends = value.split('-').map(Number).sort((a, b) => a - b);
+    // In a periodic box an offset may follow, as in 3-7,1,-2.
+    const [ids, ...offset] = value.split(',');
+    const ends = ids.split('-').map(Number).sort((a, b) => a - b), {edgeX, edgeY} = recording;
     for (let i = 0; i < playback.liveCount; ++i) {
       const edge = playback.live[i];
       if (recording.edgeA[edge] !== ends[0] || recording.edgeB[edge] !== ends[1]) continue;
+      if (edgeX !== null && offset.length === 2 &&
+          (edgeX[edge] !== Number(offset[0]) || edgeY[edge] !== Number(offset[1]))) continue;
       viewer.select(edge);
       return true;
     }
@@ -164,7 +169,9 @@ function linkTo(viewer) {
       .map((kind) => recording.kinds[kind]).join(',')]);
   }
   if (viewer.selected >= 0 && playback.where[viewer.selected] >= 0) {
-    words.push(['edge', `${recording.edgeA[viewer.selected]}-${recording.edgeB[viewer.selected]}`]);
+    const {edgeA, edgeB, edgeX, edgeY} = recording, {selected} = viewer;
+    words.push(['edge', `${edgeA[selected]}-${edgeB[selected]}` +
+      (edgeX === null ? '' : `,${edgeX[selected]},${edgeY[selected]}`)]);
   }
   if (viewer.selectedPoint.id >= 0) words.push(['point', viewer.selectedPoint.id]);
   if (viewer.selectedPoint.follows) words.push(['follow', 'on']);

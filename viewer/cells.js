@@ -19,6 +19,7 @@ class Cells {
     this.anchorY = new Float64Array(points);
     this.ends = new Float64Array(0);         // of the cells' common sides: to the right, to the left
     this.polygons = new Map();               // the special cells within the box
+    this.shifts = new Float64Array(0);       // in a periodic box
   }
 
   /** Computes all cells for the viewer's positions. */
@@ -31,6 +32,10 @@ class Cells {
     this.polygons.clear();
     if (this.ends.length < 4 * liveCount) this.ends = new Float64Array(8 * liveCount);
     const {ends} = this;
+    if (recording.periodic !== null) {
+      this.updatePeriodic();
+      return;
+    }
     const setEnd = (at, a, b, c) => {
       if (c >= 0) {
         powerCenter(ANCHOR, x[a], y[a], w[a], x[b], y[b], w[b], x[c], y[c], w[c]);
@@ -67,6 +72,69 @@ class Cells {
     if (recording.coincidences > 0) this.share();
   }
 
+  /** The same in a periodic box. Each cell is about the image of its point that is in the box; `ends` are
+   * beside the first point of an edge, and `shifts` lead to them from those beside the second. */
+  updatePeriodic() {
+    const {viewer, area, degree, anchorX, anchorY, ends} = this;
+    const {x, y, images, recording: {edgeA, edgeB, edgeX, edgeY, coincidences}} = viewer;
+    const {live, liveCount, triangles} = viewer.playback;
+    if (this.shifts.length < 2 * liveCount) this.shifts = new Float64Array(4 * liveCount);
+    const {shifts} = this, shift = {x: 0, y: 0};
+    const place = (a, [id, k, l]) => {
+      images.shift(a, id, k, l, shift);
+      return [x[id] + shift.x, y[id] + shift.y];
+    };
+    for (let i = 0; i < liveCount; ++i) {
+      const edge = live[i], a = edgeA[edge], b = edgeB[edge], at = 4 * i;
+      const q = place(a, [b, edgeX[edge], edgeY[edge]]);
+      shifts[2 * i] = shift.x;
+      shifts[2 * i + 1] = shift.y;
+      for (const isLeft of [false, true]) {
+        powerCenter(ANCHOR, x[a], y[a], 0, ...q, 0, ...place(a, triangles.imageAt(edge, isLeft)), 0);
+        ends[at + (isLeft ? 2 : 0)] = ANCHOR.x;
+        ends[at + (isLeft ? 3 : 1)] = ANCHOR.y;
+      }
+      const add = (point, px, py, rx, ry, lx, ly) => {
+        ++degree[point];
+        area[point] += ((rx - px) * (ly - py) - (ry - py) * (lx - px)) / 2;
+        anchorX[point] += rx + lx - 2 * (px - x[point]);
+        anchorY[point] += ry + ly - 2 * (py - y[point]);
+      };
+      const [rx, ry, lx, ly] = ends.subarray(at, at + 4);
+      add(a, x[a], y[a], rx, ry, lx, ly);
+      add(b, ...q, lx, ly, rx, ry);
+    }
+    for (let point = 0; point < degree.length; ++point) {
+      anchorX[point] /= 2 * degree[point];
+      anchorY[point] /= 2 * degree[point];
+    }
+    if (coincidences > 0) this.share();
+  }
+
+  /** In a periodic box, visits the triangles of cells as forEachTriangle, and those images of each cell that
+   * cover what it covers of the box. */
+  forEachPeriodicTriangle(visit) {
+    const {ends, shifts, anchorX, anchorY, viewer: {images: {box}, playback, recording: {edgeA, edgeB}}} = this;
+    const sides = (each) => {
+      for (let i = 0; i < playback.liveCount; ++i) {
+        const edge = playback.live[i], [rx, ry, lx, ly] = ends.subarray(4 * i, 4 * i + 4);
+        const dx = shifts[2 * i], dy = shifts[2 * i + 1];
+        each(edgeA[edge], rx, ry, lx, ly);
+        each(edgeB[edge], lx - dx, ly - dy, rx - dx, ry - dy);
+      }
+    };
+    // The copies of the box in which the corners of each cell are.
+    const copies = Array.from(anchorX, () => ({k: [], l: []}));
+    sides((point, x, y) => {
+      copies[point].k.push(Math.floor(box.along(x, y)));
+      copies[point].l.push(Math.floor(box.across(x, y)));
+    });
+    sides((point, x0, y0, x1, y1) => forEachCopy(copies[point].k, copies[point].l, (k, l) => {
+      const dx = k * box.ux + l * box.vx, dy = k * box.uy + l * box.vy;
+      visit(point, anchorX[point] - dx, anchorY[point] - dy, x0 - dx, y0 - dy, x1 - dx, y1 - dy);
+    }));
+  }
+
   /** Shares the areas of the cells of points that coincide. */
   share() {
     const {area, degree, viewer: {hidden, playback: {shown, coincident}}} = this;
@@ -100,6 +168,10 @@ class Cells {
   /** Visits the cells as triangles: (point, three corners in the plane). Cells without bounds are
    * left out. */
   forEachTriangle(visit) {
+    if (this.viewer.images !== null) {
+      this.forEachPeriodicTriangle(visit);
+      return;
+    }
     const {ends, isSpecial, anchorX, anchorY, polygons} = this;
     const {playback, recording} = this.viewer;
     for (let i = 0; i < playback.liveCount; ++i) {
@@ -158,6 +230,7 @@ function areaOfCell(playback, point, box) {
 
 function areaOfWholeCell(playback, point, box) {
   const {recording, live, liveCount, current, triangles} = playback;
+  if (recording.periodic !== null) return areaOfPeriodicCell(playback, point);
   const time = knownTime(playback);
   const {edgeA, edgeB} = recording;
   const at = (p) => [motionX(recording, current[p], time), motionY(recording, current[p], time),
@@ -190,4 +263,27 @@ function areaOfWholeCell(playback, point, box) {
   if (degree === 0 && recording.motionSizes !== null) return 0;
   if (degree === 0 && polygon === null) return NaN;
   return polygon !== null ? areaOf(polygon) : isOpen ? NaN : sum;
+}
+
+/** The same in a periodic box, in which all cells are bounded. */
+function areaOfPeriodicCell(playback, point) {
+  const {recording, live, liveCount, current, triangles} = playback;
+  const time = knownTime(playback), {periodic, edgeA, edgeB, edgeX, edgeY} = recording;
+  const place = ([id, k, l]) => [0, 1].map((coordinate) =>
+    (coordinate === 0 ? motionX : motionY)(recording, current[id], time) +
+    k * boxVector(periodic, 0, coordinate, time) + l * boxVector(periodic, 1, coordinate, time));
+  let sum = 0;
+  for (let i = 0; i < liveCount; ++i) {
+    const edge = live[i];
+    if (edgeA[edge] !== point && edgeB[edge] !== point) continue;
+    const p = place([edgeA[edge], 0, 0]), q = place([edgeB[edge], edgeX[edge], edgeY[edge]]);
+    const [right, left] = [false, true].map((isLeft) => {
+      powerCenter(ANCHOR, ...p, 0, ...q, 0, ...place(triangles.imageAt(edge, isLeft)), 0);
+      return [ANCHOR.x, ANCHOR.y];
+    });
+    const part = (from, [x, y], to) => ((from[0] - x) * (to[1] - y) - (from[1] - y) * (to[0] - x)) / 2;
+    if (edgeA[edge] === point) sum += part(right, p, left);
+    if (edgeB[edge] === point) sum += part(left, q, right);
+  }
+  return sum;
 }

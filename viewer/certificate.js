@@ -4,9 +4,12 @@
 // during which the edge has this certificate, and the events that begin and end it.
 'use strict';
 
-/** The corners opposite to the edge, left and right, or -1 where there is no triangle. */
+/** The corners opposite to the edge, left and right, or -1 where there is no triangle; in a periodic box then
+ * their offsets. */
 function cornersOf({triangles}, edge) {
-  return [triangles.left[edge], triangles.right[edge]];
+  const corners = [triangles.left[edge], triangles.right[edge]];
+  if (!triangles.isPeriodic) return corners;
+  return [...corners, triangles.leftX[edge], triangles.leftY[edge], triangles.rightX[edge], triangles.rightY[edge]];
 }
 
 /**
@@ -14,15 +17,19 @@ function cornersOf({triangles}, edge) {
  * kind 'in-circle', 'orientation' or 'none'; begin and end: {row, reason}, row -1 for the ends of
  * the recording, reason 'edge', 'corners', 'motion' or 'recording'; from and until, in binary64;
  * fails: whether the certificate's failure ends it; removal: the row that removes the edge, or -1;
+ * in a periodic box offsets, those of a, b, left and right against a;
  * and, unless the kind is 'none', `polynomial` with its `origin` and `divisor`, and `coefficients`.
  */
 function certificateOf(playback, edge) {
   const {recording} = playback;
   const a = recording.edgeA[edge], b = recording.edgeB[edge];
-  const [left, right] = cornersOf(playback, edge);
+  const beside = cornersOf(playback, edge), [left, right] = beside;
   const result = {edge, a, b, left, right, event: playback.event, kind: 'none'};
-  result.begin = endOfLife(playback, edge, left, right, -1);
-  result.end = endOfLife(playback, edge, left, right, 1);
+  if (recording.periodic !== null) {
+    result.offsets = [[0, 0], [recording.edgeX[edge], recording.edgeY[edge]], beside.slice(2, 4), beside.slice(4, 6)];
+  }
+  result.begin = endOfLife(playback, edge, beside, -1);
+  result.end = endOfLife(playback, edge, beside, 1);
   result.from = result.begin.row < 0 ? recording.from : recording.rowTime[result.begin.row];
   result.until = result.end.row < 0 ? recording.until : recording.rowTime[result.end.row];
   result.fails = result.end.reason === 'edge' && isFailure(recording, result.end.row);
@@ -31,7 +38,8 @@ function certificateOf(playback, edge) {
     if (recording.rowRemoved[row] === edge) result.removal = row;
   }
   result.origin = result.from;
-  const motion = (point) => playback.current[point];
+  const motion = (point, k) => (result.offsets === undefined ? playback.current[point] :
+    {motion: playback.current[point], offset: result.offsets[k]});
   if (left >= 0 && right >= 0) {
     result.kind = 'in-circle';
     result.divisor = 6n ** 4n;
@@ -41,7 +49,7 @@ function certificateOf(playback, edge) {
     result.kind = 'orientation';
     result.divisor = 6n ** 2n;
     const corners = left >= 0 ? [a, b, left] : [b, a, right];
-    result.polynomial = orientationPolynomial(recording, corners.map(motion), result.origin);
+    result.polynomial = orientationPolynomial(recording, corners.map((point) => motion(point)), result.origin);
   } else {
     return result;
   }
@@ -67,11 +75,11 @@ function isFailure(recording, row) {
 
 /** What ends the time during which the edge has these corners and their motions, forward (direction
  * 1) or backward (-1). */
-function endOfLife(playback, edge, left, right, direction) {
+function endOfLife(playback, edge, beside, direction) {
   const {recording} = playback;
   const cursor = playback.clone();
   const a = recording.edgeA[edge], b = recording.edgeB[edge];
-  const corners = [a, b, left, right].filter((point) => point >= 0);
+  const corners = [a, b, beside[0], beside[1]].filter((point) => point >= 0);
   const limit = direction > 0 ? recording.rows : 0;
   while (cursor.event !== limit) {
     const first = direction > 0 ? cursor.event : recording.instantBegin[cursor.event - 1];
@@ -83,7 +91,7 @@ function endOfLife(playback, edge, left, right, direction) {
     }
     if (change.motion >= 0) return {row: change.motion, reason: 'motion'};
     const now = cornersOf(cursor, edge);
-    if (now[0] !== left || now[1] !== right) {
+    if (now.some((number, k) => number !== beside[k])) {
       // Corners may change although no edge does: with the last row of the instant.
       return {row: change.edges < 0 ? last - 1 : change.edges, reason: 'corners'};
     }

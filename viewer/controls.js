@@ -45,7 +45,7 @@ function switchesOf(recording) {
     {id: 'wave', key: 'w', label: 'Wave', isThere: recording.wave !== null, mark: '--accent'},
     {id: 'delaunay', key: 'd', label: isWeighted ? 'Regular' : 'Delaunay', isThere: true,
      mark: '--edge'},
-    {id: 'hull', key: 'h', label: 'Hull', isThere: true, mark: '--hull'},
+    {id: 'hull', key: 'h', label: 'Hull', isThere: recording.periodic === null, mark: '--hull'},
     {id: 'voronoi', key: 'v', label: isWeighted ? 'Power' : 'Voronoi', isThere: true,
      mark: '--voronoi'},
     {id: 'circle', key: 'c', label: isWeighted ? 'Power circle' : 'Circumcircle', isThere: true,

@@ -47,8 +47,14 @@ function multiply(p, q) {
   return {coefficients, exponent: p.exponent + q.exponent};
 }
 
-/** The coordinate of a motion, times 6, as a polynomial in s. */
-function coordinatePolynomial({motionData: data, stride, degree}, motion, coordinate, origin) {
+/** The coordinate of a motion, times 6, as a polynomial in s; in a periodic box of an image of it, {motion,
+ * offset}. */
+function coordinatePolynomial(recording, motion, coordinate, origin) {
+  if (typeof motion === 'object') {
+    return motion.offset.reduce((sum, number, vector) => add(sum, boxPolynomial(recording, vector, coordinate, number, origin)),
+                                coordinatePolynomial(recording, motion.motion, coordinate, origin));
+  }
+  const {motionData: data, stride, degree} = recording;
   const at = (k) => constant(data[stride * motion + 1 + 2 * k + coordinate]);
   const times = (factor, p) => multiply({coefficients: [factor], exponent: 0}, p);
   const epoch = constant(data[stride * motion]);
@@ -57,6 +63,14 @@ function coordinatePolynomial({motionData: data, stride, degree}, motion, coordi
   if (degree >= 2) value = add(multiply(value, elapsed), times(3n, at(2)));
   value = add(multiply(value, elapsed), times(6n, at(1)));
   return add(multiply(value, elapsed), times(6n, at(0)));
+}
+
+/** The coordinate of a vector of the periodic box, times 6 and a whole number, as a polynomial in s. */
+function boxPolynomial({periodic}, vector, coordinate, number, origin) {
+  const at = (k) => constant(periodic.numbers[5 * vector + k]);
+  const elapsed = add(subtract(constant(origin), at(0)), {coefficients: [0n, 1n], exponent: 0});
+  const value = add(at(1 + coordinate), multiply(at(3 + coordinate), elapsed));
+  return multiply({coefficients: [6n * BigInt(number)], exponent: 0}, value);
 }
 
 /** The weight of a motion, times 6^2: its radius squared, and what it has beside that. */

@@ -17,7 +17,7 @@ class Extents {
     this.recording = recording;
     this.whole = wholeExtent(recording);
     this.samples = [];
-    if (recording.box === null && recording.until > recording.from) this.sample();
+    if (recording.box === null && recording.periodic === null && recording.until > recording.from) this.sample();
   }
 
   at(time) {
@@ -60,6 +60,7 @@ class Extents {
 
 /** The box, or the extent of all positions in the run. */
 function wholeExtent(recording) {
+  if (recording.periodic !== null) return extentOfBox(recording);
   if (recording.box !== null) {
     const [left, bottom, right, top] = recording.box;
     return extentOf([left, right], [bottom, top], 0);

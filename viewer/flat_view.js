@@ -4,6 +4,7 @@
 // discs dashed. A point with which others coincide has a ring. Its overlays are in overlays.js.
 'use strict';
 
+const LEAVING = 0.45;         // strength of what is outside of a periodic box
 const COINCIDENT_RING = 2.5;  // pixels from a dot to the ring about it
 const TO_LEFT = 1, TO_RIGHT = 2, ABOVE = 4, BELOW = 8, ANY_SIDE = 15, FAR = 16;
 
@@ -57,6 +58,8 @@ class FlatView extends View {
     if (recording.points === 0) this.sayEmpty(painter);
     if (viewer.coloring !== null) drawColors(painter, this);
     if (switches.heat) viewer.heat.draw(painter, this);
+    // What has colors reaches beyond a periodic box.
+    if (recording.periodic !== null) this.drawBox(painter);
     if (switches.discs && hasDiscs(recording)) this.drawAllDiscs(painter);
     if (switches.trails) drawTrails(painter, this);
     if (switches.delaunay) this.drawEdges(painter);
@@ -89,14 +92,20 @@ class FlatView extends View {
   }
 
   drawBox(painter) {
-    const [left, bottom, right, top] = this.viewer.recording.box;
-    const x0 = this.camera.screenX(left), x1 = this.camera.screenX(right);
-    const y0 = this.camera.screenY(top), y1 = this.camera.screenY(bottom);
+    const {camera} = this, {recording, images} = this.viewer;
+    let corners;
+    if (images !== null) {
+      corners = images.box.corners();
+    } else {
+      const [left, bottom, right, top] = recording.box;
+      corners = [left, top, right, top, right, bottom, left, bottom];
+    }
     const batch = this.lineBatch.clear();
-    this.addSegment(batch, x0, y0, x1, y0);
-    this.addSegment(batch, x1, y0, x1, y1);
-    this.addSegment(batch, x1, y1, x0, y1);
-    this.addSegment(batch, x0, y1, x0, y0);
+    for (let i = 0; i < 8; i += 2) {
+      const j = (i + 2) % 8;
+      this.addSegment(batch, camera.screenX(corners[i]), camera.screenY(corners[i + 1]),
+                      camera.screenX(corners[j]), camera.screenY(corners[j + 1]));
+    }
     painter.lines(batch, {color: this.viewer.colors.box, width: 2, cap: 'round'});
   }
 
@@ -125,6 +134,10 @@ class FlatView extends View {
     const {playback, recording, colors, switches} = this.viewer;
     const alpha = this.detail.edgeStrength(switches.voronoi);
     if (alpha === 0) return;
+    if (recording.periodic !== null) {
+      this.drawPeriodicEdges(painter, alpha);
+      return;
+    }
     const {live, liveCount} = playback, {edgeA, edgeB} = recording;
     const {sides} = this;
     const batch = this.lineBatch.clear();
@@ -136,6 +149,35 @@ class FlatView extends View {
     }
     painter.lines(batch, {color: switches.voronoi ? colors.edgeBehind : colors.edge, alpha,
                           width: this.detail.lineWidth()});
+  }
+
+  /** Edges that leave the box are drawn at both ends, fainter, up to the images of the other ends, which have
+   * faint dots. */
+  drawPeriodicEdges(painter, alpha) {
+    const {sx, sy} = this;
+    const {playback: {live, liveCount}, recording: {edgeA, edgeB}, colors, switches} = this.viewer;
+    const style = {color: switches.voronoi ? colors.edgeBehind : colors.edge, alpha,
+                   width: this.detail.lineWidth()};
+    const within = this.lineBatch.clear(), radius = this.pointRadius(), dots = this.circleBatch.clear();
+    const leaving = [];
+    for (let i = 0; i < liveCount; ++i) {
+      const edge = live[i], a = edgeA[edge], b = edgeB[edge];
+      this.setShift(edge);
+      const {x, y} = SHIFT;
+      if (x === 0 && y === 0) {
+        this.addSegment(within, sx[a], sy[a], sx[b], sy[b]);
+        continue;
+      }
+      leaving.push(edge);
+      for (const [dotX, dotY] of [[sx[b] + x, sy[b] + y], [sx[a] - x, sy[a] - y]]) {
+        if (this.isSeen(dotX, dotY, radius)) dots.circle(dotX, dotY, radius);
+      }
+    }
+    painter.lines(within, style);
+    const batch = this.lineBatch.clear();
+    for (const edge of leaving) this.addEdge(batch, edge);
+    painter.lines(batch, {...style, alpha: LEAVING * alpha});
+    painter.circles(dots, {fill: colors.point, alpha: LEAVING * this.detail.dotStrength()});
   }
 
   drawHull(painter) {

@@ -24,8 +24,9 @@ function drawArrows(painter, view) {
   for (let point = 0, seen = 0; point < sx.length; ++point) {
     if (sides[point] !== 0 || Number.isNaN(sx[point]) || seen++ % step !== 0) continue;
     const motion = playback.current[point];
-    const dx = perUnit * motionVelocity(recording, motion, time, 0);
-    const dy = -perUnit * motionVelocity(recording, motion, time, 1);
+    const rate = (coordinate) => viewer.images?.rate(point, coordinate) ?? 0;
+    const dx = perUnit * (motionVelocity(recording, motion, time, 0) + rate(0));
+    const dy = -perUnit * (motionVelocity(recording, motion, time, 1) + rate(1));
     if (dx === 0 && dy === 0) continue;
     const x = sx[point] + dx, y = sy[point] + dy;
     batch.line(sx[point], sy[point], x, y);
@@ -55,7 +56,7 @@ class Heat {
   /** Plays the run to see where the edges and points of each event are. */
   count() {
     const {recording, filter} = this.viewer;
-    const {rowTime, rowRemoved, rowAdded, rowA, edgeA, edgeB} = recording;
+    const {rowTime, rowRemoved, rowAdded, rowA, edgeA, edgeB, edgeX, edgeY, periodic} = recording;
     let counts = new Float64Array(this.level.length);
     const playback = new Playback(recording);
     const place = (point, row, coordinate) => {
@@ -68,8 +69,13 @@ class Heat {
       const edge = rowRemoved[row] >= 0 ? rowRemoved[row] : rowAdded[row];
       const a = edge >= 0 ? edgeA[edge] : rowA[row], b = edge >= 0 ? edgeB[edge] : a;
       if (a < 0) continue;
-      const column = Math.floor(((place(a, row, 0) + place(b, row, 0)) / 2 - this.left) / this.size);
-      const line = Math.floor(((place(a, row, 1) + place(b, row, 1)) / 2 - this.bottom) / this.size);
+      let x = (place(a, row, 0) + place(b, row, 0)) / 2, y = (place(a, row, 1) + place(b, row, 1)) / 2;
+      if (periodic !== null) {
+        const image = middleInBox(recording, x, y, rowTime[row], edge < 0 ? 0 : edgeX[edge], edge < 0 ? 0 : edgeY[edge]);
+        x = image.x;
+        y = image.y;
+      }
+      const column = Math.floor((x - this.left) / this.size), line = Math.floor((y - this.bottom) / this.size);
       if (column >= 0 && line >= 0 && column < this.columns && line < this.rows) {
         ++counts[line * this.columns + column];
       }
@@ -113,6 +119,14 @@ class Heat {
   }
 }
 
+/** The image within a periodic box of the middle of an edge, if (x, y) is the middle without its offset. */
+function middleInBox({periodic}, x, y, time, k, l) {
+  const move = (coordinate) => (k * boxVector(periodic, 0, coordinate, time) + l * boxVector(periodic, 1, coordinate, time)) / 2;
+  const box = new DrawnBox(periodic, time), px = x + move(0), py = y + move(1);
+  const along = Math.floor(box.along(px, py)), across = Math.floor(box.across(px, py));
+  return {x: px - along * box.ux - across * box.vx, y: py - along * box.uy - across * box.vy};
+}
+
 const HEAT_COLORS = Array.from({length: HEAT_LEVELS}, (_, i) =>
   `rgb(213 94 0 / ${Math.round(75 * (i + 1) / HEAT_LEVELS)}%)`);
 
@@ -146,7 +160,13 @@ function drawSelectedPoint(painter, view) {
   const sides = view.lineBatch.clear();
   for (const edge of pointEdges) {
     setVoronoiEnds(view, edge);
-    view.addSegment(sides, ENDS[0], ENDS[1], ENDS[2], ENDS[3]);
+    const {edgeA, edgeB} = recording;
+    // In a periodic box, that beside the first end, or beside the second.
+    view.setShift(edge);
+    if (edgeA[edge] === point) view.addSegment(sides, ENDS[0], ENDS[1], ENDS[2], ENDS[3]);
+    if (edgeB[edge] === point) {
+      view.addSegment(sides, ENDS[0] - SHIFT.x, ENDS[1] - SHIFT.y, ENDS[2] - SHIFT.x, ENDS[3] - SHIFT.y);
+    }
   }
   painter.lines(sides, {color: colors.background, width: 5, cap: 'round'});
   painter.lines(sides, {color: colors.voronoi, width: 3, cap: 'round'});

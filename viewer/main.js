@@ -11,9 +11,12 @@ const HINT_TIME = 8000;  // milliseconds for which the hint stays
  *   time, event        the time shown, and the number of rows executed
  *   span               [from, until], the times that the recording covers
  *   counts             {points, rows, instants, edges}; edges: the present number
- *   edges()            the edges, [a, b] with a < b, sorted
- *   triangles()        the triangles, [a, b, c] counterclockwise, a the least id, sorted
- *   positions()        [x, y] of each point by id at the time shown; null if it is not there
+ *   edges()            the edges, [a, b] with a < b, sorted; in a periodic box [a, b, x, y], with the offset
+ *                      of b against a
+ *   triangles()        the triangles, [a, b, c] counterclockwise, a the least id, sorted; in a periodic box
+ *                      [a, b, c, x, y, x, y], with the offsets of b and c against a
+ *   positions()        [x, y] of each point by id at the time shown, in a periodic box of its image there;
+ *                      null if it is not there
  *   radii()            the radius of each point by id at the time shown; null if it is not there
  *   hidden()           the ids of the points that others hide, ascending
  *   inRange()          [a, b] of each pair within range at the time shown, a < b, sorted; null if that
@@ -45,17 +48,19 @@ function consoleObject(viewer) {
     },
     edges() {
       const edges = Array.from(playback.live.subarray(0, playback.liveCount), (edge) =>
-        [recording.edgeA[edge], recording.edgeB[edge]]);
-      return edges.sort((e, f) => e[0] - f[0] || e[1] - f[1]);
+        (recording.edgeX === null ? [recording.edgeA[edge], recording.edgeB[edge]] :
+          [recording.edgeA[edge], recording.edgeB[edge], recording.edgeX[edge], recording.edgeY[edge]]));
+      return edges.sort(compareLists);
     },
     triangles() {
       const {triangleList} = viewer;
       triangleList.update();
       const result = [];
       for (let i = 0; i < 3 * triangleList.triangles; i += 3) {
-        result.push(Array.from(triangleList.corners.subarray(i, i + 3)));
+        const offsets = triangleList.offsets.slice(i / 3 * 4, i / 3 * 4 + 4);
+        result.push([...triangleList.corners.subarray(i, i + 3), ...offsets]);
       }
-      return result.sort((s, t) => s[0] - t[0] || s[1] - t[1] || s[2] - t[2]);
+      return result.sort(compareLists);
     },
     positions() {
       viewer.place();
@@ -120,6 +125,12 @@ function consoleObject(viewer) {
       return performance.now() - start;
     },
   });
+}
+
+/** Compares two lists of equally many numbers by the first that differ. */
+function compareLists(s, t) {
+  const k = s.findIndex((number, i) => number !== t[i]);
+  return k < 0 ? 0 : s[k] - t[k];
 }
 
 /** Shows for some seconds, or until something is pressed, a hint on what can be selected. */

@@ -24,7 +24,7 @@ class Playback {
     this.where = new Int32Array(recording.edgeA.length).fill(-1);
     this.liveCount = 0;
     for (let edge = 0; edge < recording.initialEdges; ++edge) this.addEdge(edge);
-    this.triangles = new Triangles(recording.edgeA.length);
+    this.triangles = new Triangles(recording.edgeA.length, recording.periodic !== null);
     for (let i = 0; i < recording.rowTriangle[0]; ++i) this.triangles.set(recording, i, true);
     this.current = new Int32Array(recording.points).fill(-1);
     for (let i = 0; i < recording.starting; ++i) this.current[recording.motionPoint[i]] = i;

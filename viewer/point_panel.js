@@ -89,7 +89,7 @@ class PointPanel {
         'coincide for a while.' : '';
     const pair = (x, y) => `(${shortNumber(x, 7)}, ${shortNumber(y, 7)})`;
     const say = (label, text) => { parts[label].textContent = isThere ? text() : '\u2013'; };
-    const velocity = (k) => motionVelocity(recording, motion, time, k);
+    const velocity = (k) => motionVelocity(recording, motion, time, k) + (viewer.images?.rate(point, k) ?? 0);
     say('Position', () => pair(viewer.x[point], viewer.y[point]));
     say('Velocity', () => pair(velocity(0), velocity(1)));
     say('Speed', () => shortNumber(Math.hypot(velocity(0), velocity(1))));

@@ -142,7 +142,8 @@ class PointerInput {
     if (tip.hidden) return;
     const {recording, playback} = viewer;
     const motion = playback.current[point];
-    const velocity = [0, 1].map((k) => motionVelocity(recording, motion, playback.time, k));
+    const velocity = [0, 1].map((k) => motionVelocity(recording, motion, playback.time, k) +
+      (viewer.images?.rate(point, k) ?? 0));
     const pair = (x, y) => `(${shortNumber(x, 7)}, ${shortNumber(y, 7)})`;
     const name = document.createElement('b');
     name.textContent = viewer.longName(point);

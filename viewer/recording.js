@@ -33,11 +33,14 @@ const FIELD_ABOVE = 16, FIELD_BELOW = 32;
  * coincidencePoint; coincidenceShown, the point that has the vertex, and coincidenceBefore, the one
  * before.
  *
- * Arrays by edge: edgeA < edgeB. The first `initialEdges` are there at the start.
+ * Arrays by edge: edgeA < edgeB. The first `initialEdges` are there at the start. In a periodic box
+ * (`periodic` is not null) edgeX and edgeY are the offset of edgeB against edgeA, and edgeA may be edgeB;
+ * else they are null.
  *
  * Arrays by triangle that is added (triangleAdded is 1) or removed (0), those of the start first:
  * three triangleCorners, counterclockwise; three triangleSides, the edges from each corner to the
- * next.
+ * next. In a periodic box there are also triangleForward, for each side 1 if it leads from edgeA to edgeB,
+ * else 0; and triangleOffsets, two numbers a corner, against corner 0; else these are null.
  */
 function readRecording(text, grows = false) {
   let json;
@@ -47,7 +50,8 @@ function readRecording(text, grows = false) {
     throw new RecordingError(`it is not JSON (${error.message})`);
   }
   demand(json !== null && typeof json === 'object', 'it is not a JSON object');
-  demand(json.format === 2, `its format is ${json.format}, but this page plays format 2`);
+  const format = json.periodic === undefined ? 2 : 3;
+  demand(json.format === format, `its format is ${json.format}, but this page plays format ${format}`);
   const {from, until, points} = json;
   demand(Number.isFinite(from) && Number.isFinite(until) && from <= until,
          'its times from and until are not two numbers in order');
@@ -59,6 +63,7 @@ function readRecording(text, grows = false) {
     view: String(json.view ?? ''),
     names: json.names ?? null,
     box: json.box ?? null,
+    periodic: readPeriodicBox(json.periodic),
     radius: json.radius ?? 0,
     thinned: json.thinned ?? null,
     wave: json.wave ?? null,
@@ -76,7 +81,7 @@ function readRecording(text, grows = false) {
 
   const ids = points <= 65536 ? 'Uint16' : 'Uint32';
   recording.encounters = readEncounters(json.encounters, points, ids);
-  const edges = new EdgeNumbers(points);
+  const edges = new EdgeNumbers(points, recording.periodic !== null);
   const triangles = readTriangles(recording, json.triangles, ids, edges);
   const initial = decodeNumbers(json.initial_edges, ids, 'the list of edges at the start');
   demand(initial.length % 2 === 0, 'the list of edges at the start ends within an edge');
@@ -92,6 +97,8 @@ function readRecording(text, grows = false) {
   readCoincidences(recording, json.coincidences, ids);
   recording.edgeA = edges.a.finish();
   recording.edgeB = edges.b.finish();
+  recording.edgeX = edges.x?.finish() ?? null;
+  recording.edgeY = edges.y?.finish() ?? null;
   findInstants(recording);
   checkEdges(recording);
   const state = findTriangles(recording, triangles, edges);
@@ -119,12 +126,38 @@ function readTriangles(recording, json, ids, edges) {
     total += removed[i] + added[i];
   }
   demand(3 * total === id.length, `it has ${id.length} corners of ${total} triangles of events`);
+  const initialOffsets = readOffsets(recording, json.initial_offsets, 'triangles at the start', initial.length / 3 * 2);
+  const offsets = readOffsets(recording, json.offsets, 'triangles of events', 2 * total);
   for (let i = 0; i < initial.length; i += 3) {
     for (let k = 0; k < 3; ++k) {
-      edges.number(initial[i + k], initial[i + (k + 1) % 3], 'the list of triangles at the start');
+      const [x, y] = sideOffset(initialOffsets, i / 3, k);
+      edges.number(initial[i + k], initial[i + (k + 1) % 3], 'the list of triangles at the start', x, y);
     }
   }
-  return {initial, count, row, removed, added, id};
+  return {initial, initialOffsets, count, row, removed, added, id, offsets};
+}
+
+/** The offsets in a list, two numbers each; null in the plane. */
+function readOffsets({periodic}, text, what, count) {
+  if (periodic === null) return null;
+  const offsets = decodeNumbers(text, 'Int32', `the list of offsets of ${what}`);
+  demand(offsets.length === 2 * count, `it has ${offsets.length / 2} offsets of ${what}, not ${count}`);
+  return offsets;
+}
+
+/** The offset of corner k against corner 0 of the i-th triangle, of which `offsets` has those of corners 1
+ * and 2; zero in the plane. */
+function cornerOffset(offsets, i, k) {
+  return offsets === null || k === 0 ? NO_OFFSET : [offsets[4 * i + 2 * k - 2], offsets[4 * i + 2 * k - 1]];
+}
+
+const NO_OFFSET = [0, 0];
+
+/** The offset of corner k + 1 against corner k. */
+function sideOffset(offsets, i, k) {
+  if (offsets === null) return NO_OFFSET;
+  const p = cornerOffset(offsets, i, k), q = cornerOffset(offsets, i, (k + 1) % 3);
+  return [q[0] - p[0], q[1] - p[1]];
 }
 
 /** Lists of the triangles that rows add and remove. */
@@ -134,6 +167,28 @@ class TriangleChanges {
     this.corners = new Numbers(Uint32Array);
     this.sides = new Numbers(Uint32Array);
     this.isAdded = new Numbers(Uint8Array);
+    this.forward = edges.x === null ? null : new Numbers(Uint8Array);
+    this.offsets = edges.x === null ? null : new Numbers(Int32Array);
+  }
+
+  /** In a periodic box, of three images [id, x, y]; the first one need not have the offset zero. */
+  addImages(images, isAdded, what) {
+    const [, x, y] = images[0];
+    images.forEach((p, k) => {
+      const q = images[(k + 1) % 3];
+      this.corners.push(p[0]);
+      this.sides.push(this.edges.number(p[0], q[0], what, q[1] - p[1], q[2] - p[2]));
+      this.forward.push(isForward(p[0], q[0], q[1] - p[1], q[2] - p[2]) ? 1 : 0);
+      this.offsets.push(p[1] - x);
+      this.offsets.push(p[2] - y);
+    });
+    this.isAdded.push(isAdded ? 1 : 0);
+  }
+
+  /** The i-th of the triangles with these corners and offsets. */
+  addListed(id, offsets, i, isAdded, what) {
+    if (this.forward === null) this.add(id[3 * i], id[3 * i + 1], id[3 * i + 2], isAdded, what);
+    else this.addImages([0, 1, 2].map((k) => [id[3 * i + k], ...cornerOffset(offsets, i, k)]), isAdded, what);
   }
 
   add(a, b, c, isAdded, what) {
@@ -151,10 +206,11 @@ class TriangleChanges {
 
 /** All triangles that rows change: those of flips follow from the edges. Checks that each removed
  * triangle is there, and that no added one lies on the same side of an edge as another one. */
-function findTriangles(recording, {initial, ...groups}, edges) {
-  const state = {edges, triangles: new Triangles(edges.count), changes: new TriangleChanges(edges)};
-  for (let i = 0; i < initial.length; i += 3) {
-    state.changes.add(initial[i], initial[i + 1], initial[i + 2], true, 'the start');
+function findTriangles(recording, {initial, initialOffsets, ...groups}, edges) {
+  const isPeriodic = recording.periodic !== null;
+  const state = {edges, triangles: new Triangles(edges.count, isPeriodic), changes: new TriangleChanges(edges)};
+  for (let i = 0; i < initial.length / 3; ++i) {
+    state.changes.addListed(initial, initialOffsets, i, true, 'the start');
   }
   followTriangles(recording, state, 0, 'the start');
   recording.rowTriangle = new Uint32Array(recording.rows + 1);
@@ -162,13 +218,17 @@ function findTriangles(recording, {initial, ...groups}, edges) {
   recording.triangleCorners = state.changes.corners.finish();
   recording.triangleSides = state.changes.sides.finish();
   recording.triangleAdded = state.changes.isAdded.finish();
+  recording.triangleForward = state.changes.forward?.finish() ?? null;
+  recording.triangleOffsets = state.changes.offsets?.finish() ?? null;
   return state;
 }
 
 /** Executes the changes of triangles from the first one on. */
 function followTriangles({edgeA}, {edges, triangles, changes}, first, what) {
   demand(edges.count <= edgeA.length, `${what} has a triangle with a side that is never an edge`);
-  const present = {edgeA, triangleCorners: changes.corners.values, triangleSides: changes.sides.values};
+  const present = {edgeA, triangleCorners: changes.corners.values, triangleSides: changes.sides.values,
+                   triangleForward: changes.forward?.values ?? null,
+                   triangleOffsets: changes.offsets?.values ?? null};
   for (let i = first; i < changes.isAdded.length; ++i) {
     const isAdded = changes.isAdded.values[i] === 1;
     if (triangles.sidesInUse(present, i) !== (isAdded ? 0 : 3)) {
@@ -181,7 +241,7 @@ function followTriangles({edgeA}, {edges, triangles, changes}, first, what) {
 }
 
 /** Makes and executes the changes of triangles of the rows from the first one on. */
-function changeTriangles(recording, state, {count, row, removed, added, id}, firstRow) {
+function changeTriangles(recording, state, {count, row, removed, added, id, offsets = null}, firstRow) {
   const {rows, rowKind, kinds, rowTriangle} = recording;
   const {triangles, changes} = state;
   let at = 0, group = 0;
@@ -191,9 +251,7 @@ function changeTriangles(recording, state, {count, row, removed, added, id}, fir
     if (kinds[rowKind[r]] === 'flip') addFlip(recording, r, triangles, changes);
     if (group < count && firstRow + row[group] === r) {
       const last = removed[group] + added[group];
-      for (let i = 0; i < last; ++i, at += 3) {
-        changes.add(id[at], id[at + 1], id[at + 2], i >= removed[group], what);
-      }
+      for (let i = 0; i < last; ++i, ++at) changes.addListed(id, offsets, at, i >= removed[group], what);
       ++group;
     }
     followTriangles(recording, state, first, what);
@@ -203,16 +261,33 @@ function changeTriangles(recording, state, {count, row, removed, added, id}, fir
 }
 
 /** The triangles of a flip: the two at the removed edge, which go, and the two at the added one. */
-function addFlip({rowRemoved, rowAdded, edgeA, edgeB}, row, {left, right}, changes) {
+function addFlip(recording, row, triangles, changes) {
+  const {rowRemoved, rowAdded, edgeA, edgeB} = recording, {left, right} = triangles;
   const removed = rowRemoved[row], added = rowAdded[row], what = `event ${row}`;
   demand(removed >= 0 && added >= 0, `${what} is a flip without two edges`);
   const a = edgeA[removed], b = edgeB[removed], c = left[removed], d = right[removed];
+  if (recording.periodic !== null) {
+    addFlipOfImages(recording, removed, added, triangles, changes, what);
+    return;
+  }
   demand(Math.min(c, d) === edgeA[added] && Math.max(c, d) === edgeB[added],
          `${what} adds an edge that is not the other diagonal of the triangles at the removed one`);
   changes.add(a, b, c, false, what);
   changes.add(b, a, d, false, what);
   changes.add(a, d, c, true, what);
   changes.add(d, b, c, true, what);
+}
+
+/** The same in a periodic box. */
+function addFlipOfImages({edgeA, edgeB, edgeX, edgeY}, removed, added, triangles, changes, what) {
+  const a = [edgeA[removed], 0, 0], b = [edgeB[removed], edgeX[removed], edgeY[removed]];
+  const c = triangles.imageAt(removed, true), d = triangles.imageAt(removed, false);
+  demand(c !== null && d !== null && changes.edges.number(c[0], d[0], what, d[1] - c[1], d[2] - c[2]) === added,
+         `${what} adds an edge that is not the other diagonal of the triangles at the removed one`);
+  changes.addImages([a, b, c], false, what);
+  changes.addImages([b, a, d], false, what);
+  changes.addImages([a, d, c], true, what);
+  changes.addImages([d, b, c], true, what);
 }
 
 function readEvents(recording, json, ids, edges) {
@@ -222,6 +297,8 @@ function readEvents(recording, json, ids, edges) {
   const fields = decodeNumbers(json.fields, 'Uint8', 'the list of fields of events');
   const time = decodeNumbers(json.time, 'Float64', 'the list of times of events');
   const id = decodeNumbers(json.ids, ids, 'the list of ids in events');
+  const offsets = recording.periodic === null ? null :
+    decodeNumbers(json.offsets, 'Int32', 'the list of offsets of edges');
   demand(kind.length === count && fields.length === count && time.length === count,
          `it has ${count} events, but ${kind.length} kinds, ${fields.length} fields and ` +
          `${time.length} times of them`);
@@ -234,17 +311,22 @@ function readEvents(recording, json, ids, edges) {
     rowRemoved: new Int32Array(count), rowAdded: new Int32Array(count),
     rowA: new Int32Array(count), rowB: new Int32Array(count),
   });
-  readRows(recording, {kind, fields, time, id, number: json.first ?? 0}, edges, 0);
+  readRows(recording, {kind, fields, time, id, offsets, number: json.first ?? 0}, edges, 0);
 }
 
 /** Reads the rows from the first one on. */
-function readRows(recording, {kind, fields, time, id, number}, edges, firstRow) {
-  let at = 0;
+function readRows(recording, {kind, fields, time, id, offsets = null, number}, edges, firstRow) {
+  let at = 0, offset = 0;
   const take = (row) => {
     demand(at < id.length, `the ids of event ${row} are not there`);
     return id[at++];
   };
-  const takeEdge = (row) => edges.number(take(row), take(row), `event ${row}`);
+  const takeEdge = (row) => {
+    const a = take(row), b = take(row);
+    if (offsets === null) return edges.number(a, b, `event ${row}`);
+    demand(offset + 2 <= offsets.length, `an offset of event ${row} is not there`);
+    return edges.number(a, b, `event ${row}`, offsets[offset++], offsets[offset++]);
+  };
   const takePoint = (row) => {
     const point = take(row);
     demand(point < recording.points, `event ${row} names the point ${point}, but the ids end with ` +
@@ -272,6 +354,7 @@ function readRows(recording, {kind, fields, time, id, number}, edges, firstRow) 
            `event ${row} is before event ${row - 1}`);
   }
   demand(at === id.length, `${id.length - at} ids belong to no event`);
+  demand(offsets === null || offset === offsets.length, 'offsets belong to no edge');
 }
 
 function readMotions(recording, json, ids) {

@@ -6,23 +6,40 @@
 /**
  * The triangles at some moment, by their sides. Of an edge ab with a < b, `left[edge]` is the third
  * corner of the triangle to the left of ab, and `right[edge]` that of the triangle to its right; -1
- * if there is no triangle.
+ * if there is no triangle. In a periodic box `leftX`, `leftY`, `rightX` and `rightY` are the offsets of
+ * these corners against a.
  */
 class Triangles {
-  constructor(edges) {
+  constructor(edges, isPeriodic = false) {
     this.left = new Int32Array(edges).fill(-1);
     this.right = new Int32Array(edges).fill(-1);
+    this.isPeriodic = isPeriodic;
+    if (isPeriodic) for (const name of OFFSETS_OF_CORNERS) this[name] = new Int32Array(edges);
   }
 
   clone() {
-    const copy = new Triangles(0);
+    const copy = new Triangles(0, this.isPeriodic);
     copy.left = this.left.slice();
     copy.right = this.right.slice();
+    if (this.isPeriodic) for (const name of OFFSETS_OF_CORNERS) copy[name] = this[name].slice();
     return copy;
   }
 
+  /** In a periodic box, the corner to the left or to the right of the edge: [id, x, y]; null if there is
+   * none. */
+  imageAt(edge, isLeft) {
+    const id = isLeft ? this.left[edge] : this.right[edge];
+    if (id < 0) return null;
+    return isLeft ? [id, this.leftX[edge], this.leftY[edge]] : [id, this.rightX[edge], this.rightY[edge]];
+  }
+
   /** Adds or removes the i-th triangle of the recording. */
-  set({triangleCorners, triangleSides, edgeA}, i, isThere) {
+  set(recording, i, isThere) {
+    if (this.isPeriodic) {
+      this.setImages(recording, i, isThere);
+      return;
+    }
+    const {triangleCorners, triangleSides, edgeA} = recording;
     for (let k = 3 * i; k < 3 * i + 3; ++k) {
       const edge = triangleSides[k];
       const side = triangleCorners[k] === edgeA[edge] ? this.left : this.right;
@@ -30,25 +47,47 @@ class Triangles {
     }
   }
 
+  setImages({triangleCorners, triangleSides, triangleForward, triangleOffsets}, i, isThere) {
+    for (let k = 3 * i; k < 3 * i + 3; ++k) {
+      const edge = triangleSides[k], isLeft = triangleForward[k] === 1;
+      const side = isLeft ? this.left : this.right;
+      const apex = k === 3 * i ? k + 2 : k - 1;
+      side[edge] = isThere ? triangleCorners[apex] : -1;
+      const a = isLeft ? k : k === 3 * i + 2 ? 3 * i : k + 1;
+      (isLeft ? this.leftX : this.rightX)[edge] = triangleOffsets[2 * apex] - triangleOffsets[2 * a];
+      (isLeft ? this.leftY : this.rightY)[edge] = triangleOffsets[2 * apex + 1] - triangleOffsets[2 * a + 1];
+    }
+  }
+
   /** How many edges of the i-th triangle of the recording have this triangle beside them now: 0 to
    * 3; -1 if one of them has another triangle there. */
-  sidesInUse({triangleCorners, triangleSides, edgeA}, i) {
+  sidesInUse({triangleCorners, triangleSides, triangleForward, triangleOffsets, edgeA}, i) {
     let count = 0;
     for (let k = 3 * i; k < 3 * i + 3; ++k) {
       const edge = triangleSides[k];
-      const side = triangleCorners[k] === edgeA[edge] ? this.left : this.right;
+      const isLeft = this.isPeriodic ? triangleForward[k] === 1 : triangleCorners[k] === edgeA[edge];
+      const side = isLeft ? this.left : this.right, apex = k === 3 * i ? k + 2 : k - 1;
       if (side[edge] < 0) continue;
-      if (side[edge] !== triangleCorners[k === 3 * i ? k + 2 : k - 1]) return -1;
+      if (side[edge] !== triangleCorners[apex]) return -1;
+      if (this.isPeriodic) {
+        const [, x, y] = this.imageAt(edge, isLeft), a = isLeft ? k : k === 3 * i + 2 ? 3 * i : k + 1;
+        if (x !== triangleOffsets[2 * apex] - triangleOffsets[2 * a] ||
+            y !== triangleOffsets[2 * apex + 1] - triangleOffsets[2 * a + 1]) return -1;
+      }
       ++count;
     }
     return count;
   }
 }
 
-/** The list of the triangles of a playback, three corners each, counterclockwise. `update` makes
- * them those of the time shown. */
+const OFFSETS_OF_CORNERS = ['leftX', 'leftY', 'rightX', 'rightY'];
+
+/** The list of the triangles of a playback, three corners each, counterclockwise; in a periodic box with the
+ * offsets of corners 1 and 2 against corner 0, four numbers a triangle. `update` makes them those of the time
+ * shown. */
 class TriangleList {
   constructor(playback) {
+    this.offsets = [];
     this.playback = playback;
     this.event = -1;  // of the playback when the list was made
     this.corners = new Uint32Array(0);
@@ -61,6 +100,10 @@ class TriangleList {
     this.event = playback.event;
     const {edgeA, edgeB} = playback.recording;
     const {left} = playback.triangles;
+    if (playback.recording.periodic !== null) {
+      this.listImages();
+      return;
+    }
     // An edge has two triangles at most, a triangle three edges.
     if (this.corners.length < 2 * playback.liveCount) {
       this.corners = new Uint32Array(2 * playback.liveCount + 64);
@@ -75,6 +118,34 @@ class TriangleList {
       this.corners[at + 1] = edgeB[edge];
       this.corners[at + 2] = left[edge];
     }
+  }
+
+  /** Lists the triangles of a periodic box, each once: by the least of its three names. */
+  listImages() {
+    const {live, liveCount, triangles, recording: {edgeA, edgeB, edgeX, edgeY}} = this.playback;
+    const corners = [];
+    this.offsets = [];
+    const add = (a, b, c) => {
+      const images = [a, b, c];
+      const names = images.map((p, k) => {
+        const q = images[(k + 1) % 3], r = images[(k + 2) % 3];
+        return [p[0], q[0], r[0], q[1] - p[1], q[2] - p[2], r[1] - p[1], r[2] - p[2]];
+      });
+      const isLess = (s, t) => {
+        const k = s.findIndex((number, i) => number !== t[i]);
+        return k >= 0 && s[k] < t[k];
+      };
+      if (isLess(names[1], names[0]) || isLess(names[2], names[0])) return;
+      corners.push(...names[0].slice(0, 3));
+      this.offsets.push(...names[0].slice(3));
+    };
+    for (let i = 0; i < liveCount; ++i) {
+      const edge = live[i], a = [edgeA[edge], 0, 0], b = [edgeB[edge], edgeX[edge], edgeY[edge]];
+      add(a, b, triangles.imageAt(edge, true));
+      add(b, a, triangles.imageAt(edge, false));
+    }
+    this.corners = Uint32Array.from(corners);
+    this.triangles = corners.length / 3;
   }
 }
 

@@ -11,6 +11,8 @@ const SEEN_MARGIN = 16;
 const VIEW_MARGIN = 12;  // pixels between what is selected and the border; a picture of everything has more
 const POINT_REACH = 5;  // pixels beside a dot
 const NOTHING = {kind: 'none', id: -1};
+const SHIFT = {x: 0, y: 0};
+const SEGMENT = new Float64Array(4);
 
 class View {
   constructor(viewer) {
@@ -124,11 +126,40 @@ class View {
     }
   }
 
-  /** Adds the edge. */
+  /** Adds the edge; one that leaves a periodic box at both ends. */
   addEdge(batch, edge, shade = 0) {
     const {sx, sy} = this;
     const a = this.viewer.recording.edgeA[edge], b = this.viewer.recording.edgeB[edge];
-    this.addSegment(batch, sx[a], sy[a], sx[b], sy[b], shade);
+    this.setShift(edge);
+    const {x, y} = SHIFT;
+    this.addSegment(batch, sx[a], sy[a], sx[b] + x, sy[b] + y, shade);
+    if (x !== 0 || y !== 0) this.addSegment(batch, sx[a] - x, sy[a] - y, sx[b], sy[b], shade);
+  }
+
+  /** Sets SHIFT to what leads, on the screen, from the second end of the edge to the image at which the edge
+   * ends if it begins at the first end; it is zero unless it leaves a periodic box. */
+  setShift(edge) {
+    const {recording: {edgeA, edgeB, edgeX, edgeY}} = this.viewer;
+    if (edgeX === null) SHIFT.x = SHIFT.y = 0;
+    else this.setShiftOf(edgeA[edge], edgeB[edge], edgeX[edge], edgeY[edge]);
+  }
+
+  /** The same of an image with this offset against the first point. */
+  setShiftOf(from, to, x, y) {
+    this.viewer.images.shift(from, to, x, y, SHIFT);
+    SHIFT.x *= this.camera.scale;
+    SHIFT.y *= -this.camera.scale;
+  }
+
+  /** Sets SHIFT to what leads, on the screen, from a point to the image of it that is nearest to the position;
+   * zero without a periodic box. */
+  setShiftToward(point, x, y) {
+    const {viewer: {images}, camera, sx, sy} = this;
+    SHIFT.x = SHIFT.y = 0;
+    if (images === null || Number.isNaN(sx[point])) return;
+    images.box.toShortest((sx[point] - x) / camera.scale, (y - sy[point]) / camera.scale, SHIFT);
+    SHIFT.x *= camera.scale;
+    SHIFT.y *= -camera.scale;
   }
 
   /** What a click selects: a point, an edge, or, where cells are shown, the point of a cell: {kind, id}. In
@@ -147,11 +178,27 @@ class View {
   }
 
   isInMiddle(edge, x, y) {
-    const {sx, sy} = this;
-    const a = this.viewer.recording.edgeA[edge], b = this.viewer.recording.edgeB[edge];
-    const dx = sx[b] - sx[a], dy = sy[b] - sy[a];
-    const along = ((x - sx[a]) * dx + (y - sy[a]) * dy) / (dx * dx + dy * dy);
+    this.distanceToEdge(edge, x, y);
+    const [x0, y0, x1, y1] = SEGMENT, dx = x1 - x0, dy = y1 - y0;
+    const along = ((x - x0) * dx + (y - y0) * dy) / (dx * dx + dy * dy);
     return along > 1 / 3 && along < 2 / 3;
+  }
+
+  /** The squared distance of a position on the screen from the edge, as it is drawn; and in SEGMENT the ends of
+   * the nearest drawing of it. */
+  distanceToEdge(edge, x, y) {
+    const {sx, sy} = this;
+    const {edgeA, edgeB} = this.viewer.recording, a = edgeA[edge], b = edgeB[edge];
+    this.setShift(edge);
+    const first = distanceToSegment(sx[a], sy[a], sx[b] + SHIFT.x, sy[b] + SHIFT.y, x, y);
+    const isTwice = SHIFT.x !== 0 || SHIFT.y !== 0;
+    const second = isTwice ? distanceToSegment(sx[a] - SHIFT.x, sy[a] - SHIFT.y, sx[b], sy[b], x, y) : Infinity;
+    const isSecond = second < first;
+    SEGMENT[0] = sx[a] - (isSecond ? SHIFT.x : 0);
+    SEGMENT[1] = sy[a] - (isSecond ? SHIFT.y : 0);
+    SEGMENT[2] = sx[b] + (isSecond ? 0 : SHIFT.x);
+    SEGMENT[3] = sy[b] + (isSecond ? 0 : SHIFT.y);
+    return isSecond ? second : first;
   }
 
   /** The point in whose cell the position is: the least power to it. */
@@ -159,7 +206,8 @@ class View {
     const {sx, sy, sw} = this;
     let owner = -1, least = Infinity;
     for (let point = 0; point < sx.length; ++point) {
-      const dx = sx[point] - x, dy = sy[point] - y;
+      this.setShiftToward(point, x, y);
+      const dx = sx[point] + SHIFT.x - x, dy = sy[point] + SHIFT.y - y;
       const power = dx * dx + dy * dy - sw[point];
       if (power < least) {
         least = power;
@@ -177,7 +225,8 @@ class View {
   pointAt(x, y, reach) {
     let nearest = -1, least = reach * reach;
     for (let point = 0; point < this.sx.length; ++point) {
-      const dx = this.sx[point] - x, dy = this.sy[point] - y;
+      this.setShiftToward(point, x, y);
+      const dx = this.sx[point] + SHIFT.x - x, dy = this.sy[point] + SHIFT.y - y;
       const distance = dx * dx + dy * dy;
       if (distance <= least) {
         least = distance;
@@ -189,17 +238,11 @@ class View {
 
   /** The edge nearest to a position on the screen, within reach; or -1. */
   edgeAt(x, y, reach) {
-    const {sx, sy} = this;
-    const {playback, recording} = this.viewer;
+    const {playback} = this.viewer;
     let nearest = -1, least = reach * reach;
     for (let i = 0; i < playback.liveCount; ++i) {
       const edge = playback.live[i];
-      const a = recording.edgeA[edge], b = recording.edgeB[edge];
-      const dx = sx[b] - sx[a], dy = sy[b] - sy[a];
-      const along = ((x - sx[a]) * dx + (y - sy[a]) * dy) / (dx * dx + dy * dy);
-      const t = Math.min(Math.max(along, 0), 1);
-      const ex = sx[a] + t * dx - x, ey = sy[a] + t * dy - y;
-      const distance = ex * ex + ey * ey;
+      const distance = this.distanceToEdge(edge, x, y);
       if (distance <= least) {
         least = distance;
         nearest = edge;
@@ -207,4 +250,13 @@ class View {
     }
     return nearest;
   }
+}
+
+/** The squared distance of the position (x, y) from a segment. */
+function distanceToSegment(x0, y0, x1, y1, x, y) {
+  const dx = x1 - x0, dy = y1 - y0;
+  const along = ((x - x0) * dx + (y - y0) * dy) / (dx * dx + dy * dy);
+  const t = Math.min(Math.max(along, 0), 1);
+  const ex = x0 + t * dx - x, ey = y0 + t * dy - y;
+  return ex * ex + ey * ey;
 }

@@ -28,6 +28,7 @@ class Viewer {
     this.r = new Float64Array(recording.points);
     this.w = new Float64Array(recording.points);     // weights
     this.hidden = new Uint8Array(recording.points);  // VISIBLE, or how others hide it
+    this.images = recording.periodic === null ? null : new Images(recording);  // x and y are theirs
     this.colors = {};
     this.direction = 0;  // of playing: 1, -1, or 0 while paused
     this.pointer = null;
@@ -45,7 +46,7 @@ class Viewer {
     this.selected = -1;       // edge
     this.certificate = null;  // its certificate, or its last one if the edge is not there
     this.switches = {
-      wave: recording.wave !== null, delaunay: true, hull: true, voronoi: false, circle: false,
+      wave: recording.wave !== null, delaunay: true, hull: recording.periodic === null, voronoi: false, circle: false,
       discs: hasDiscs(recording), trails: false, arrows: false, heat: false, scale: false, axes: false,
       links: hasEncounters(recording),
       ids: recording.points <= 40,
@@ -378,6 +379,7 @@ class Viewer {
   place() {
     const {playback, x, y, r, w, hidden} = this;
     placePoints(playback, playback.time, x, y);
+    this.images?.wrap(playback.time, x, y);
     sizePoints(playback, playback.time, r, w);
     findHidden(playback, x, y, w, hidden);
     this.encounters?.update(playback.time);

@@ -63,8 +63,28 @@ int degree(const Recording& recording) {
   return result;
 }
 
+// The offsets of edges, or of corners of triangles; empty in the plane.
+class Offset_bytes {
+ public:
+  void add(const Lattice_offset_2& offset) {
+    bytes_.add(static_cast<std::uint32_t>(offset.x));
+    bytes_.add(static_cast<std::uint32_t>(offset.y));
+  }
+  void add(const std::array<Lattice_offset_2, 2>& offsets) {
+    add(offsets[0]);
+    add(offsets[1]);
+  }
+  void write(Json_writer& json, const char* key, const Recording& recording) const {
+    if (recording.periodic_box) json.member(key, bytes_.base64());
+  }
+
+ private:
+  Bytes bytes_;
+};
+
 // The edges at the start that are not sides of triangles.
 std::string initial_edges(const Recording& recording, std::size_t points) {
+  if (recording.periodic_box) return {};
   std::vector<Edge_ids> sides;
   for (const auto& [a, b, c] : recording.initial_triangles) {
     sides.insert(sides.end(), {edge_ids(a, b), edge_ids(b, c), edge_ids(c, a)});
@@ -81,6 +101,9 @@ std::string initial_edges(const Recording& recording, std::size_t points) {
 void write_triangles(Json_writer& json, const Recording& recording, std::size_t points) {
   Id_bytes initial(points);
   for (const Triangle_ids& corners : recording.initial_triangles) initial.add(corners);
+  Offset_bytes initial_offsets;
+  for (const auto& offsets : recording.initial_offsets) initial_offsets.add(offsets);
+  Offset_bytes offsets;
   Bytes event;
   Bytes removed;
   Bytes added;
@@ -95,6 +118,7 @@ void write_triangles(Json_writer& json, const Recording& recording, std::size_t 
       if (is_flip) continue;
       ++numbers[change->is_added ? 1 : 0];
       ids.add(change->corners);
+      offsets.add(change->offsets);
     }
     if (is_flip) continue;
     ++count;
@@ -104,11 +128,13 @@ void write_triangles(Json_writer& json, const Recording& recording, std::size_t 
   }
   json.begin_object();
   json.member("initial", initial.base64());
+  initial_offsets.write(json, "initial_offsets", recording);
   json.member("count", count);
   json.member("event", event.base64());
   json.member("removed", removed.base64());
   json.member("added", added.base64());
   json.member("ids", ids.base64());
+  offsets.write(json, "offsets", recording);
   json.end_object();
 }
 
@@ -183,6 +209,7 @@ void write_events(Json_writer& json, const Recording& recording, std::size_t poi
   Bytes present;
   Bytes time;
   Id_bytes ids(points);
+  Offset_bytes offsets;
   for (const Recorded_event& event : recording.events) {
     kind.add(static_cast<std::uint8_t>(event.kind));
     present.add(fields(event));
@@ -191,6 +218,8 @@ void write_events(Json_writer& json, const Recording& recording, std::size_t poi
     if (event.added) ids.add(*event.added);
     if (event.point_a) ids.add(*event.point_a);
     if (event.point_b) ids.add(*event.point_b);
+    if (event.removed) offsets.add(event.removed_offset);
+    if (event.added) offsets.add(event.added_offset);
   }
   json.begin_object();
   json.member("count", recording.events.size());
@@ -209,6 +238,7 @@ void write_events(Json_writer& json, const Recording& recording, std::size_t poi
   json.member("fields", present.base64());
   json.member("time", time.base64());
   json.member("ids", ids.base64());
+  offsets.write(json, "offsets", recording);
   json.end_object();
 }
 
@@ -217,6 +247,15 @@ void write_box(Json_writer& json, const std::optional<Box_2>& box) {
   if (!box) return json.null();
   json.begin_list();
   for (const double side : {box->xmin, box->ymin, box->xmax, box->ymax}) json.value(side);
+  json.end_list();
+}
+
+void write_periodic_box(Json_writer& json, const Periodic_box_2& box) {
+  json.key("periodic");
+  json.begin_list();
+  for (const auto& [vector, rate, epoch] : {box.first(), box.second()}) {
+    for (const double number : {epoch, vector.x, vector.y, rate.x, rate.y}) json.value(number);
+  }
   json.end_list();
 }
 
@@ -314,7 +353,7 @@ std::string viewer_recording(const Recording& recording, const Viewer_settings& 
   std::string text;
   Json_writer json(text);
   json.begin_object();
-  json.member("format", 2);
+  json.member("format", recording.periodic_box ? 3 : 2);
   json.member("program", std::string("kinetri ") + version);
   json.member("title", settings.title);
   if (!settings.view.empty()) json.member("view", settings.view);
@@ -322,6 +361,7 @@ std::string viewer_recording(const Recording& recording, const Viewer_settings& 
   json.member("until", recording.until);
   json.member("points", points);
   write_box(json, settings.box);
+  if (recording.periodic_box) write_periodic_box(json, *recording.periodic_box);
   json.member("radius", settings.radius);
   write_thinned(json, recording);
   write_wave(json, settings.wave);

@@ -19,6 +19,7 @@
 #include "kinetri/base/error.h"
 #include "kinetri/impl/io/bytes.h"
 #include "kinetri/impl/io/text.h"
+#include "kinetri/impl/simulation/triangle_map.h"
 #include "kinetri/io/viewer_page.h"
 
 namespace kinetri {
@@ -83,17 +84,51 @@ class Packed_numbers {
     return edge_ids(a, b);
   }
 
-  Triangle_ids take_triangle() {
+  // With the offset from that list; none in the plane.
+  Periodic_edge take_edge(Packed_numbers* offsets) {
+    if (offsets == nullptr) return {take_edge(), {}};
+    const Point_id a = take_id();
+    const Point_id b = take_id();
+    const Lattice_offset_2 offset = offsets->take_offset();
+    if (a == b && offset == Lattice_offset_2()) {
+      fail(joined("has an edge from point ", a, " to itself"));
+    }
+    return periodic_edge(a, b, offset);
+  }
+
+  // The same with the offsets of corners.
+  Periodic_triangle take_triangle(Packed_numbers* offsets) {
     const Point_id a = take_id();
     const Point_id b = take_id();
     const Point_id c = take_id();
-    if (a == b || b == c || c == a) {
+    const Lattice_offset_2 to_b = offsets == nullptr ? Lattice_offset_2() : offsets->take_offset();
+    const Lattice_offset_2 to_c = offsets == nullptr ? Lattice_offset_2() : offsets->take_offset();
+    const Periodic_triangle result = periodic_triangle({a, {}}, {b, to_b}, {c, to_c});
+    const auto [p, q, r] = detail::images_of(result);
+    const Lattice_offset_2 across = offset_between(q.offset, r.offset);
+    if (p == q || q == r || r == p || !is_possible(across.x) || !is_possible(across.y)) {
       fail(joined("has a triangle whose corners are ", a, ", ", b, " and ", c));
     }
-    return triangle_ids(a, b, c);
+    return result;
+  }
+
+  Lattice_offset_2 take_offset() {
+    const std::int32_t x = take_offset_number();
+    return {x, take_offset_number()};
   }
 
  private:
+  // The opposite number is possible too.
+  static bool is_possible(std::int32_t offset) {
+    return offset != std::numeric_limits<std::int32_t>::min();
+  }
+
+  std::int32_t take_offset_number() {
+    const auto result = static_cast<std::int32_t>(take<std::uint32_t>());
+    if (!is_possible(result)) fail("has an offset of -2^31");
+    return result;
+  }
+
   Json_value value_;
   std::size_t points_;
   bool are_ids_short_;
@@ -101,67 +136,78 @@ class Packed_numbers {
   std::size_t place_ = 0;
 };
 
-// Checks each change of the edges and triangles of a recording.
+// Checks each change of the edges and triangles of a recording. In the plane offsets are zero.
 class Followed_topology {
  public:
   explicit Followed_topology(const Json_value& json) : json_(json) {}
 
-  void add(const Edge_ids& edge, const std::string& what) {
+  void add(const Periodic_edge& edge, const std::string& what) {
     if (edges_.insert(edge).second) return;
-    fail_damaged(
-        json_, joined(what, " adds the edge ", edge[0], "-", edge[1], ", which is there already"));
+    fail_damaged(json_, joined(what, " adds the edge ", name(edge), ", which is there already"));
   }
-  void remove(const Edge_ids& edge, const std::string& what) {
+  void remove(const Periodic_edge& edge, const std::string& what) {
     if (edges_.erase(edge) == 1) return;
-    fail_damaged(json_,
-                 joined(what, " removes the edge ", edge[0], "-", edge[1], ", which is not there"));
+    fail_damaged(json_, joined(what, " removes the edge ", name(edge), ", which is not there"));
   }
 
-  void add(const Triangle_ids& corners, const std::string& what) {
+  void add(const Periodic_triangle& triangle, const std::string& what) {
+    const auto corners = detail::images_of(triangle);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (triangles_.apex(corners[k], corners[(k + 1) % 3]) == no_point) continue;
-      fail_damaged(json_, joined(what, " adds the triangle ", name(corners),
+      if (triangles_.apex(corners[k], corners[(k + 1) % 3]).id == no_point) continue;
+      fail_damaged(json_, joined(what, " adds the triangle ", name(triangle),
                                  ", which overlaps another one"));
     }
     triangles_.insert(corners);
   }
-  void remove(const Triangle_ids& corners, const std::string& what) {
+  void remove(const Periodic_triangle& triangle, const std::string& what) {
+    const auto corners = detail::images_of(triangle);
     const auto& [a, b, c] = corners;
     const bool is_there = triangles_.apex(a, b) == c && triangles_.apex(b, c) == a;
     if (!is_there) {
       fail_damaged(json_,
-                   joined(what, " removes the triangle ", name(corners), ", which is not there"));
+                   joined(what, " removes the triangle ", name(triangle), ", which is not there"));
     }
     triangles_.erase(corners);
   }
 
   // The triangles that a flip removes, then those that it adds.
-  std::array<Triangle_ids, 4> flipped(const Recorded_event& event, const std::string& what) const {
+  std::array<Periodic_triangle, 4> flipped(const Recorded_event& event,
+                                           const std::string& what) const {
     if (!event.removed || !event.added)
       fail_damaged(json_, joined(what, " is a flip without two edges"));
-    const auto [a, b] = *event.removed;
-    const Point_id c = triangles_.apex(a, b);
-    const Point_id d = triangles_.apex(b, a);
-    if (c == no_point || d == no_point || edge_ids(c, d) != *event.added) {
+    const Periodic_image a = {(*event.removed)[0], {}};
+    const Periodic_image b = {(*event.removed)[1], event.removed_offset};
+    const Periodic_image c = triangles_.apex(a, b);
+    const Periodic_image d = triangles_.apex(b, a);
+    if (c.id == no_point || d.id == no_point ||
+        detail::edge_between(c, d) != Periodic_edge{*event.added, event.added_offset}) {
       fail_damaged(json_,
                    joined(what, " adds an edge that is not the other diagonal of the triangles at ",
                           "the removed one"));
     }
-    std::array<Triangle_ids, 4> result = {triangle_ids(a, b, c), triangle_ids(b, a, d),
-                                          triangle_ids(a, d, c), triangle_ids(d, b, c)};
+    std::array<Periodic_triangle, 4> result = {
+        periodic_triangle(a, b, c), periodic_triangle(b, a, d), periodic_triangle(a, d, c),
+        periodic_triangle(d, b, c)};
     if (result[1] < result[0]) std::swap(result[0], result[1]);
     if (result[3] < result[2]) std::swap(result[2], result[3]);
     return result;
   }
 
  private:
-  static std::string name(const Triangle_ids& corners) {
-    return joined(corners[0], "-", corners[1], "-", corners[2]);
+  static std::string name(const Periodic_edge& edge) {
+    const auto& [ids, offset] = edge;
+    std::string result = joined(ids[0], "-", ids[1]);
+    if (offset != Lattice_offset_2()) append(result, " (", offset.x, ", ", offset.y, ")");
+    return result;
+  }
+  static std::string name(const Periodic_triangle& triangle) {
+    const auto& ids = triangle.corners;
+    return joined(ids[0], "-", ids[1], "-", ids[2]);
   }
 
   const Json_value& json_;
-  std::set<Edge_ids> edges_;
-  detail::Triangle_map triangles_;
+  std::set<Periodic_edge> edges_;
+  detail::Triangle_map<Periodic_image> triangles_;
 };
 
 class Page_reader {
@@ -170,8 +216,10 @@ class Page_reader {
 
   Viewer_page read() {
     const Json_value format = json_.member("format");
-    if (format.whole_number<std::uint32_t>() != 2) {
-      format.fail("is not 2, which this version reads; expected a page of this version");
+    const std::uint32_t expected = json_.has_member("periodic") ? 3 : 2;
+    if (format.whole_number<std::uint32_t>() != expected) {
+      format.fail(joined("is not ", expected,
+                         ", which this version reads; expected a page of this version"));
     }
     recording_.from = json_.member("from").number();
     recording_.until = json_.member("until").number();
@@ -208,6 +256,7 @@ class Page_reader {
       settings_.box = Box_2{box.element(0).number(), box.element(1).number(),
                             box.element(2).number(), box.element(3).number()};
     }
+    if (json_.has_member("periodic")) read_periodic_box(json_.member("periodic"));
     settings_.radius = json_.member("radius").number();
     if (settings_.radius < 0) json_.member("radius").fail("is negative; expected 0 or more");
     if (const Json_value wave = json_.member("wave"); !wave.is_null()) {
@@ -217,6 +266,28 @@ class Page_reader {
       recording_.is_thinned = true;
       recording_.events_in_all = thinned.member("events").whole_number<std::uint64_t>();
     }
+  }
+
+  void read_periodic_box(const Json_value& json) {
+    json.expect_size(10);
+    std::array<Linear_motion_2, 2> vectors;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto number = [&](std::size_t k) { return json.element(5 * i + k).number(); };
+      vectors[i] = {{number(1), number(2)}, {number(3), number(4)}, number(0)};
+    }
+    try {
+      recording_.periodic_box.emplace(vectors[0], vectors[1]);
+      recording_.periodic_box->require_area(Algebraic_number(recording_.from),
+                                            Algebraic_number(recording_.until));
+    } catch (const Periodic_box_error&) {
+      fail_damaged(json, "has no area at a time of the run");
+    }
+  }
+
+  // The offsets of a list; none in the plane.
+  std::optional<Packed_numbers> offsets(const Json_value& json, const char* key) const {
+    if (!recording_.periodic_box) return std::nullopt;
+    return Packed_numbers(json, key, points_);
   }
 
   void read_encounters(const Json_value& json) {
@@ -256,6 +327,12 @@ class Page_reader {
     Packed_numbers fields(json, "fields", points_);
     Packed_numbers time(json, "time", points_);
     Packed_numbers ids(json, "ids", points_);
+    std::optional<Packed_numbers> offsets = this->offsets(json, "offsets");
+    const auto take_edge = [&](std::optional<Edge_ids>& edge, Lattice_offset_2& offset) {
+      const Periodic_edge taken = ids.take_edge(offsets ? &*offsets : nullptr);
+      edge = taken.ids;
+      offset = taken.offset;
+    };
     for (std::uint64_t row = 0; row < count; ++row) {
       Recorded_event event;
       const auto index = kind.take<std::uint8_t>();
@@ -267,8 +344,8 @@ class Page_reader {
       event.time = {nearest,
                     {(field & 32) != 0 ? std::nextafter(nearest, -infinity) : nearest,
                      (field & 16) != 0 ? std::nextafter(nearest, infinity) : nearest}};
-      if ((field & 1) != 0) event.removed = ids.take_edge();
-      if ((field & 2) != 0) event.added = ids.take_edge();
+      if ((field & 1) != 0) take_edge(event.removed, event.removed_offset);
+      if ((field & 2) != 0) take_edge(event.added, event.added_offset);
       if ((field & 4) != 0) event.point_a = ids.take_id();
       if ((field & 8) != 0) event.point_b = ids.take_id();
       if (!recording_.events.empty()) {
@@ -287,6 +364,7 @@ class Page_reader {
       recording_.events.push_back(event);
     }
     for (const Packed_numbers* list : {&kind, &fields, &time, &ids}) list->expect_end();
+    if (offsets) offsets->expect_end();
   }
 
   void read_motions(const Json_value& json) {
@@ -364,24 +442,37 @@ class Page_reader {
     Followed_topology topology(json_);
     const Json_value json = json_.member("triangles");
     const std::string start = "the start";
-    std::set<Edge_ids> sides;
+    std::set<Periodic_edge> sides;
     Packed_numbers initial(json, "initial", points_);
+    std::optional<Packed_numbers> initial_offsets = offsets(json, "initial_offsets");
     while (!initial.is_at_end()) {
-      const Triangle_ids corners = initial.take_triangle();
-      topology.add(corners, start);
-      recording_.initial_triangles.push_back(corners);
-      for (std::size_t k = 0; k < 3; ++k) sides.insert(edge_ids(corners[k], corners[(k + 1) % 3]));
+      const Periodic_triangle triangle =
+          initial.take_triangle(initial_offsets ? &*initial_offsets : nullptr);
+      topology.add(triangle, start);
+      recording_.initial_triangles.push_back(triangle.corners);
+      if (initial_offsets) recording_.initial_offsets.push_back(triangle.offsets);
+      const auto corners = detail::images_of(triangle);
+      for (std::size_t k = 0; k < 3; ++k) {
+        sides.insert(detail::edge_between(corners[k], corners[(k + 1) % 3]));
+      }
     }
+    if (initial_offsets) initial_offsets->expect_end();
     Packed_numbers others(json_, "initial_edges", points_);
-    recording_.initial_edges.assign(sides.begin(), sides.end());
-    while (!others.is_at_end()) recording_.initial_edges.push_back(others.take_edge());
+    for (const Periodic_edge& side : sides) {
+      topology.add(side, start);
+      recording_.initial_edges.push_back(side.ids);
+    }
+    while (!others.is_at_end()) {
+      recording_.initial_edges.push_back(others.take_edge());
+      topology.add({recording_.initial_edges.back(), {}}, start);
+    }
     std::ranges::sort(recording_.initial_edges);
-    for (const Edge_ids& edge : recording_.initial_edges) topology.add(edge, start);
 
     Packed_numbers rows(json, "event", points_);
     Packed_numbers removed(json, "removed", points_);
     Packed_numbers added(json, "added", points_);
     Packed_numbers ids(json, "ids", points_);
+    std::optional<Packed_numbers> offsets = this->offsets(json, "offsets");
     const auto next_row = [&] {
       return rows.is_at_end() ? recording_.events.size() : rows.take<std::uint32_t>();
     };
@@ -392,25 +483,25 @@ class Page_reader {
       const std::string what = joined("event ", row);
       const std::size_t first = recording_.triangles.size();
       if (event.kind == Event_kind::flip) {
-        const std::array<Triangle_ids, 4> flipped = topology.flipped(event, what);
-        for (std::size_t i = 0; i < 4; ++i)
-          recording_.triangles.push_back({row, i > 1, flipped[i]});
+        const std::array<Periodic_triangle, 4> flipped = topology.flipped(event, what);
+        for (std::size_t i = 0; i < 4; ++i) add_triangle(row, i > 1, flipped[i]);
       }
-      if (event.removed) topology.remove(*event.removed, what);
-      if (event.added) topology.add(*event.added, what);
+      if (event.removed) topology.remove({*event.removed, event.removed_offset}, what);
+      if (event.added) topology.add({*event.added, event.added_offset}, what);
       if (group == row) {
         const std::size_t goes = removed.take<std::uint32_t>();
         const std::size_t comes = added.take<std::uint32_t>();
         for (std::size_t i = 0; i < goes + comes; ++i) {
-          recording_.triangles.push_back({row, i >= goes, ids.take_triangle()});
+          add_triangle(row, i >= goes, ids.take_triangle(offsets ? &*offsets : nullptr));
         }
         ++groups;
         group = next_row();
         if (group <= row) rows.fail("is not in order");
       }
       for (std::size_t i = first; i < recording_.triangles.size(); ++i) {
-        const auto& [of_row, is_added, corners] = recording_.triangles[i];
-        is_added ? topology.add(corners, what) : topology.remove(corners, what);
+        const auto& [of_row, is_added, corners, of_corners] = recording_.triangles[i];
+        const Periodic_triangle triangle = {corners, of_corners};
+        is_added ? topology.add(triangle, what) : topology.remove(triangle, what);
       }
     }
     if (group < recording_.events.size() || !rows.is_at_end() ||
@@ -418,6 +509,11 @@ class Page_reader {
       rows.fail("names an event that is not there");
     }
     for (const Packed_numbers* list : {&removed, &added, &ids}) list->expect_end();
+    if (offsets) offsets->expect_end();
+  }
+
+  void add_triangle(std::size_t row, bool is_added, const Periodic_triangle& triangle) {
+    recording_.triangles.push_back({row, is_added, triangle.corners, triangle.offsets});
   }
 
   const Json_value& json_;

@@ -16,6 +16,11 @@ bool has_weights(const Recording& recording) {
   });
 }
 
+Periodic_triangle initial_triangle(const Recording& recording, std::size_t i) {
+  if (recording.initial_offsets.empty()) return {recording.initial_triangles[i], {}};
+  return {recording.initial_triangles[i], recording.initial_offsets[i]};
+}
+
 double shown_time(const Recording& recording, std::size_t row) {
   return std::min(recording.events[row].time.bounds.upper, recording.until);
 }
@@ -51,9 +56,19 @@ Playback::Playback(const Recording& recording) : recording_(recording) {
 void Playback::start() {
   time_ = recording_.from;
   rows_ = next_motion_ = next_triangle_ = next_coincidence_ = 0;
-  edges_ = {recording_.initial_edges.begin(), recording_.initial_edges.end()};
+  edges_.clear();
   triangles_ = {};
-  for (const Triangle_ids& corners : recording_.initial_triangles) triangles_.insert(corners);
+  for (std::size_t i = 0; i < recording_.initial_triangles.size(); ++i) {
+    const auto corners = detail::images_of(initial_triangle(recording_, i));
+    triangles_.insert(corners);
+    if (!recording_.periodic_box) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      edges_.insert(detail::edge_between(corners[k], corners[(k + 1) % 3]));
+    }
+  }
+  if (!recording_.periodic_box) {
+    for (const Edge_ids& edge : recording_.initial_edges) edges_.insert({edge, {}});
+  }
   std::ranges::fill(current_, std::nullopt);
   const auto& motions = recording_.motions;
   for (; next_motion_ < motions.size() && !motions[next_motion_].event; ++next_motion_) {
@@ -70,12 +85,13 @@ void Playback::start() {
 // Executes the next row.
 void Playback::execute() {
   const Recorded_event& event = recording_.events[rows_];
-  if (event.removed) edges_.erase(*event.removed);
-  if (event.added) edges_.insert(*event.added);
+  if (event.removed) edges_.erase({*event.removed, event.removed_offset});
+  if (event.added) edges_.insert({*event.added, event.added_offset});
   const auto& triangles = recording_.triangles;
   for (; next_triangle_ < triangles.size() && triangles[next_triangle_].event == rows_;
        ++next_triangle_) {
-    const auto& [row, is_added, corners] = triangles[next_triangle_];
+    const auto& [row, is_added, ids, offsets] = triangles[next_triangle_];
+    const auto corners = detail::images_of({ids, offsets});
     is_added ? triangles_.insert(corners) : triangles_.erase(corners);
   }
   const auto& motions = recording_.motions;
@@ -160,7 +176,9 @@ void Playback::find_hidden(std::vector<Recorded_place>& places) const {
     places[id].is_hidden = places[id].is_there && (are_weighted || coincides(id));
   }
   if (!are_weighted) return;
-  for (const auto& [a, b] : edges_) places[a].is_hidden = places[b].is_hidden = false;
+  for (const auto& [ids, offset] : edges_) {
+    places[ids[0]].is_hidden = places[ids[1]].is_hidden = false;
+  }
   if (!edges_.empty()) return;
   double least = std::numeric_limits<double>::infinity();
   Recorded_place* vertex = nullptr;

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "kinetri/impl/base/check.h"
+#include "kinetri/impl/triangulation/torus_triangulation_impl.h"
 
 namespace kinetri {
 namespace {
@@ -22,12 +24,57 @@ bool is_one_flip(Event_kind kind) {
          kind == Event_kind::hull_remove;
 }
 
+// A triangle of the recording with these corners, counterclockwise.
+Recorded_triangle recorded(std::size_t event, bool is_added, Point_id a, Point_id b, Point_id c) {
+  return {event, is_added, triangle_ids(a, b, c), {}};
+}
+Recorded_triangle recorded(std::size_t event, bool is_added, const Periodic_image& a,
+                           const Periodic_image& b, const Periodic_image& c) {
+  const auto [corners, offsets] = periodic_triangle(a, b, c);
+  return {event, is_added, corners, offsets};
+}
+
+// Those that are removed first.
+void sort_triangles(std::vector<Recorded_triangle>& triangles) {
+  std::ranges::sort(triangles, {}, [](const Recorded_triangle& triangle) {
+    return std::tuple(triangle.is_added, triangle.corners, triangle.offsets);
+  });
+}
+
+// Corner i of a face of the triangulation, as corner `from` sees it.
+template <class Corner, class Face>
+Corner corner_of(Face face, int i, int from) {
+  const Point_id id = face->vertex(i)->point().id();
+  if constexpr (std::same_as<Corner, Point_id>) {
+    return id;
+  } else {
+    return {id, offset_between(face->offset(from), face->offset(i))};
+  }
+}
+
+// The first end of an edge with this offset, and the second one.
+template <class Corner>
+std::array<Corner, 2> ends(const Edge_ids& ids, const Lattice_offset_2& offset) {
+  if constexpr (std::same_as<Corner, Point_id>)
+    return ids;
+  else
+    return {Periodic_image{ids[0], {}}, Periodic_image{ids[1], offset}};
+}
+
+template <class Corner>
+std::array<Corner, 3> corners_of(const Recorded_triangle& triangle) {
+  if constexpr (std::same_as<Corner, Point_id>)
+    return triangle.corners;
+  else
+    return detail::images_of({triangle.corners, triangle.offsets});
+}
+
 // The net effect of the events of an interval of time.
 class Merged_events {
  public:
   void add(const Recorded_event& event) {
-    if (event.removed) --edges_[*event.removed];
-    if (event.added) ++edges_[*event.added];
+    if (event.removed) --edges_[{*event.removed, event.removed_offset}];
+    if (event.added) ++edges_[{*event.added, event.added_offset}];
   }
 
   void add(const Recorded_event& event, const Recorded_motion& motion) {
@@ -41,7 +88,7 @@ class Merged_events {
   }
 
   void add(const Recorded_triangle& triangle) {
-    triangles_[triangle.corners] += triangle.is_added ? 1 : -1;
+    triangles_[{triangle.corners, triangle.offsets}] += triangle.is_added ? 1 : -1;
   }
 
   // Appends the net effect as rows with the number and time of `last`, the last event.
@@ -62,17 +109,25 @@ class Merged_events {
     row.kind = Event_kind::rebuild;
     row.point_a.reset();
     for (const auto& [edge, net] : edges_) {
-      if (net < 0) out.events.push_back(with_edge(row, &Recorded_event::removed, edge));
+      if (net >= 0) continue;
+      out.events.push_back(row);
+      out.events.back().removed = edge.ids;
+      out.events.back().removed_offset = edge.offset;
     }
     for (const auto& [edge, net] : edges_) {
-      if (net > 0) out.events.push_back(with_edge(row, &Recorded_event::added, edge));
+      if (net <= 0) continue;
+      out.events.push_back(row);
+      out.events.back().added = edge.ids;
+      out.events.back().added_offset = edge.offset;
     }
     const auto changed = [](const auto& change) { return change.second != 0; };
     if (std::ranges::none_of(triangles_, changed) && shown_.empty()) return;
     if (out.events.size() == first_row) out.events.push_back(row);
     for (const int change : {-1, 1}) {
-      for (const auto& [corners, net] : triangles_) {
-        if (net == change) out.triangles.push_back({out.events.size() - 1, change > 0, corners});
+      for (const auto& [triangle, net] : triangles_) {
+        if (net != change) continue;
+        out.triangles.push_back(
+            {out.events.size() - 1, change > 0, triangle.corners, triangle.offsets});
       }
     }
     for (const auto& [id, shown] : shown_) {
@@ -86,16 +141,9 @@ class Merged_events {
     std::optional<Polynomial_disc_motion_2> motion;
   };
 
-  static Recorded_event with_edge(Recorded_event row,
-                                  std::optional<Edge_ids> Recorded_event::*field,
-                                  const Edge_ids& edge) {
-    row.*field = edge;
-    return row;
-  }
-
-  std::map<Edge_ids, int> edges_;          // +1: added, -1: removed, 0: both
-  std::map<Triangle_ids, int> triangles_;  // the same
-  std::map<Point_id, Point_id> shown_;     // the last of each point
+  std::map<Periodic_edge, int> edges_;          // +1: added, -1: removed, 0: both
+  std::map<Periodic_triangle, int> triangles_;  // the same
+  std::map<Point_id, Point_id> shown_;          // the last of each point
   std::map<Point_id, Point_change> points_;
 };
 
@@ -155,12 +203,19 @@ Recorder<Traits>::Recorder(const Triangulation& triangulation, double until, std
       record_coincidence(static_cast<Point_id>(id), std::nullopt);
     }
   }
+  constexpr bool is_periodic = PeriodicKineticTraits_2<Traits>;
+  std::vector<Recorded_triangle> triangles;
   for (const auto face : triangulation.triangulation().finite_face_handles()) {
-    const auto id = [face](int i) { return face->vertex(i)->point().id(); };
-    recording_.initial_triangles.push_back(triangle_ids(id(0), id(1), id(2)));
-    triangles_.insert(recording_.initial_triangles.back());
+    const auto corner = [face](int i) { return corner_of<Corner>(face, i, 0); };
+    triangles.push_back(recorded(0, true, corner(0), corner(1), corner(2)));
+    triangles_.insert(corners_of<Corner>(triangles.back()));
   }
-  std::ranges::sort(recording_.initial_triangles);
+  sort_triangles(triangles);
+  for (const Recorded_triangle& triangle : triangles) {
+    recording_.initial_triangles.push_back(triangle.corners);
+    if (is_periodic) recording_.initial_offsets.push_back(triangle.offsets);
+  }
+  if constexpr (is_periodic) recording_.periodic_box = triangulation.traits().box();
 }
 
 template <class Traits>
@@ -198,7 +253,8 @@ void Recorder<Traits>::after_event(const Event& event) {
   ++recording_.events_in_all;
   const std::size_t index = recording_.events.size();
   recording_.events.push_back({event.number, event.kind, rounded_time_, event.removed, event.added,
-                               event.point_a, event.point_b});
+                               event.point_a, event.point_b, std::nullopt, event.removed_offset,
+                               event.added_offset});
   if (!is_of_topology(event.kind)) {
     if (event.point_a) record_motion(*event.point_a, index);
     if (event.point_b) record_motion(*event.point_b, index);
@@ -212,19 +268,20 @@ void Recorder<Traits>::after_event(const Event& event) {
 template <class Traits>
 void Recorder<Traits>::record_flip(const Event& event) {
   std::vector<Recorded_triangle> changes;
-  const auto change = [&changes](bool is_added, Point_id p, Point_id q, Point_id r) {
-    changes.push_back({0, is_added, triangle_ids(p, q, r)});
+  const auto change = [&changes](bool is_added, const Corner& p, const Corner& q, const Corner& r) {
+    changes.push_back(recorded(0, is_added, p, q, r));
   };
   if (event.kind == Event_kind::flip) {
-    const auto [p, q] = *event.removed;
-    const Point_id left = triangles_.apex(p, q);
-    const Point_id right = triangles_.apex(q, p);
-    KINETRI_ASSERT(edge_ids(left, right) == *event.added, "the triangles at the edge are known");
+    const auto [p, q] = ends<Corner>(*event.removed, event.removed_offset);
+    const Corner left = triangles_.apex(p, q);
+    const Corner right = triangles_.apex(q, p);
+    KINETRI_ASSERT(edge_ids(detail::id_of(left), detail::id_of(right)) == *event.added,
+                   "the triangles at the edge are known");
     change(false, p, q, left);
     change(false, q, p, right);
     change(true, left, right, q);
     change(true, right, left, p);
-  } else {
+  } else if constexpr (!PeriodicKineticTraits_2<Traits>) {  // a periodic box has no hull
     const bool is_added = event.kind == Event_kind::hull_remove;
     const auto [p, q] = is_added ? *event.added : *event.removed;
     const Point_id apex = *event.apex;
@@ -237,9 +294,7 @@ void Recorder<Traits>::record_flip(const Event& event) {
       change(is_added, q, p, apex);
     }
   }
-  std::ranges::sort(changes, {}, [](const Recorded_triangle& triangle) {
-    return std::pair(triangle.is_added, triangle.corners);
-  });
+  sort_triangles(changes);
   record_triangles(changes);
 }
 
@@ -278,23 +333,63 @@ void Recorder<Traits>::expect_row(const Time& time) {
   row.time = rounded_time_;
 }
 
-// The apex of the triangle to the left of pq in the triangulation, no_point if there is none.
+// Calls function(end, apex) for the directed edges that begin at the point in the triangulation,
+// until it returns true.
 template <class Traits>
-Point_id Recorder<Traits>::apex_now(Point_id p, Point_id q) const {
+template <class Function>
+void Recorder<Traits>::for_each_side(Point_id p, const Function& function) const {
   const auto& triangulation = triangulation_.triangulation();
-  if (triangulation.dimension() < 2 || !triangulation_.contains(p)) return no_point;
-  if (triangulation_.is_hidden(p)) return no_point;
+  if (triangulation.dimension() < 2 || !triangulation_.contains(p)) return;
+  if (triangulation_.is_hidden(p)) return;
   const auto vertex = triangulation_.vertex(p);
-  auto face = triangulation.incident_faces(vertex);
-  const auto first = face;
-  do {
-    const int i = face->index(vertex);
-    if (face->vertex(triangulation.ccw(i))->point().id() == q) {
-      // The infinite vertex has the id no_point.
-      return face->vertex(triangulation.cw(i))->point().id();
+  const auto call = [&](auto face, int i) {
+    // The infinite vertex has the id no_point.
+    return function(corner_of<Corner>(face, triangulation.ccw(i), i),
+                    corner_of<Corner>(face, triangulation.cw(i), i));
+  };
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    for (const auto& [face, i] : triangulation.edges_opposite(vertex)) {
+      if (call(face, i)) return;
     }
-  } while (++face != first);
-  return no_point;
+  } else {
+    auto face = triangulation.incident_faces(vertex);
+    const auto first = face;
+    do {
+      if (call(face, face->index(vertex))) return;
+    } while (++face != first);
+  }
+}
+
+// The apex of the triangle to the left of pq in the triangulation; its id is no_point if there is
+// none. The point p is not moved.
+template <class Traits>
+auto Recorder<Traits>::apex_now(const Corner& p, const Corner& q) const -> Corner {
+  Corner result = ends<Corner>({no_point, no_point}, {})[0];
+  for_each_side(detail::id_of(p), [&](const Corner& end, const Corner& apex) {
+    if (end != q) return false;
+    result = apex;
+    return true;
+  });
+  return result;
+}
+
+// Both directed edges of a pair; in a periodic box all that there are now, or have been recorded.
+template <class Traits>
+auto Recorder<Traits>::directed(const Edge_ids& pair) const -> std::vector<Directed> {
+  if constexpr (!PeriodicKineticTraits_2<Traits>) {
+    return {pair, {pair[1], pair[0]}};
+  } else {
+    std::vector<Directed> result;
+    for (const auto& [p, q] : {pair, Edge_ids{pair[1], pair[0]}}) {
+      const auto add = [&](const Corner& end, const Corner& /*apex*/) {
+        if (end.id == q) result.push_back({Corner{p, {}}, end});
+        return false;
+      };
+      for (const auto& side : triangles_.sides(p)) add(side.end, side.apex);
+      for_each_side(p, add);
+    }
+    return result;
+  }
 }
 
 // The triangles that have changed since they were recorded, removed ones first, found by a search
@@ -302,40 +397,45 @@ Point_id Recorder<Traits>::apex_now(Point_id p, Point_id q) const {
 template <class Traits>
 std::vector<Recorded_triangle> Recorder<Traits>::changed_triangles(
     std::span<const Edge_ids> edges) const {
-  std::vector<Edge_ids> sides;  // directed
-  for (const auto& [a, b] : edges) {
-    sides.push_back({a, b});
-    sides.push_back({b, a});
+  std::vector<Directed> sides;  // each begins at a point that is not moved
+  const auto add_side = [&sides](const Corner& p, const Corner& q) {
+    const Lattice_offset_2 offset = detail::offset_of(p);
+    sides.push_back({detail::seen_from(offset, p), detail::seen_from(offset, q)});
+  };
+  for (const Edge_ids& pair : edges) {
+    for (const auto& [p, q] : directed(pair)) add_side(p, q);
   }
-  std::set<Edge_ids> seen;
-  std::set<Triangle_ids> removed;
-  std::set<Triangle_ids> added;
+  std::set<Directed> seen;
+  const auto order = [](const Recorded_triangle& a, const Recorded_triangle& b) {
+    return std::tie(a.is_added, a.corners, a.offsets) < std::tie(b.is_added, b.corners, b.offsets);
+  };
+  std::set<Recorded_triangle, decltype(order)> changes(order);
   while (!sides.empty()) {
     const auto [p, q] = sides.back();
     sides.pop_back();
     if (!seen.insert({p, q}).second) continue;
-    const Point_id before = triangles_.apex(p, q);
-    const Point_id after = apex_now(p, q);
+    const Corner before = triangles_.apex(p, q);
+    const Corner after = apex_now(p, q);
     if (before == after) continue;
-    for (const Point_id apex : {before, after}) {
-      if (apex == no_point) continue;
-      (apex == before ? removed : added).insert(triangle_ids(p, q, apex));
-      sides.push_back({q, apex});
-      sides.push_back({apex, p});
+    for (const bool is_added : {false, true}) {
+      const Corner& apex = is_added ? after : before;
+      if (detail::id_of(apex) == no_point) continue;
+      changes.insert(recorded(0, is_added, p, q, apex));
+      add_side(q, apex);
+      add_side(apex, p);
     }
   }
-  std::vector<Recorded_triangle> result;
-  for (const Triangle_ids& corners : removed) result.push_back({0, false, corners});
-  for (const Triangle_ids& corners : added) result.push_back({0, true, corners});
-  return result;
+  return {changes.begin(), changes.end()};
 }
 
 // Adds the changes to the last row.
 template <class Traits>
 void Recorder<Traits>::record_triangles(std::span<const Recorded_triangle> changes) {
-  for (const auto& [event, is_added, corners] : changes) {
-    is_added ? triangles_.insert(corners) : triangles_.erase(corners);
-    recording_.triangles.push_back({recording_.events.size() - 1, is_added, corners});
+  for (const Recorded_triangle& triangle : changes) {
+    const auto corners = corners_of<Corner>(triangle);
+    triangle.is_added ? triangles_.insert(corners) : triangles_.erase(corners);
+    recording_.triangles.push_back(triangle);
+    recording_.triangles.back().event = recording_.events.size() - 1;
   }
 }
 
@@ -374,6 +474,7 @@ Recording Recorder<Traits>::take() {
   Recording result;
   std::swap(result, recording_);
   recording_.until = result.until;
+  recording_.periodic_box = result.periodic_box;
   result.until = recording_.from = triangulation_.current_time().to_double();
   return result;
 }
@@ -382,5 +483,6 @@ template class Recorder<Linear_kinetic_traits_2>;
 template class Recorder<Polynomial_kinetic_traits_2>;
 template class Recorder<Disc_kinetic_traits_2>;
 template class Recorder<Polynomial_disc_kinetic_traits_2>;
+template class Recorder<Periodic_kinetic_traits_2>;
 
 }  // namespace kinetri

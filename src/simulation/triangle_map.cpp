@@ -6,32 +6,66 @@
 #include "kinetri/impl/base/check.h"
 
 namespace kinetri::detail {
+namespace {
 
-Point_id Triangle_map::apex(Point_id p, Point_id q) const {
-  if (p >= sides_.size()) return no_point;
-  const auto side = std::ranges::find(sides_[p], q, &Side::end);
-  return side == sides_[p].end() ? no_point : side->apex;
+template <class Corner>
+Corner nothing() {
+  if constexpr (std::same_as<Corner, Point_id>) return no_point;
+  return {};
 }
 
-void Triangle_map::insert(const Triangle_ids& corners) {
+// The corner as the point p sees it.
+template <class Corner>
+Corner against(const Corner& corner, const Corner& p) {
+  return seen_from(offset_of(p), corner);
+}
+
+}  // namespace
+
+template <class Corner>
+requires std::same_as<Corner, Point_id> || std::same_as<Corner, Periodic_image>
+auto Triangle_map<Corner>::sides(Point_id p) const -> const std::vector<Side>& {
+  static const std::vector<Side> none;
+  return p < sides_.size() ? sides_[p] : none;
+}
+
+template <class Corner>
+requires std::same_as<Corner, Point_id> || std::same_as<Corner, Periodic_image> Corner
+Triangle_map<Corner>::apex(const Corner& p, const Corner& q)
+const {
+  const std::vector<Side>& at_p = sides(id_of(p));
+  const auto side = std::ranges::find(at_p, against(q, p), &Side::end);
+  return side == at_p.end() ? nothing<Corner>()
+                            : seen_from(offset_between(offset_of(p), {}), side->apex);
+}
+
+template <class Corner>
+requires std::same_as<Corner, Point_id> || std::same_as<Corner, Periodic_image>
+void Triangle_map<Corner>::insert(const Corners& corners) {
   for (std::size_t k = 0; k < 3; ++k) {
-    const Point_id p = corners[k];
-    const Point_id q = corners[(k + 1) % 3];
-    KINETRI_ASSERT(apex(p, q) == no_point, "a side has one triangle to its left");
-    if (p >= sides_.size()) sides_.resize(std::size_t{p} + 1);
-    sides_[p].push_back({q, corners[(k + 2) % 3]});
+    const Corner& p = corners[k];
+    const Corner& q = corners[(k + 1) % 3];
+    KINETRI_ASSERT(id_of(apex(p, q)) == no_point, "a side has one triangle to its left");
+    if (id_of(p) >= sides_.size()) sides_.resize(std::size_t{id_of(p)} + 1);
+    sides_[id_of(p)].push_back({against(q, p), against(corners[(k + 2) % 3], p)});
   }
 }
 
-void Triangle_map::erase(const Triangle_ids& corners) {
+template <class Corner>
+requires std::same_as<Corner, Point_id> || std::same_as<Corner, Periodic_image>
+void Triangle_map<Corner>::erase(const Corners& corners) {
   for (std::size_t k = 0; k < 3; ++k) {
-    auto& sides = sides_[corners[k]];
-    const auto side = std::ranges::find(sides, corners[(k + 1) % 3], &Side::end);
-    KINETRI_ASSERT(side != sides.end() && side->apex == corners[(k + 2) % 3],
+    const Corner& p = corners[k];
+    auto& at_p = sides_[id_of(p)];
+    const auto side = std::ranges::find(at_p, against(corners[(k + 1) % 3], p), &Side::end);
+    KINETRI_ASSERT(side != at_p.end() && side->apex == against(corners[(k + 2) % 3], p),
                    "a triangle that is erased is there");
-    *side = sides.back();
-    sides.pop_back();
+    *side = at_p.back();
+    at_p.pop_back();
   }
 }
+
+template class Triangle_map<Point_id>;
+template class Triangle_map<Periodic_image>;
 
 }  // namespace kinetri::detail

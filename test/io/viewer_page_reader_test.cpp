@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "kinetri/base/error.h"
+#include "kinetri/impl/io/bytes.h"
 #include "kinetri/impl/simulation/playback.h"
 #include "kinetri/io/viewer_page.h"
 #include "kinetri/simulation/simulation_2.h"
@@ -56,8 +57,8 @@ std::string refusal(const std::string& page) {
 // The triangles, by their sides.
 std::set<Triangle_ids> triangles_of(const Playback& playback) {
   std::set<Triangle_ids> result;
-  for (const auto& [a, b] : playback.edges()) {
-    for (const auto& [p, q] : {Edge_ids{a, b}, Edge_ids{b, a}}) {
+  for (const auto& [edge, offset] : playback.edges()) {
+    for (const auto& [p, q] : {edge, Edge_ids{edge[1], edge[0]}}) {
       const Point_id r = playback.apex(p, q);
       if (r != no_point) result.insert(triangle_ids(p, q, r));
     }
@@ -106,7 +107,9 @@ Viewer_page expect_same(const Make& make, double until, std::size_t most_rows,
       playback.go_to(time);
       const auto& triangulation = again->triangulation();
       const auto edges = triangulation.finite_edge_ids();
-      EXPECT_EQ(playback.edges(), std::set<Edge_ids>(edges.begin(), edges.end())) << time;
+      std::vector<Edge_ids> played;
+      for (const Periodic_edge& edge : playback.edges()) played.push_back(edge.ids);
+      EXPECT_EQ(played, edges) << time;
       EXPECT_EQ(triangles_of(playback), test::triangles_of(triangulation)) << time;
       const std::vector<Recorded_place> places = playback.places();
       for (Point_id id = 0; id < triangulation.next_id(); ++id) {
@@ -287,6 +290,61 @@ TEST(Playback, stays_within_the_recording) {
   EXPECT_PRECONDITION_ERROR(playback.go_to_row(1), "a row that is not in the recording");
 }
 
+// ---- periodic boxes ----
+
+Recording record_in_box(std::size_t most_rows) {
+  const Periodic_box_2 box({{40, 0}, {0, 0}}, {{7, 40}, {30, 0}});
+  Kinetic_triangulation_2<Periodic_kinetic_traits_2> kinetic(test::random_motions(20, 40, 5, 2), 0,
+                                                             Periodic_kinetic_traits_2(box));
+  Recorder<Periodic_kinetic_traits_2> recorder(kinetic, 5, most_rows);
+  kinetic.add_observer(recorder);
+  kinetic.advance_to(5);
+  Recording result = recorder.recording();
+  kinetic.remove_observer(recorder);
+  return result;
+}
+
+TEST(Viewer_page_reader, reads_runs_in_periodic_boxes) {
+  for (const std::size_t most_rows : {100'000, 60}) {
+    const Recording recording = record_in_box(most_rows);
+    EXPECT_EQ(recording.is_thinned, most_rows == 60);
+    const std::string page = page_of(recording, {"periodic", {}});
+    const Viewer_page read = read_back(page);
+    EXPECT_EQ(page_of(read.recording, read.settings), page);
+    EXPECT_EQ(read.recording.periodic_box, recording.periodic_box);
+    EXPECT_EQ(read.recording.initial_edges, recording.initial_edges);
+    EXPECT_EQ(read.recording.initial_triangles, recording.initial_triangles);
+    EXPECT_EQ(read.recording.initial_offsets, recording.initial_offsets);
+    EXPECT_EQ(read.recording.triangles, recording.triangles);
+    ASSERT_EQ(read.recording.events.size(), recording.events.size());
+    for (std::size_t i = 0; i < recording.events.size(); ++i) {
+      EXPECT_EQ(read.recording.events[i].removed_offset, recording.events[i].removed_offset);
+      EXPECT_EQ(read.recording.events[i].added_offset, recording.events[i].added_offset);
+    }
+  }
+}
+
+TEST(Playback, plays_runs_in_periodic_boxes) {
+  const Recording recording = record_in_box(100'000);
+  const Periodic_kinetic_traits_2 traits(*recording.periodic_box);
+  Kinetic_triangulation_2<Periodic_kinetic_traits_2> kinetic(test::random_motions(20, 40, 5, 2), 0,
+                                                             traits);
+  Playback playback(recording);
+  for (int i = 0; i <= 20; ++i) {
+    kinetic.advance_to(i / 4.0);
+    playback.go_to(i / 4.0);
+    const auto edges = kinetic.periodic_edges();
+    EXPECT_EQ(playback.edges(), std::set<Periodic_edge>(edges.begin(), edges.end())) << i;
+    for (const auto face : kinetic.triangulation().finite_face_handles()) {
+      const auto corner = [&](int k) {
+        return Periodic_image{face->vertex(k)->point().id(), face->offset(k)};
+      };
+      EXPECT_EQ(playback.apex(corner(0), corner(1)), corner(2));
+      EXPECT_EQ(playback.apex(corner(2), corner(0)), corner(1));
+    }
+  }
+}
+
 // ---- damage ----
 
 std::string small_page() {
@@ -309,6 +367,42 @@ std::string changed(const std::string& page, Change change) {
   nlohmann::json json = nlohmann::json::parse(page.substr(first, last - first));
   change(json);
   return page.substr(0, first) + json.dump() + page.substr(last);
+}
+
+TEST(Viewer_page_reader, says_what_is_wrong_in_a_periodic_box) {
+  const std::string page = page_of(record_in_box(100'000), {"periodic", {}});
+  const auto expect = [&](const std::string& text, auto change) {
+    const std::string said = refusal(changed(page, change));
+    EXPECT_TRUE(said.starts_with("run.html: " + text)) << said;
+  };
+  const auto longer = [](nlohmann::json& list) {
+    std::string bytes = *bytes_of_base64(list.get<std::string>());
+    Bytes all;
+    for (const char byte : bytes) all.add(static_cast<std::uint8_t>(byte));
+    all.add(std::uint32_t{1});
+    list = all.base64();
+  };
+  expect("recording.format is not 3", [](auto& json) { json["format"] = 2; });
+  expect("recording.format is not 2", [](auto& json) { json.erase("periodic"); });
+  expect("recording.periodic", [](auto& json) { json["periodic"].push_back(1); });
+  expect("recording.periodic has no area at a time of the run; ",
+         [](auto& json) { json["periodic"][7] = -40.0; });
+  expect("recording.events.offsets is too long",
+         [&](auto& json) { longer(json["events"]["offsets"]); });
+  expect("recording.triangles.initial_offsets is too long",
+         [&](auto& json) { longer(json["triangles"]["initial_offsets"]); });
+  expect("recording.triangles.offsets is too long",
+         [&](auto& json) { longer(json["triangles"]["offsets"]); });
+  expect("recording.events", [](auto& json) { json["events"].erase("offsets"); });
+  expect("recording event ", [](auto& json) {
+    std::string& offsets = json["events"]["offsets"].template get_ref<std::string&>();
+    offsets = "AQAA" + offsets.substr(4);  // the first offset begins with 1
+    offsets[5] = 'B';
+  });
+  expect("recording.triangles.initial_offsets has an offset of -2^31", [](auto& json) {
+    std::string& offsets = json["triangles"]["initial_offsets"].template get_ref<std::string&>();
+    offsets = "AAAAgA" + offsets.substr(6);
+  });
 }
 
 TEST(Viewer_page_reader, says_what_is_wrong) {

@@ -436,5 +436,129 @@ TEST(Recording, says_how_far_it_got) {
   EXPECT_EQ(recording.events.back().time.nearest, recording.until);
 }
 
+// ---- periodic boxes ----
+
+using Periodic_triangulation = Kinetic_triangulation_2<Periodic_kinetic_traits_2>;
+
+struct Periodic_state {
+  std::vector<Periodic_edge> edges;
+  std::set<Periodic_triangle> triangles;
+
+  friend bool operator==(const Periodic_state&, const Periodic_state&) = default;
+};
+
+// Each triangle by the least of its three names.
+Periodic_state state_of(const Periodic_triangulation& triangulation) {
+  Periodic_state result = {triangulation.periodic_edges(), {}};
+  for (const auto face : triangulation.triangulation().finite_face_handles()) {
+    std::set<Periodic_triangle> names;
+    for (int i = 0; i < 3; ++i) {
+      const std::array<int, 3> corners = {i, (i + 1) % 3, (i + 2) % 3};
+      Periodic_triangle name;
+      for (std::size_t k = 0; k < 3; ++k) {
+        name.corners[k] = face->vertex(corners[k])->point().id();
+        if (k == 0) continue;
+        const Lattice_offset_2 from = face->offset(i);
+        const Lattice_offset_2 to = face->offset(corners[k]);
+        name.offsets[k - 1] = {to.x - from.x, to.y - from.y};
+      }
+      names.insert(name);
+    }
+    EXPECT_TRUE(result.triangles.insert(*names.begin()).second);
+  }
+  return result;
+}
+
+// Plays a recording of a run in a periodic box. Returns the number of rows.
+std::size_t expect_plays_in_box(const std::vector<Linear_motion_2>& motions,
+                                const Periodic_box_2& box, double until, std::size_t most_rows) {
+  Periodic_triangulation kinetic(motions, 0, Periodic_kinetic_traits_2(box));
+  Recorder<Periodic_kinetic_traits_2> recorder(kinetic, until, most_rows);
+  Recorder<Periodic_kinetic_traits_2> parts(kinetic, until, 1'000'000'000);
+  kinetic.add_observer(recorder);
+  kinetic.add_observer(parts);
+  const Periodic_state start = state_of(kinetic);
+  std::map<double, Periodic_state> instants;  // the last one of those that round to a number
+  Recording whole = parts.take();
+  while (kinetic.step(Algebraic_number(until)) > 0) {
+    append(whole, parts.take());
+    instants[kinetic.current_time().to_double()] = state_of(kinetic);
+  }
+  kinetic.advance_to(Algebraic_number(until));
+  append(whole, parts.take());
+  const Recording recording = recorder.recording();
+  if (!recording.is_thinned) expect_equal(whole, recording);
+  EXPECT_EQ(recording.periodic_box, box);
+
+  EXPECT_EQ(recording.initial_edges, [&] {
+    std::vector<Edge_ids> ids;
+    for (const Periodic_edge& edge : start.edges) ids.push_back(edge.ids);
+    return ids;
+  }());
+  std::set<Periodic_edge> edges(start.edges.begin(), start.edges.end());
+  std::set<Periodic_triangle> triangles;
+  for (std::size_t i = 0; i < recording.initial_triangles.size(); ++i) {
+    triangles.insert({recording.initial_triangles[i], recording.initial_offsets[i]});
+  }
+  EXPECT_EQ(triangles, start.triangles);
+  auto triangle = recording.triangles.begin();
+  for (std::size_t i = 0; i < recording.events.size(); ++i) {
+    const Recorded_event& event = recording.events[i];
+    if (event.removed) {
+      EXPECT_EQ(edges.erase({*event.removed, event.removed_offset}), 1u) << "row " << i;
+    }
+    if (event.added) {
+      EXPECT_TRUE(edges.insert({*event.added, event.added_offset}).second) << "row " << i;
+    }
+    for (; triangle != recording.triangles.end() && triangle->event == i; ++triangle) {
+      const Periodic_triangle changed = {triangle->corners, triangle->offsets};
+      if (triangle->is_added) {
+        EXPECT_TRUE(triangles.insert(changed).second) << "row " << i;
+      } else {
+        EXPECT_EQ(triangles.erase(changed), 1u) << "row " << i;
+      }
+    }
+    if (i + 1 < recording.events.size() && recording.events[i + 1].time == event.time) continue;
+    const auto instant = instants.find(event.time.nearest);
+    if (instant == instants.end()) {
+      ADD_FAILURE() << "row " << i << " is at no instant";
+      continue;
+    }
+    const Periodic_state now = {{edges.begin(), edges.end()}, triangles};
+    EXPECT_EQ(now, instant->second) << "after row " << i << ", t = " << event.time.nearest;
+  }
+  EXPECT_EQ(triangle, recording.triangles.end());
+  EXPECT_EQ((Periodic_state{{edges.begin(), edges.end()}, triangles}), state_of(kinetic));
+  kinetic.remove_observer(recorder);
+  kinetic.remove_observer(parts);
+  return recording.events.size();
+}
+
+TEST(Recording, plays_runs_in_periodic_boxes) {
+  const Periodic_box_2 sheared({{10, 0}, {0, 0}}, {{3, 9}, {5, 0}});
+  for (const std::size_t points : {0, 1, 2, 3, 7, 40}) {
+    const auto motions = test::random_motions(points, 10, 3, 4);
+    const std::size_t rows = expect_plays_in_box(motions, sheared, 4, 100'000);
+    EXPECT_GT(rows + (points == 0 ? 1 : 0), points) << points;
+  }
+}
+
+TEST(Recording, plays_degenerate_instants_in_periodic_boxes) {
+  std::vector<Linear_motion_2> motions;
+  for (int x = 0; x < 4; ++x) {
+    for (int y = 0; y < 4; ++y) {
+      motions.push_back({{x * 4.0, y * 4.0}, {(x * y) % 3 - 1.0, (x + 2 * y) % 3 - 1.0}});
+    }
+  }
+  EXPECT_GT(expect_plays_in_box(motions, {{{16, 0}, {0, 0}}, {{0, 16}, {0, 0}}}, 12, 100'000),
+            100u);
+}
+
+TEST(Recording, is_thinned_in_periodic_boxes) {
+  const Periodic_box_2 sheared({{10, 0}, {0, 0}}, {{0, 10}, {-5, 0}});
+  const auto motions = test::random_motions(30, 10, 5, 8);
+  EXPECT_LE(expect_plays_in_box(motions, sheared, 8, 300), 300u);
+}
+
 }  // namespace
 }  // namespace kinetri::recording_test

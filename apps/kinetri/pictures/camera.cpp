@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "kinetri/impl/simulation/playback.h"
+#include "pictures/box_extent.h"
 
 namespace kinetri::app {
 namespace {
@@ -67,8 +68,20 @@ double greater_side(const Box_2& box) {
   return std::max(box.xmax - box.xmin, box.ymax - box.ymin);
 }
 
+std::size_t number_of_points(const Recording& recording) {
+  std::size_t result = 0;
+  for (const Recorded_motion& motion : recording.motions) {
+    result = std::max(result, std::size_t{motion.point} + 1);
+  }
+  return result;
+}
+
 // The box, or the extent of all positions in the run.
 Box_2 whole_extent(const Viewer_page& page) {
+  if (const auto& box = page.recording.periodic_box) {
+    return extent_of_box(*box, page.recording.from, page.recording.until,
+                         number_of_points(page.recording));
+  }
   if (const auto& box = page.settings.box) {
     return extent_of({box->xmin, box->xmax}, {box->ymin, box->ymax}, 0);
   }
@@ -105,7 +118,7 @@ Box_2 whole_extent(const Viewer_page& page) {
 
 Extents::Extents(const Viewer_page& page)
     : from_(page.recording.from), until_(page.recording.until), whole_(whole_extent(page)) {
-  if (!page.settings.box && until_ > from_) sample(page);
+  if (!page.settings.box && !page.recording.periodic_box && until_ > from_) sample(page);
 }
 
 void Extents::sample(const Viewer_page& page) {

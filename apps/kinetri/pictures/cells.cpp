@@ -31,15 +31,14 @@ double area_of(const std::vector<Vector_2>& polygon) {
 }
 
 // The corners of the cell in order; none if it is unbounded.
-std::vector<Vector_2> corners_of(const Playback& playback,
-                                 const std::vector<Recorded_place>& places, Point_id id,
-                                 const std::vector<Point_id>& neighbors) {
+std::vector<Vector_2> corners_of(const Playback& playback, const Places& places, Point_id id,
+                                 const std::vector<Periodic_image>& neighbors) {
   std::vector<Vector_2> result;
-  Point_id q = neighbors.front();
+  Periodic_image q = neighbors.front();
   for (std::size_t i = 0; i < neighbors.size(); ++i) {
-    const Point_id r = playback.apex(id, q);
-    if (r == no_point) return {};
-    result.push_back(power_center(places[id], places[q], places[r]));
+    const Periodic_image r = playback.apex({id, {}}, q);
+    if (r.id == no_point) return {};
+    result.push_back(power_center(places[id], places.image(id, q), places.image(id, r)));
     if (!std::isfinite(result.back().x) || !std::isfinite(result.back().y)) return {};
     q = r;
   }
@@ -66,12 +65,12 @@ Vector_2 power_center(const Recorded_place& a, const Recorded_place& b, const Re
   return {a.x + (vy * u - uy * v) / d, a.y + (ux * v - vx * u) / d};
 }
 
-std::vector<Cell> cells(const Playback& playback, const std::vector<Recorded_place>& places,
+std::vector<Cell> cells(const Playback& playback, const Places& places,
                         const std::optional<Box_2>& box) {
-  std::vector<std::vector<Point_id>> neighbors(places.size());
-  for (const auto& [a, b] : playback.edges()) {
-    neighbors[a].push_back(b);
-    neighbors[b].push_back(a);
+  std::vector<std::vector<Periodic_image>> neighbors(places.size());
+  for (const auto& [ids, offset] : playback.edges()) {
+    neighbors[ids[0]].push_back({ids[1], offset});
+    neighbors[ids[1]].push_back({ids[0], offset_between(offset, {})});
   }
   std::vector<Cell> result(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -87,8 +86,8 @@ std::vector<Cell> cells(const Playback& playback, const std::vector<Recorded_pla
                       {box->xmax, box->ymin},
                       {box->xmax, box->ymax},
                       {box->xmin, box->ymax}};
-      for (const Point_id other : neighbors[i]) {
-        cell.corners = nearer_part(cell.corners, place, places[other]);
+      for (const Periodic_image& other : neighbors[i]) {
+        cell.corners = nearer_part(cell.corners, place, places[other.id]);
       }
     }
     if (cell.corners.size() > 2) cell.area = area_of(cell.corners);

@@ -13,6 +13,7 @@
 
 #include "kinetri/impl/simulation/playback.h"
 #include "kinetri/simulation/box_2.h"
+#include "pictures/places.h"
 
 namespace kinetri::app {
 
@@ -26,7 +27,7 @@ struct Cell {
 
 /// The cells of all points by id, clipped to the box if there is one. `places` are those of the
 /// playback's time.
-std::vector<Cell> cells(const Playback& playback, const std::vector<Recorded_place>& places,
+std::vector<Cell> cells(const Playback& playback, const Places& places,
                         const std::optional<Box_2>& box);
 
 /// The position of equal power to three points; not finite if they are collinear. Without weights

@@ -118,8 +118,7 @@ Coloring::Coloring(const Viewer_page& page, Quantity quantity) : page_(page), qu
 }
 
 // The number of each point by id; no_number if it has none.
-std::vector<double> Coloring::numbers(const Playback& playback,
-                                      const std::vector<Recorded_place>& places,
+std::vector<double> Coloring::numbers(const Playback& playback, const Places& places,
                                       const std::vector<Cell>& cells) const {
   if (quantity_ == Quantity::changes) return changes_so_far(playback);
   if (quantity_ == Quantity::kind) return kind_of_point_;
@@ -164,7 +163,7 @@ void Coloring::find_range() {
   std::vector<double> all;
   for (int i = 0; i < range_times; ++i) {
     playback.go_to(std::min(from + span * i / (range_times - 1), until));
-    const std::vector<Recorded_place> places = playback.places();
+    const Places places(playback);
     const std::vector<double> now =
         numbers(playback, places, cells(playback, places, page_.settings.box));
     for (std::size_t k = 0; k < now.size(); ++k) {
@@ -181,8 +180,7 @@ void Coloring::find_range() {
   is_cut_ = all.front() < least_ || all.back() > greatest_;
 }
 
-std::vector<std::optional<Color>> Coloring::colors(const Playback& playback,
-                                                   const std::vector<Recorded_place>& places,
+std::vector<std::optional<Color>> Coloring::colors(const Playback& playback, const Places& places,
                                                    const std::vector<Cell>& cells) const {
   const std::vector<double> now = numbers(playback, places, cells);
   const auto height = [this](double x) { return is_logarithmic_ ? std::log(x) : x; };

@@ -33,8 +33,7 @@ class Coloring {
   Coloring(const Viewer_page& page, Quantity quantity);
 
   /// The color of each point by id at the playback's time; none for a point without a number.
-  std::vector<std::optional<Color>> colors(const Playback& playback,
-                                           const std::vector<Recorded_place>& places,
+  std::vector<std::optional<Color>> colors(const Playback& playback, const Places& places,
                                            const std::vector<Cell>& cells) const;
 
   /// Whether colors stand for kinds or components, not for numbers on a scale.
@@ -51,7 +50,7 @@ class Coloring {
   bool is_cut() const { return is_cut_; }
 
  private:
-  std::vector<double> numbers(const Playback& playback, const std::vector<Recorded_place>& places,
+  std::vector<double> numbers(const Playback& playback, const Places& places,
                               const std::vector<Cell>& cells) const;
   void find_range();
 

@@ -2,7 +2,9 @@
 //
 // The layers of the flat picture, drawn as on the page (viewer/flat_view.js, overlays.js).
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "kinetri/impl/io/text.h"
 #include "pictures/scene.h"
@@ -45,8 +47,10 @@ void add_path(std::vector<Segment>& path, const Scene& scene, Point_id id, doubl
       const bool is_straight = motion->acceleration == Vector_2() && motion->jerk == Vector_2();
       const int steps = is_straight ? 1 : trail_steps;
       const auto pixel = [&](int step) {
-        const Recorded_place place = place_of(*motion, end + (first - end) * step / steps);
-        return scene.camera.pixel(place.x, place.y);
+        const double time = end + (first - end) * step / steps;
+        const Recorded_place place = place_of(*motion, time);
+        const Vector_2 move = scene.places.move_at(id, time);
+        return scene.camera.pixel(place.x + move.x, place.y + move.y);
       };
       for (int step = 0; step < steps; ++step) path.push_back({pixel(step), pixel(step + 1)});
     }
@@ -55,19 +59,41 @@ void add_path(std::vector<Segment>& path, const Scene& scene, Point_id id, doubl
   }
 }
 
+constexpr double leaving = 0.45;  // strength of what is outside of a periodic box
+
+// The center of the triangle to the left of the edge from the place of p to the image q; none if
+// there is no triangle.
+std::optional<Vector_2> center_at(const Scene& scene, const Periodic_image& p,
+                                  const Periodic_image& q, Point_id from) {
+  const Periodic_image apex = scene.playback.apex(p, q);
+  if (apex.id == no_point) return std::nullopt;
+  const Places& places = scene.places;
+  const bool is_forward = p.id == from && p.offset == Lattice_offset_2();
+  const Periodic_image& other = is_forward ? q : p;
+  const Vector_2 c =
+      power_center(places[from], places.image(from, other), places.image(from, apex));
+  if (!std::isfinite(c.x) || !std::isfinite(c.y)) return std::nullopt;
+  return c;
+}
+
+// The two ends of an edge, as its first end sees them.
+std::array<Periodic_image, 2> ends_of(const Periodic_edge& edge) {
+  return {Periodic_image{edge.ids[0], {}}, Periodic_image{edge.ids[1], edge.offset}};
+}
+
 // The dual edge in the diagram: between the centers of the two triangles at the edge, or a ray from
-// the center of its only triangle, or a line. Rays end outside of the picture.
-Segment voronoi_edge(const Scene& scene, const Edge_ids& edge) {
-  const Point_id a = edge[0];
-  const Point_id b = edge[1];
-  const auto center = [&](Point_id apex) -> std::optional<Pixel> {
-    if (apex == no_point) return std::nullopt;
-    const Vector_2 c = power_center(scene.places[a], scene.places[b], scene.places[apex]);
-    if (!std::isfinite(c.x) || !std::isfinite(c.y)) return std::nullopt;
-    return scene.camera.pixel(c.x, c.y);
+// the center of its only triangle, or a line. Rays end outside of the picture. In a periodic box it
+// is beside the first end.
+Segment voronoi_edge(const Scene& scene, const Periodic_edge& edge) {
+  const auto [first, second] = ends_of(edge);
+  const Point_id a = first.id;
+  const Point_id b = second.id;
+  const auto pixel = [&](const std::optional<Vector_2>& c) -> std::optional<Pixel> {
+    if (!c) return std::nullopt;
+    return scene.camera.pixel(c->x, c->y);
   };
-  const std::optional<Pixel> left = center(scene.playback.apex(a, b));
-  const std::optional<Pixel> right = center(scene.playback.apex(b, a));
+  const std::optional<Pixel> left = pixel(center_at(scene, first, second, a));
+  const std::optional<Pixel> right = pixel(center_at(scene, second, first, a));
   if (left && right) return {*left, *right};
   const Pixel& p = scene.pixels[a];
   const Pixel& q = scene.pixels[b];
@@ -92,10 +118,10 @@ Segment voronoi_edge(const Scene& scene, const Edge_ids& edge) {
           right ? *right : far_from(left ? *left : crossing, -1)};
 }
 
-std::vector<Edge_ids> edges_at(const Scene& scene, Point_id id) {
-  std::vector<Edge_ids> result;
-  for (const Edge_ids& edge : scene.playback.edges()) {
-    if (edge[0] == id || edge[1] == id) result.push_back(edge);
+std::vector<Periodic_edge> edges_at(const Scene& scene, Point_id id) {
+  std::vector<Periodic_edge> result;
+  for (const Periodic_edge& edge : scene.playback.edges()) {
+    if (edge.ids[0] == id || edge.ids[1] == id) result.push_back(edge);
   }
   return result;
 }
@@ -118,12 +144,13 @@ void draw_event(Svg_drawing& drawing, const Scene& scene, const Recorded_event& 
     return edge && is_there(scene, (*edge)[0]) && is_there(scene, (*edge)[1]);
   };
   if (can_be_drawn(event.removed)) {
-    drawing.lines("removed", {scene.segment(*event.removed)},
+    drawing.lines("removed", scene.segments({*event.removed, event.removed_offset}),
                   {theme.removed.faded(strength), 2.5, true, "7 5"});
   }
   if (is_ahead) return;
   if (can_be_drawn(event.added)) {
-    drawing.lines("added", {scene.segment(*event.added)}, {theme.added.faded(strength), 4, true});
+    drawing.lines("added", scene.segments({*event.added, event.added_offset}),
+                  {theme.added.faded(strength), 4, true});
   }
   for (const auto& point : {event.point_a, event.point_b}) {
     if (point) draw_ring(drawing, scene, "event", *point, 5, theme.added.faded(strength), 2.5);
@@ -132,7 +159,26 @@ void draw_event(Svg_drawing& drawing, const Scene& scene, const Recorded_event& 
 
 }  // namespace
 
+std::vector<Segment> Scene::segments(const Periodic_edge& edge) const {
+  const auto [a, b] = edge.ids;
+  const Vector_2 shift = places.shift(a, {b, edge.offset});
+  if (shift == Vector_2()) return {segment(edge.ids)};
+  const Periodic_image back = {a, offset_between(edge.offset, {})};
+  return {{pixels[a], pixel(a, {b, edge.offset})}, {pixels[b], pixel(b, back)}};
+}
+
 void draw_box(Svg_drawing& drawing, const Scene& scene) {
+  if (const auto& box = scene.places.box()) {
+    std::vector<Segment> sides;
+    const auto corners = box->corners();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vector_2& p = corners[i];
+      const Vector_2& q = corners[(i + 1) % corners.size()];
+      sides.push_back({scene.camera.pixel(p.x, p.y), scene.camera.pixel(q.x, q.y)});
+    }
+    drawing.lines("box", sides, {scene.view.theme().box, 2, true});
+    return;
+  }
   if (!scene.page.settings.box) return;
   const Box_2& box = *scene.page.settings.box;
   const Pixel a = scene.camera.pixel(box.xmin, box.ymin);
@@ -160,10 +206,12 @@ void draw_colors(Svg_drawing& drawing, const Scene& scene, const Coloring& color
   std::vector<Filled_polygon> polygons;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!colors[i] || all[i].corners.empty()) continue;
-    Filled_polygon& polygon = polygons.emplace_back();
-    polygon.color = *colors[i];
-    for (const Vector_2& p : all[i].corners) {
-      polygon.corners.push_back(scene.camera.pixel(p.x, p.y));
+    for (const Vector_2& move : scene.places.copies(all[i].corners)) {
+      Filled_polygon& polygon = polygons.emplace_back();
+      polygon.color = *colors[i];
+      for (const Vector_2& p : all[i].corners) {
+        polygon.corners.push_back(scene.camera.pixel(p.x + move.x, p.y + move.y));
+      }
     }
   }
   drawing.polygons("colors", polygons);
@@ -215,27 +263,56 @@ void draw_edges(Svg_drawing& drawing, const Scene& scene) {
   const double alpha = scene.detail.edge_strength(is_behind);
   if (alpha == 0) return;
   std::vector<Segment> edges;
-  for (const Edge_ids& edge : scene.playback.edges()) edges.push_back(scene.segment(edge));
+  std::vector<Segment> leaving_edges;
+  std::vector<Circle> images;
+  for (const Periodic_edge& edge : scene.playback.edges()) {
+    const std::vector<Segment> segments = scene.segments(edge);
+    if (segments.size() == 1) {
+      edges.push_back(segments[0]);
+      continue;
+    }
+    for (const Segment& segment : segments) {
+      leaving_edges.push_back(segment);
+      images.push_back({segment.to, scene.detail.dot_radius()});
+    }
+  }
   const Theme& theme = scene.view.theme();
-  drawing.lines(
-      "edges", edges,
-      {(is_behind ? theme.edge_behind : theme.edge).faded(alpha), scene.detail.line_width()});
+  const Color& color = is_behind ? theme.edge_behind : theme.edge;
+  drawing.lines("edges", edges, {color.faded(alpha), scene.detail.line_width()});
+  if (!scene.places.box()) return;
+  drawing.lines("leaving-edges", leaving_edges,
+                {color.faded(leaving * alpha), scene.detail.line_width()});
+  drawing.circles("images", images, theme.point.faded(leaving * scene.detail.dot_strength()));
 }
 
 void draw_voronoi(Svg_drawing& drawing, const Scene& scene) {
   const double alpha = scene.detail.edge_strength();
   if (alpha == 0) return;
   std::vector<Segment> edges;
-  for (const Edge_ids& edge : scene.playback.edges()) edges.push_back(voronoi_edge(scene, edge));
+  for (const Periodic_edge& edge : scene.playback.edges()) {
+    if (!scene.places.box()) {
+      edges.push_back(voronoi_edge(scene, edge));
+      continue;
+    }
+    const auto [a, b] = ends_of(edge);
+    const auto left = center_at(scene, a, b, a.id);
+    const auto right = center_at(scene, b, a, a.id);
+    if (!left || !right) continue;  // numbers overflow
+    for (const Vector_2& move : scene.places.copies(std::array{*left, *right})) {
+      edges.push_back({scene.camera.pixel(left->x + move.x, left->y + move.y),
+                       scene.camera.pixel(right->x + move.x, right->y + move.y)});
+    }
+  }
   drawing.lines("voronoi", edges,
                 {scene.view.theme().voronoi.faded(alpha), scene.detail.line_width() + 0.2});
 }
 
 void draw_hull(Svg_drawing& drawing, const Scene& scene) {
   std::vector<Segment> hull;
-  for (const auto& [a, b] : scene.playback.edges()) {
-    if (scene.playback.apex(a, b) == no_point || scene.playback.apex(b, a) == no_point) {
-      hull.push_back(scene.segment({a, b}));
+  for (const Periodic_edge& edge : scene.playback.edges()) {
+    const auto [a, b] = ends_of(edge);
+    if (scene.playback.apex(a, b).id == no_point || scene.playback.apex(b, a).id == no_point) {
+      hull.push_back(scene.segment(edge.ids));
     }
   }
   drawing.lines("hull", hull, {scene.view.theme().hull, 2, true});
@@ -259,8 +336,9 @@ void draw_arrows(Svg_drawing& drawing, const Scene& scene) {
     if (!scene.is_seen(from) || number++ % step != 0) continue;
     const Vector_2 v =
         rounded_velocity(*scene.playback.motion(static_cast<Point_id>(i)), scene.playback.time());
-    const double dx = per_unit * v.x;
-    const double dy = -per_unit * v.y;
+    const Vector_2 rate = scene.places.rate(static_cast<Point_id>(i));
+    const double dx = per_unit * (v.x + rate.x);
+    const double dy = -per_unit * (v.y + rate.y);
     if (dx == 0 && dy == 0) continue;
     const Pixel to = {from.x + dx, from.y + dy};
     arrows.push_back({from, to});
@@ -273,23 +351,40 @@ void draw_arrows(Svg_drawing& drawing, const Scene& scene) {
   drawing.lines("arrows", arrows, {scene.view.theme().arrow, 1.5, true});
 }
 
+// The selected edge, if it is there.
+std::optional<Periodic_edge> selected_edge(const Scene& scene) {
+  const auto& ids = scene.view.edge;
+  if (!ids) return std::nullopt;
+  for (const Periodic_edge& edge : scene.playback.edges()) {
+    if (edge.ids != *ids) continue;
+    if (!scene.places.box() || !scene.view.edge_offset || edge.offset == *scene.view.edge_offset) {
+      return edge;
+    }
+  }
+  return std::nullopt;
+}
+
 // The selected edge with its quadrilateral.
 void draw_selected_edge(Svg_drawing& drawing, const Scene& scene) {
-  if (!scene.view.edge || !scene.playback.edges().contains(*scene.view.edge)) return;
-  const auto [a, b] = *scene.view.edge;
+  const std::optional<Periodic_edge> edge = selected_edge(scene);
+  if (!edge) return;
+  const auto [a, b] = ends_of(*edge);
   const Theme& theme = scene.view.theme();
+  const Pixel& p = scene.pixels[a.id];
+  const Pixel q = scene.pixel(a.id, b);
   std::vector<Segment> sides;
   std::vector<Filled_polygon> triangles;
-  for (const Point_id c : {scene.playback.apex(a, b), scene.playback.apex(b, a)}) {
-    if (c == no_point) continue;
-    sides.push_back(scene.segment({a, c}));
-    sides.push_back(scene.segment({c, b}));
-    triangles.push_back({{scene.pixels[a], scene.pixels[c], scene.pixels[b]}, theme.selected_fill});
+  for (const Periodic_image& c : {scene.playback.apex(a, b), scene.playback.apex(b, a)}) {
+    if (c.id == no_point) continue;
+    const Pixel r = scene.pixel(a.id, c);
+    sides.push_back({p, r});
+    sides.push_back({r, q});
+    triangles.push_back({{p, r, q}, theme.selected_fill});
   }
   drawing.polygons("quadrilateral", triangles);
   drawing.lines("quadrilateral", sides, {theme.selected, 1.5, false, "2 4"});
-  drawing.lines("selected", {scene.segment({a, b})}, {theme.background, 7});
-  drawing.lines("selected", {scene.segment({a, b})}, {theme.selected, 4});
+  drawing.lines("selected", scene.segments(*edge), {theme.background, 7});
+  drawing.lines("selected", scene.segments(*edge), {theme.selected, 4});
 }
 
 // The selected point with its cell and its edges.
@@ -298,9 +393,20 @@ void draw_selected_point(Svg_drawing& drawing, const Scene& scene) {
   const Theme& theme = scene.view.theme();
   std::vector<Segment> sides;
   std::vector<Segment> edges;
-  for (const Edge_ids& edge : edges_at(scene, *scene.view.point)) {
-    sides.push_back(voronoi_edge(scene, edge));
-    edges.push_back(scene.segment(edge));
+  for (const Periodic_edge& edge : edges_at(scene, *scene.view.point)) {
+    const Segment side = voronoi_edge(scene, edge);
+    if (edge.ids[0] == *scene.view.point) sides.push_back(side);
+    if (edge.ids[1] == *scene.view.point) {
+      // In a periodic box, beside the second end.
+      const Vector_2 shift = scene.places.shift(edge.ids[0], {edge.ids[1], edge.offset});
+      const double scale = scene.camera.scale();
+      const auto moved = [&](const Pixel& pixel) {
+        return Pixel{pixel.x - shift.x * scale, pixel.y + shift.y * scale};
+      };
+      sides.push_back({moved(side.from), moved(side.to)});
+    }
+    const std::vector<Segment> segments = scene.segments(edge);
+    edges.insert(edges.end(), segments.begin(), segments.end());
   }
   drawing.lines("cell", sides, {theme.background, 5, true});
   drawing.lines("cell", sides, {theme.voronoi, 3, true});
@@ -311,7 +417,8 @@ void draw_point_rings(Svg_drawing& drawing, const Scene& scene) {
   if (!scene.view.point) return;
   const Theme& theme = scene.view.theme();
   const Point_id point = *scene.view.point;
-  for (const auto& [a, b] : edges_at(scene, point)) {
+  for (const auto& [ids, offset] : edges_at(scene, point)) {
+    const auto& [a, b] = ids;
     draw_ring(drawing, scene, "neighbor", a == point ? b : a, 3, theme.selected, 1.5);
   }
   draw_ring(drawing, scene, "selected", point, 6, theme.background, 6);

@@ -318,6 +318,15 @@ Heat heat_of(const Viewer_page& page, const Box_2& extent, const std::vector<Eve
       x += place.x / 2;
       y += place.y / 2;
     }
+    if (recording.periodic_box && is_there) {
+      const Periodic_box_2& box = *recording.periodic_box;
+      const double time = event.time.nearest;
+      const Lattice_offset_2& offset = event.removed ? event.removed_offset : event.added_offset;
+      const Vector_2 end = rounded_place(Image_motion_2{{}, offset, &box}, time);
+      const auto image = Drawn_box_2(box, time).image({x + end.x / 2, y + end.y / 2});
+      x = image.place.x;
+      y = image.place.y;
+    }
     const double column = std::floor((x - result.left) / result.side);
     const double line = std::floor((y - result.bottom) / result.side);
     if (is_there && column >= 0 && line >= 0 && column < static_cast<double>(result.columns) &&

@@ -81,7 +81,7 @@ Run_pictures::Run_pictures(const Viewer_page& page, const std::vector<View_sourc
   };
   show(Layer::wave, page.settings.wave.has_value());
   show(Layer::delaunay, true);
-  show(Layer::hull, true);
+  show(Layer::hull, !page.recording.periodic_box);
   show(Layer::discs, has_discs_);
   show(Layer::links, has_encounters(page));
   show(Layer::ids, playback_.points() <= most_with_ids);
@@ -110,6 +110,7 @@ void Run_pictures::follow(const View_source& source) {
                        joined("ids from 0 to ", playback_.points() - 1));
     }
     view_.edge = words.edge;
+    view_.edge_offset = words.edge_offset;
   }
   if (words.point) {
     view_.point = point_of(page_, playback_.points(), *words.point);
@@ -159,6 +160,7 @@ void Run_pictures::follow_switches(const View_source& source) {
   for (std::size_t i = 0; i < layer_names.size(); ++i) {
     const auto layer = static_cast<Layer>(i);
     const bool is_possible = layer == Layer::wave    ? page_.settings.wave.has_value()
+                             : layer == Layer::hull  ? !page_.recording.periodic_box
                              : layer == Layer::discs ? has_discs_
                              : layer == Layer::links ? has_encounters(page_)
                              : layer == Layer::heat  ? !page_.recording.events.empty()
@@ -200,16 +202,15 @@ std::string Run_pictures::draw() {
   const Box_2 extent = extents_.at(playback_.time());
   camera.fit(extent, view_.shows(Layer::axes));
   if (view_.at) camera.look((*view_.at)[0], (*view_.at)[1], (*view_.at)[2]);
-  std::vector<Recorded_place> places = playback_.places();
-  if (!has_weights_) {
-    for (Recorded_place& place : places) place.radius = page_.settings.radius;
-  }
+  Places places(playback_);
+  if (!has_weights_) places.set_radius(page_.settings.radius);
   if (view_.follows_point && view_.point && places[*view_.point].is_there) {
     camera.center(places[*view_.point].x, places[*view_.point].y);
   }
   constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
   std::vector<Pixel> pixels;
-  for (const Recorded_place& place : places) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Recorded_place& place = places[i];
     pixels.push_back(place.is_there ? camera.pixel(place.x, place.y) : Pixel{nowhere, nowhere});
   }
   Scene scene = {

@@ -14,6 +14,7 @@
 #include "pictures/camera.h"
 #include "pictures/cells.h"
 #include "pictures/coloring.h"
+#include "pictures/places.h"
 #include "pictures/svg_drawing.h"
 #include "pictures/theme.h"
 #include "pictures/view_words.h"
@@ -38,6 +39,8 @@ struct View {
   std::optional<Point_id> point;  ///< that is selected
   bool follows_point = false;
   std::optional<Edge_ids> edge;  ///< that is selected
+  /// Its offset in a periodic box; none: the first such edge.
+  std::optional<Lattice_offset_2> edge_offset;
   std::optional<std::array<double, 3>> at;
   std::string unit;
   std::vector<Event_kind> kinds;  ///< of the events that are marked, and counted for the heat
@@ -61,8 +64,8 @@ struct Scene {
   const View& view;
   const Camera& camera;
   Detail detail;
-  std::vector<Recorded_place> places;  ///< in the plane, by id
-  std::vector<Pixel> pixels;           ///< on the picture; not finite if the point does not exist
+  Places places;              ///< in the plane, by id
+  std::vector<Pixel> pixels;  ///< on the picture; not finite if the point does not exist
   bool has_weights = false;
   bool has_discs = false;
 
@@ -70,6 +73,13 @@ struct Scene {
     return p.x >= 0 && p.y >= 0 && p.x <= camera.width() && p.y <= camera.height();
   }
   Segment segment(const Edge_ids& edge) const { return {pixels[edge[0]], pixels[edge[1]]}; }
+  /// Of an image, as of Places::image.
+  Pixel pixel(Point_id from, const Periodic_image& to) const {
+    const Recorded_place place = places.image(from, to);
+    return place.is_there ? camera.pixel(place.x, place.y) : pixels[to.id];
+  }
+  /// The segment of the edge; of one that leaves a periodic box both, one from each end.
+  std::vector<Segment> segments(const Periodic_edge& edge) const;
 };
 
 // ---- layers of the flat picture, the lowest first ----

@@ -96,13 +96,27 @@ bool set_switches(View_words& words, std::string_view text, bool is_on) {
   });
 }
 
-Possible<Edge_ids> edge(std::string_view text) {
-  const std::size_t dash = text.find('-');
-  if (dash == std::string_view::npos) return std::nullopt;
-  const auto a = whole_number<Point_id>(text.substr(0, dash));
-  const auto b = whole_number<Point_id>(text.substr(dash + 1));
-  if (!a || !b || *a == *b) return std::nullopt;
-  return edge_ids(*a, *b);
+// "4-17", or in a periodic box "4-17,1,-2" with an offset.
+bool set_edge(View_words& words, std::string_view text) {
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const std::string_view ids = text.substr(0, comma);
+  const std::size_t dash = ids.find('-');
+  if (dash == std::string_view::npos) return false;
+  const auto a = whole_number<Point_id>(ids.substr(0, dash));
+  const auto b = whole_number<Point_id>(ids.substr(dash + 1));
+  if (!a || !b || (*a == *b && comma == text.size())) return false;
+  words.edge = edge_ids(*a, *b);
+  words.edge_offset.reset();
+  if (comma == text.size()) return true;
+  std::vector<std::int32_t> offset;
+  const bool are_numbers = each_field(text.substr(comma + 1), [&](std::string_view field) {
+    const auto number = whole_number<std::int32_t>(field);
+    if (number) offset.push_back(*number);
+    return number.has_value();
+  });
+  if (!are_numbers || offset.size() != 2) return false;
+  words.edge_offset = Lattice_offset_2{offset[0], offset[1]};
+  return true;
 }
 
 Possible<std::array<double, 3>> place_and_width(std::string_view text) {
@@ -154,8 +168,9 @@ std::vector<Word> all_words() {
        [](Words& w, Text text) { return set(w.event, whole_number<std::uint64_t>(text)); }},
       {"show", layers, [](Words& w, Text text) { return set_switches(w, text, true); }},
       {"hide", layers, [](Words& w, Text text) { return set_switches(w, text, false); }},
-      {"edge", "the ids of two points, as in 4-17",
-       [](Words& w, Text text) { return set(w.edge, edge(text)); }},
+      {"edge",
+       "the ids of two points, as in 4-17, in a periodic box also with an offset, as in 4-17,1,-2",
+       [](Words& w, Text text) { return set_edge(w, text); }},
       {"point", "the id or the name of a point",
        [](Words& w, Text text) {
          w.point = text;

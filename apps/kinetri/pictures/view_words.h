@@ -55,7 +55,8 @@ struct View_words {
   std::optional<std::uint64_t> event;            ///< number of events that have happened
   std::vector<std::pair<Layer, bool>> switches;  ///< in the order in which they apply
   std::optional<Edge_ids> edge;
-  std::optional<std::string> point;  ///< an id or a name
+  std::optional<Lattice_offset_2> edge_offset;  ///< in a periodic box, of `edge`
+  std::optional<std::string> point;             ///< an id or a name
   std::optional<bool> follows_point;
   std::optional<Quantity> color;
   std::optional<std::array<double, 3>> at;  ///< x and y of the middle, and the width

@@ -73,7 +73,8 @@ struct Face {
 // The triangles from back to front.
 std::vector<Face> faces(const Playback& playback, const std::vector<Raised>& raised) {
   std::vector<Face> result;
-  for (const auto& [a, b] : playback.edges()) {
+  for (const auto& [ids, offset] : playback.edges()) {
+    const auto& [a, b] = ids;
     for (const Triangle_ids& corners :
          {Triangle_ids{a, b, playback.apex(a, b)}, Triangle_ids{b, a, playback.apex(b, a)}}) {
       const Point_id c = corners[2];

@@ -6,7 +6,7 @@
 // The page consists of viewer/ (see the README there) and the recording, the JSON object in the
 // element `<script type="application/json" id="recording">`:
 //
-//   format        2
+//   format        2; 3 in a periodic box
 //   program       "kinetri 0.1.0"
 //   title         of the run, for people
 //   view          absent, or the first view: `t=2&color=area`, as in an address after `#`
@@ -14,6 +14,10 @@
 //   points        the number of point ids: these are 0 ... points - 1
 //   names         the points' names by id; absent: their ids
 //   box           [xmin, ymin, xmax, ymax], or null
+//   periodic      absent, or of a periodic box ten numbers, five of each of its two vectors: e, x,
+//   y,
+//                 vx, vy: the vector is (x, y) + (vx, vy) (t - e). The members `offsets` below and
+//                 initial_offsets are there only then: base64 of int32, two an offset
 //   radius        of the discs if all are equal and none grows; else 0
 //   thinned       null, or {"events": number of events of the run} if some are left out (Recording)
 //   wave          null, or {"height": h, "width": w}: the page begins with the wave. Its height is
@@ -24,14 +28,17 @@
 //                 end if no number is); in_all: the number of encounters, count: that of those in
 //                 the page, which is 0 if there are too many
 //   initial_edges base64 of the ids of the ends, two an edge: the edges at the start that are sides
-//                 of no triangle, sorted. There are such edges only if all points are collinear
+//                 of no triangle, sorted. There are such edges only if all points are collinear,
+//                 and none in a periodic box
 //   triangles     {initial, count, event, removed, added, ids}: initial: base64 of the ids of the
 //                 corners of the triangles at the start, three a triangle, counterclockwise; their
 //                 sides are the other edges at the start. A flip removes the two triangles at its
 //                 removed edge and adds the two at its added edge. Of the `count` other events that
 //                 change triangles: event: base64 of uint32, the index of the event; removed and
 //                 added: base64 of uint32, how many triangles it removes and adds; ids: base64 of
-//                 the corners of these, as in initial, of each event the removed ones first
+//                 the corners of these, as in initial, of each event the removed ones first. In a
+//                 periodic box initial_offsets and offsets have of each triangle in initial and in
+//                 ids the offsets of its second and its third corner against its first one
 //   motions       {count, degree, starting, event, point, there, data, sizes}: trajectories in the
 //                 order in which they begin, the first `starting` of them at the start. event:
 //                 base64 of uint32, index of the event from which on it is in force, 0 for those of
@@ -53,8 +60,9 @@
 //                 added, 4 if there is a point_a, 8 if there is a point_b, and 0, 16 or 32 if the
 //                 exact time is `time`, or lies between it and the next binary64 number above (16)
 //                 or below (32); time: base64 of binary64; ids: base64 of the ids in that order, an
-//                 edge being two. An event without edges and points changes triangles only; it is
-//                 no event of the run and has no number
+//                 edge being two; offsets: of each edge among these, in order, that of the second
+//                 end against the first one. An event without edges and points changes triangles
+//                 only; it is no event of the run and has no number
 //
 // In base64 all numbers are little-endian, ids uint16 if points <= 65536, else uint32.
 #ifndef KINETRI_IO_VIEWER_PAGE_H

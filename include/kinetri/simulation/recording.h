@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "kinetri/base/ids.h"
@@ -19,6 +20,7 @@
 #include "kinetri/impl/base/double_interval.h"
 #include "kinetri/impl/simulation/triangle_map.h"
 #include "kinetri/kinetic/disc_motion_2.h"
+#include "kinetri/kinetic/periodic_kinetic_traits_2.h"
 #include "kinetri/simulation/box_2.h"
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
 
@@ -58,6 +60,8 @@ struct Recorded_triangle {
   std::size_t event = 0;      ///< index of the event in the recording
   bool is_added = false;      ///< whether it is added; else it is removed
   Triangle_ids corners = {};  ///< counterclockwise, the least id first
+  /// In a periodic box it is a Periodic_triangle, with these.
+  std::array<Lattice_offset_2, 2> offsets = {};
 
   friend bool operator==(const Recorded_triangle&, const Recorded_triangle&) = default;
 };
@@ -71,13 +75,19 @@ struct Recorded_triangle {
 /// (points meet, or all points are collinear for an instant), there is a row of the kind rebuild
 /// without an edge, which is not an event of the run: its number is that of the next event.
 ///
+/// In a periodic box the edges at the start are the sides of the triangles at the start, which have
+/// offsets, as do the edges of events.
+///
 /// Hidden points are those without an edge, if any point has one; and those that coincide with the
 /// point that is shown.
 struct Recording {
-  double from = 0;                                 ///< the start, rounded
-  double until = 0;                                ///< the end, rounded
-  std::vector<Edge_ids> initial_edges;             ///< just after the start, sorted
-  std::vector<Triangle_ids> initial_triangles;     ///< just after the start, sorted
+  double from = 0;                              ///< the start, rounded
+  double until = 0;                             ///< the end, rounded
+  std::optional<Periodic_box_2> periodic_box;   ///< the box, if it is periodic
+  std::vector<Edge_ids> initial_edges;          ///< just after the start, sorted
+  std::vector<Triangle_ids> initial_triangles;  ///< just after the start, sorted
+  /// In a periodic box, of each triangle at the start (Periodic_triangle); else empty.
+  std::vector<std::array<Lattice_offset_2, 2>> initial_offsets;
   std::vector<Recorded_motion> motions;            ///< by event; those of the start first
   std::vector<Recorded_coincidence> coincidences;  ///< by event; those of the start first
   std::vector<Recorded_event> events;              ///< in exact order of time
@@ -131,7 +141,12 @@ class Recorder : public Event_observer {
   void expect_row(const Time& time);
   void record_motion(Point_id id, std::optional<std::size_t> event);
   void record_coincidence(Point_id id, std::optional<std::size_t> event);
-  Point_id apex_now(Point_id p, Point_id q) const;
+  using Corner = std::conditional_t<PeriodicKineticTraits_2<Traits>, Periodic_image, Point_id>;
+  using Directed = std::array<Corner, 2>;
+  template <class Function>
+  void for_each_side(Point_id p, const Function& function) const;
+  Corner apex_now(const Corner& p, const Corner& q) const;
+  std::vector<Directed> directed(const Edge_ids& pair) const;
   void record_flip(const Event& event);
   std::vector<Recorded_triangle> changed_triangles(std::span<const Edge_ids> edges) const;
   void record_triangles(std::span<const Recorded_triangle> changes);
@@ -140,18 +155,19 @@ class Recorder : public Event_observer {
 
   const Triangulation& triangulation_;
   std::size_t most_rows_;
-  std::size_t limit_;                   // of rows before the next thinning
-  std::optional<Time> time_;            // of the last row
-  Recorded_time rounded_time_;          // the same
-  detail::Triangle_map triangles_;      // after what has been recorded
-  std::map<Point_id, Point_id> shown_;  // the same: of hidden points that coincide with others
-  Recording recording_;                 // up to the last event; until is the end that is expected
+  std::size_t limit_;                       // of rows before the next thinning
+  std::optional<Time> time_;                // of the last row
+  Recorded_time rounded_time_;              // the same
+  detail::Triangle_map<Corner> triangles_;  // after what has been recorded
+  std::map<Point_id, Point_id> shown_;      // the same: of hidden points that coincide with others
+  Recording recording_;  // up to the last event; until is the end that is expected
 };
 
 extern template class Recorder<Linear_kinetic_traits_2>;
 extern template class Recorder<Polynomial_kinetic_traits_2>;
 extern template class Recorder<Disc_kinetic_traits_2>;
 extern template class Recorder<Polynomial_disc_kinetic_traits_2>;
+extern template class Recorder<Periodic_kinetic_traits_2>;
 
 }  // namespace kinetri
 

@@ -26,6 +26,9 @@ struct Recorded_place {
 /// Whether the points of a recording have radii or weights, so that its triangulation is regular.
 bool has_weights(const Recording& recording);
 
+/// The i-th triangle at the start; in the plane offsets are zero.
+Periodic_triangle initial_triangle(const Recording& recording, std::size_t i);
+
 /// The position at the time, as rounded_place, with radius and weight.
 Recorded_place place_of(const Polynomial_disc_motion_2& motion, double time);
 
@@ -49,10 +52,14 @@ class Playback {
   /// The number of rows that have been played.
   std::size_t rows() const { return rows_; }
 
-  /// The edges now, sorted.
-  const std::set<Edge_ids>& edges() const { return edges_; }
-  /// The third corner of the triangle to the left of pq; no_point if there is none.
-  Point_id apex(Point_id p, Point_id q) const { return triangles_.apex(p, q); }
+  /// The edges now, sorted. In the plane offsets are zero.
+  const std::set<Periodic_edge>& edges() const { return edges_; }
+  /// The third corner of the triangle to the left of pq; its id is no_point if there is none.
+  Periodic_image apex(const Periodic_image& p, const Periodic_image& q) const {
+    return triangles_.apex(p, q);
+  }
+  /// The same in the plane.
+  Point_id apex(Point_id p, Point_id q) const { return apex(Periodic_image{p}, {q}).id; }
 
   /// The number of point ids.
   std::size_t points() const { return current_.size(); }
@@ -85,8 +92,8 @@ class Playback {
   std::size_t next_motion_ = 0;       // index in the recording
   std::size_t next_triangle_ = 0;     // the same
   std::size_t next_coincidence_ = 0;  // the same
-  std::set<Edge_ids> edges_;
-  detail::Triangle_map triangles_;
+  std::set<Periodic_edge> edges_;
+  detail::Triangle_map<Periodic_image> triangles_;
   std::vector<Point_id> shown_;
   std::vector<std::optional<std::size_t>> current_;
   std::vector<std::optional<std::size_t>> previous_;  // by motion
