@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs in periodic boxes from outside: logs and edges with offsets, compared with copies of the points in the
-plane, which other code triangulates; what is said and refused; --verify.
+plane, which other code triangulates; pictures and pages; what is said and refused; --verify.
 
 usage: periodic_test.py PROGRAM
 """
@@ -11,6 +11,7 @@ import itertools
 import json
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import unittest
@@ -198,6 +199,64 @@ class Periodic(In_folder):
                                   HEADER + "0,0,0,0\n2147483000.5,0.25,1000,0\n", code=2)
         self.assertIn("vectors of the box; expected less than 2^31 of each", failed.stderr)
         self.assertFalse((self.folder / "e.csv").exists())
+
+    def test_pictures_show_the_box_and_all_edges(self):
+        points = text_of(random_points(random.Random(3), 12, 4))
+        self.run_program("simulate p.csv --until 2 --periodic 4,5,1 --shear 0.5 --frames f --vtu v --frames-per-time 2 "
+                         "--edges e.csv", points)
+        self.assertEqual(sorted(path.name for path in (self.folder / "f").iterdir()),
+                         [f"frame_00000{i}.svg" for i in range(5)])
+        self.assertEqual(len(list((self.folder / "v").iterdir())), 6)
+        for i in range(5):
+            drawing = self.read(f"f/frame_00000{i}.svg")
+            self.assertIn(f"<title>t = {i / 2:g}</title>", drawing)
+            box, within, leaving = (re.search(f'<path class="{name}".*? d="([^"]*)"', drawing)[1]
+                                    for name in ("box", "edges", "leaving-edges"))
+            # An edge that leaves the box is there twice.
+            self.assertEqual(2 * within.count("M") + leaving.count("M"), 2 * 3 * 12)
+            self.assertGreater(leaving.count("M"), 4)
+            # The second side leans by 1 + 0.5 * 5 t, less the width of the box as often as possible.
+            corners = [tuple(map(float, corner.split(" "))) for corner in re.findall(r"[ML]([^MLZ]*)", box)]
+            width, height = corners[1][0] - corners[0][0], corners[0][1] - corners[3][1]
+            lean = (corners[3][0] - corners[0][0]) / height * 5
+            self.assertAlmostEqual(height / width, 5 / 4, 3)
+            tilt = 1 + 2.5 * i / 2
+            self.assertAlmostEqual(lean, tilt - 4 * round(tilt / 4), 1)
+            self.assertEqual(drawing.count("<circle "), 12 + leaving.count("M"))
+            file = self.read(f"v/frame_00000{i}.vtu")
+            self.assertIn('NumberOfCells="24"', file)
+
+    def test_page_is_drawn_without_a_browser(self):
+        points = text_of(random_points(random.Random(3), 12, 4))
+        run = "simulate p.csv --until 2 --periodic 4,5,1 --shear 0.5 --html r.html --quiet"
+        self.run_program(run, points)
+        page = self.read("r.html")
+        recording = json.loads(re.search('id="recording">(.*?)</script>', page)[1])
+        self.assertEqual(recording["format"], 3)
+        self.assertEqual(recording["periodic"], [0, 4, 0, 0, 0, 0, 1, 5, 2.5, 0])
+        self.run_program("render r.html --at 1 --output p.svg --view show=voronoi,trails,arrows&color=area")
+        drawing = self.read("p.svg")
+        for name in ("box", "edges", "leaving-edges", "images", "voronoi", "trails", "arrows", "colors"):
+            self.assertIn(f'class="{name}"', drawing)
+        refused = self.run_program("render r.html --output p.svg --view show=hull", code=2)
+        self.assertIn("show: 'hull' is not possible", refused.stderr)
+        # The same run gives the same bytes.
+        self.run_program(run)
+        self.assertEqual(self.read("r.html"), page)
+
+    def test_selected_edge_may_be_named_with_its_offset(self):
+        """One point: its three edges differ by their offsets only."""
+        self.run_program("simulate p.csv --until 0.5 --periodic 1,1 --shear 1 --html r.html --quiet",
+                         HEADER + "0.5,0.5,0,0\n")
+        drawn = set()
+        for offset in ("0,1", "1,-1", "1,0"):
+            self.run_program(f"render r.html --at 0 --output p.svg --view edge=0-0,{offset}")
+            selected = re.findall(r'class="selected"[^>]* d="([^"]*)"', self.read("p.svg"))
+            self.assertEqual(len(selected), 2)
+            drawn.add(selected[0])
+        self.assertEqual(len(drawn), 3)
+        refused = self.run_program("render r.html --output p.svg --view edge=0-0,1", code=2)
+        self.assertIn("edge: '0-0,1' is not possible", refused.stderr)
 
     def test_logs_in_the_plane_have_no_offsets(self):
         self.run_program("simulate p.csv --until 3 --events e.csv --edges f.csv",

@@ -21,6 +21,7 @@ from exporting import Exporting  # noqa: E402
 from firefox import Firefox  # noqa: E402
 from interface import Interface  # noqa: E402
 from page import Page  # noqa: E402
+from periodic import Periodic  # noqa: E402
 from playing import Playing  # noqa: E402
 from points import Points  # noqa: E402
 from recordings import Damaged, Small  # noqa: E402
@@ -30,7 +31,7 @@ SKIPPED = 77
 BROWSERS = {"chromium": (Chromium, "chromium"), "firefox": (Firefox, "firefox-esr")}
 CASES = {"runs": Playing, "interface": Interface, "certificate": Certificate, "drawing": Drawing,
          "without_webgl": Without_webgl, "points": Points, "screens": Screens,
-         "accessible": Accessible, "exporting": Exporting, "encounters": Near, "small": Small, "damaged": Damaged}
+         "accessible": Accessible, "exporting": Exporting, "encounters": Near, "periodic": Periodic, "small": Small, "damaged": Damaged}
 
 
 def main():

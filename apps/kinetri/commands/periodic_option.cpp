@@ -67,6 +67,7 @@ void expect_periodic(const Run_options& options) {
       refuse_with_periodic(row.option);
     }
   }
+  if (options.range) refuse_with_periodic("--range");
 }
 
 }  // namespace kinetri::app

@@ -167,10 +167,8 @@ Command simulate_command() {
       "--regular, the triangulation is the regular triangulation of the discs, in which discs that "
       "touch are neighbors. Else it is the Delaunay triangulation of the centers.",
       "In a periodic box (--periodic) the triangulation is that of all images of the points: one "
-      "of "
-      "the torus, without a hull. Edges have offsets: how often the two vectors of the box are "
-      "added "
-      "to the position of the second end. Such a run has no walls, no discs and no pictures.",
+      "of the torus, without a hull. Edges have offsets: how often the two vectors of the box are "
+      "added to the position of the second end. Such a run has no walls and no discs.",
       "Discs that grow may become jammed, with any response: they have no free area left between "
       "one another or between walls. The run then ends, and the outputs hold what happened until "
       "then. It ends in the same way if points are accelerated against a wall or each other, and "
@@ -193,6 +191,7 @@ Command simulate_command() {
                      "kinetri simulate points.csv --until 10 --coincident refuse",
                      "kinetri simulate points.csv --until 10 --periodic 100,100 --shear 0.1 \\",
                      "    --events events.csv --edges edges.csv --verify",
+                     "kinetri simulate points.csv --until 10 --periodic 100,100 --html run.html",
                      "kinetri simulate points.csv --until 10 --box 0,0,100,100 \\",
                      "    --collisions elastic --radius 0.5 --events -",
                      "kinetri simulate discs.csv --until 10 --box 0,0,100,100 --rim \\",

@@ -9,6 +9,7 @@
 
 #include "kinetri/impl/io/text.h"
 #include "outputs/frame_times.h"
+#include "pictures/box_extent.h"
 
 namespace kinetri::app {
 namespace {
@@ -70,15 +71,27 @@ std::string frame_name(std::size_t number, const char* extension) {
 void Frame_outputs::start(const Run_source& source, const Any_simulation& simulation,
                           double until) {
   simulation.visit([&](const auto& s) {
-    const double from = s.current_time().tight_interval().upper;
-    times_ = frame_times(from, until, rate_);
+    const double from = set_times(s.triangulation(), until);
     const std::optional<Box_2>& box = s.options().box;
     const std::optional<Box_2> known = box ? box : source.extent();
     view_.extent = known ? *known : extent_of(s.triangulation(), from, until);
     view_.box = box;
     view_.radius = greatest_radius_of(s, from, until);
-    view_.points = s.triangulation().number_of_points();
   });
+}
+
+void Frame_outputs::start(const Periodic_triangulation& triangulation, double until) {
+  const double from = set_times(triangulation, until);
+  view_.extent = extent_of_box(triangulation.traits().box(), from, until, view_.points);
+}
+
+// Chooses the times, and returns the first one that is possible.
+template <class Triangulation>
+double Frame_outputs::set_times(const Triangulation& triangulation, double until) {
+  const double from = triangulation.current_time().tight_interval().upper;
+  times_ = frame_times(from, until, rate_);
+  view_.points = triangulation.number_of_points();
+  return from;
 }
 
 std::optional<double> Frame_outputs::next_time() const {
@@ -87,7 +100,10 @@ std::optional<double> Frame_outputs::next_time() const {
 }
 
 void Frame_outputs::write(const Any_simulation& simulation) {
-  const Frame_2 frame = simulation.visit([](const auto& s) { return frame_of_simulation(s); });
+  write_frame(simulation.visit([](const auto& s) { return frame_of_simulation(s); }));
+}
+
+void Frame_outputs::write_frame(const Frame_2& frame) {
   if (svg_ != nullptr) {
     std::ostringstream picture;
     write_svg_frame(picture, frame, view_);
@@ -107,6 +123,12 @@ void Frame_outputs::finish() {
   std::ostringstream series;
   write_pvd(series, series_);
   vtu_->write("frames.pvd", series.view());
+}
+
+std::optional<Frame_outputs> frame_outputs(Run_outputs& outputs,
+                                           const std::optional<Frame_rate>& rate) {
+  if (!outputs.has(Output::frames) && !outputs.has(Output::vtu)) return std::nullopt;
+  return Frame_outputs(outputs.directory(Output::frames), outputs.directory(Output::vtu), rate);
 }
 
 }  // namespace kinetri::app

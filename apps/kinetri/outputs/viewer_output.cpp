@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "kinetri/observers/encounters.h"
@@ -40,12 +41,28 @@ Viewer_output::Viewer_output(const Any_simulation& simulation, const Run_source&
   simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) {
     settings_.box = s.options().box;
     settings_.radius = s.options().radius;
-    auto recorder = std::make_unique<Recorder<Traits>>(s.triangulation(), until,
-                                                       most_rows(source.number_of_points()));
-    s.add_observer(*recorder);
-    recorder_ = std::move(recorder);
+    s.add_observer(record(s.triangulation(), until));
     if (range) follow_encounters(s, *range);
   });
+}
+
+Viewer_output::Viewer_output(Periodic_triangulation& triangulation, std::string title,
+                             std::vector<std::string> labels, double until,
+                             const std::string& view) {
+  settings_.title = std::move(title);
+  settings_.names = std::move(labels);
+  settings_.view = view;
+  triangulation.add_observer(record(triangulation, until));
+}
+
+template <class Traits>
+Recorder<Traits>& Viewer_output::record(const Kinetic_triangulation_2<Traits>& triangulation,
+                                        double until) {
+  const std::size_t rows = most_rows(triangulation.number_of_points());
+  auto recorder = std::make_unique<Recorder<Traits>>(triangulation, until, rows);
+  Recorder<Traits>& result = *recorder;
+  recorder_ = std::move(recorder);
+  return result;
 }
 
 template <class Traits>

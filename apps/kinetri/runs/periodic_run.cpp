@@ -18,9 +18,11 @@
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
 #include "kinetri/io/points_file.h"
+#include "outputs/frame_outputs.h"
 #include "outputs/motion_output.h"
 #include "outputs/run_outputs.h"
 #include "outputs/verification.h"
+#include "outputs/viewer_output.h"
 #include "runs/run_summary.h"
 #include "sources/periodic_triangulation.h"
 #include "sources/points_source.h"
@@ -41,6 +43,7 @@ class Periodic_run {
         outputs_(settings.outputs, {periodic.points}),
         progress_(settings.progress) {
     if (settings.verifies) verification_.emplace(settings.outputs);
+    frames_ = frame_outputs(outputs_, settings.frame_rate);
   }
 
   Exit_code run();
@@ -52,6 +55,7 @@ class Periodic_run {
   double time() const { return triangulation_->current_time().to_double(); }
   std::uint64_t number_of_events() const { return triangulation_->counters().number_of_events(); }
   void advance();
+  bool go_to(double end);
   bool may_go_on();
   void audit(Audit_level level);
   void write_outputs();
@@ -69,7 +73,9 @@ class Periodic_run {
   std::optional<Event_log_writer> log_;
   std::unique_ptr<Event_observer> motion_log_;
   std::optional<Verification> verification_;
+  std::optional<Frame_outputs> frames_;
   std::unique_ptr<Periodic_triangulation> triangulation_;
+  std::optional<Viewer_output> viewer_;
   std::string coincident_;  // points that coincide, for the summary
   Audits audits_;
 };
@@ -140,6 +146,11 @@ void Periodic_run::build() {
     motion_log_ = follow_motions(outputs_.stream(Output::motions), *triangulation_);
   }
   if (verification_) verification_->start(*triangulation_);
+  if (outputs_.has(Output::html)) {
+    viewer_.emplace(*triangulation_, title_of(periodic_.points), points_.labels, statistics_.until,
+                    settings_.html_view);
+  }
+  if (frames_) frames_->start(*triangulation_, statistics_.until);
   statistics_.seconds.write += stopwatch_.lap();
 }
 
@@ -176,25 +187,36 @@ void Periodic_run::note_coincident() {
 
 // Executes the events, up to the end or an interruption.
 void Periodic_run::advance() {
-  const Algebraic_number until(periodic_.until);
-  bool is_at_end = false;
   try {
-    while (!is_at_end && may_go_on()) {
-      if (settings_.audit == Audit_mode::events) {
-        is_at_end = triangulation_->step(until) == 0;
-        if (!is_at_end) audit(Audit_level::reference);
-      } else {
-        is_at_end = true;
-        triangulation_->advance_to(until, [&] { return is_at_end = may_go_on(); });
-      }
+    while (frames_ && frames_->next_time() && go_to(*frames_->next_time())) {
+      statistics_.seconds.run += stopwatch_.lap();
+      frames_->write(*triangulation_);
+      statistics_.seconds.write += stopwatch_.lap();
     }
-    if (is_at_end) triangulation_->advance_to(until);
+    statistics_.interrupted = !go_to(periodic_.until);
   } catch (const Periodic_offset_error& error) {
     throw offset_error(error);
   }
-  statistics_.interrupted = !is_at_end;
   statistics_.reached = time();
   statistics_.seconds.run += stopwatch_.lap();
+}
+
+// Executes the events up to `end`. Returns false if the run must end before.
+bool Periodic_run::go_to(double end) {
+  const Algebraic_number until(end);
+  while (may_go_on()) {
+    bool is_at_end = true;
+    if (settings_.audit == Audit_mode::events) {
+      is_at_end = triangulation_->step(until) == 0;
+      if (!is_at_end) audit(Audit_level::reference);
+    } else {
+      triangulation_->advance_to(until, [&] { return is_at_end = may_go_on(); });
+    }
+    if (!is_at_end) continue;
+    triangulation_->advance_to(until);
+    return true;
+  }
+  return false;
 }
 
 // Whether another time with events may follow. Throws if a log cannot be written; a closed pipe is
@@ -221,6 +243,8 @@ void Periodic_run::write_outputs() {
   if (outputs_.has(Output::edges)) {
     write_periodic_edges(outputs_.stream(Output::edges), triangulation_->periodic_edges());
   }
+  if (frames_) frames_->finish();
+  if (viewer_) viewer_->write(outputs_.stream(Output::html));
   statistics_.seconds.write += stopwatch_.lap();
   // The statistics come last, since they contain the time of writing the others.
   if (outputs_.has(Output::stats)) {

@@ -28,7 +28,8 @@ struct Periodic_settings {
 /// Whether a run in a periodic box has this output.
 constexpr bool is_for_periodic_boxes(Output output) {
   return output == Output::events || output == Output::motions || output == Output::initial_edges ||
-         output == Output::edges || output == Output::stats;
+         output == Output::edges || output == Output::stats || output == Output::frames ||
+         output == Output::vtu || output == Output::html;
 }
 
 /// As run_simulation, of the triangulation alone. Precondition: all outputs of the settings are for

@@ -67,10 +67,7 @@ class Simulation_run {
         outputs_(settings.outputs, input_paths(settings, source)),
         progress_(settings.progress) {
     if (settings.verifies) verification_.emplace(settings.outputs);
-    if (outputs_.has(Output::frames) || outputs_.has(Output::vtu)) {
-      frames_.emplace(outputs_.directory(Output::frames), outputs_.directory(Output::vtu),
-                      settings.frame_rate);
-    }
+    frames_ = frame_outputs(outputs_, settings.frame_rate);
     if (outputs_.has(Output::plot)) sampler_ = std::make_unique<Run_sampler>();
   }
 

@@ -13,8 +13,12 @@ std::string input_name(const std::string& path) {
   return path == "-" ? "standard input" : path;
 }
 
+std::string title_of(const std::string& path) {
+  return path == "-" ? input_name(path) : std::filesystem::path(path).filename().string();
+}
+
 std::string Run_source::title() const {
-  return path() == "-" ? input_name(path()) : std::filesystem::path(path()).filename().string();
+  return title_of(path());
 }
 
 std::vector<Point_id> Run_source::points_named(const std::string& name) const {

@@ -30,6 +30,9 @@ class Any_simulation;
 /// The name of an input in messages. `path` may be "-".
 std::string input_name(const std::string& path);
 
+/// The title of a run of points in this file.
+std::string title_of(const std::string& path);
+
 /// The source of a run. By default points are named by their ids.
 class Run_source {
  public:
