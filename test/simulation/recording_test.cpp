@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <random>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -469,9 +470,16 @@ Periodic_state state_of(const Periodic_triangulation& triangulation) {
   return result;
 }
 
+// Advances by an instant, up to `until`; returns whether there was one.
+bool step_only(Periodic_triangulation& kinetic, double until) {
+  return kinetic.step(Algebraic_number(until)) > 0;
+}
+
 // Plays a recording of a run in a periodic box. Returns the number of rows.
+template <class Step = decltype(&step_only)>
 std::size_t expect_plays_in_box(const std::vector<Linear_motion_2>& motions,
-                                const Periodic_box_2& box, double until, std::size_t most_rows) {
+                                const Periodic_box_2& box, double until, std::size_t most_rows,
+                                Step step = &step_only) {
   Periodic_triangulation kinetic(motions, 0, Periodic_kinetic_traits_2(box));
   Recorder<Periodic_kinetic_traits_2> recorder(kinetic, until, most_rows);
   Recorder<Periodic_kinetic_traits_2> parts(kinetic, until, 1'000'000'000);
@@ -480,7 +488,7 @@ std::size_t expect_plays_in_box(const std::vector<Linear_motion_2>& motions,
   const Periodic_state start = state_of(kinetic);
   std::map<double, Periodic_state> instants;  // the last one of those that round to a number
   Recording whole = parts.take();
-  while (kinetic.step(Algebraic_number(until)) > 0) {
+  while (step(kinetic, until)) {
     append(whole, parts.take());
     instants[kinetic.current_time().to_double()] = state_of(kinetic);
   }
@@ -552,6 +560,46 @@ TEST(Recording, plays_degenerate_instants_in_periodic_boxes) {
   }
   EXPECT_GT(expect_plays_in_box(motions, {{{16, 0}, {0, 0}}, {{0, 16}, {0, 0}}}, 12, 100'000),
             100u);
+}
+
+TEST(Recording, plays_changes_of_points_in_periodic_boxes) {
+  const Periodic_box_2 sheared({{10, 0}, {0, 0}}, {{3, 9}, {5, 0}});
+  std::mt19937 random(3);
+  const auto number = [&random](int most) {
+    return std::uniform_int_distribution<int>(-8 * most, 8 * most)(random) / 8.0;
+  };
+  // Between the events of the run, changes of one or of many points.
+  int changes = 0;
+  const auto change = [&](Periodic_triangulation& kinetic, double until) {
+    const double next = until * (changes + 1) / 61;
+    if (changes == 60) return step_only(kinetic, until);
+    if (step_only(kinetic, next)) return true;
+    ++changes;
+    kinetic.advance_to(Algebraic_number(next));
+    std::vector<Point_id> ids;
+    for (Point_id id = 0; id < kinetic.next_id(); ++id) {
+      if (kinetic.contains(id)) ids.push_back(id);
+    }
+    std::ranges::shuffle(ids, random);
+    const auto motion = [&] {
+      return Linear_motion_2{{number(20), number(20)}, {number(2), number(2)}};
+    };
+    if (changes % 4 == 0) {
+      ids.resize(ids.size() / 2);
+      std::vector<Linear_motion_2> all;
+      for (std::size_t i = 0; i < ids.size(); ++i) all.push_back(motion());
+      kinetic.set_motions(ids, all);
+    } else if (changes % 4 == 1) {
+      kinetic.insert(motion());
+    } else if (changes % 4 == 2 && ids.size() > 1) {
+      kinetic.erase(ids.front());
+    } else {
+      kinetic.set_motion(ids.front(), motion());
+    }
+    return true;
+  };
+  const auto motions = test::random_motions(8, 10, 3, 4);
+  EXPECT_GT(expect_plays_in_box(motions, sheared, 4, 100'000, change), 300u);
 }
 
 TEST(Recording, is_thinned_in_periodic_boxes) {
