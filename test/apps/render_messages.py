@@ -88,9 +88,9 @@ def cases():
     yield render("-o a.svg", page()[: page().index(BEGIN) + 500], file="run.html")
     yield render("-o a.svg", f"<!doctype html>{BEGIN}[</script>", file="run.html")
     yield damaged(lambda r: r.update(format=1), n=2)
-    yield damaged(lambda r: r.update(periodic=[0, 4, 0, 0, 0, 0, 0, 4, 0, 0]), n=3)
-    yield damaged(lambda r: r.update(format=3, periodic=[0, 4, 0, 0, 0, 0, 0, -4, 0, 0]), member="recording.periodic",
-                  problem="has no area at a time of the run")
+    yield damaged(lambda r: r.update(periodic=[0.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0, 4.0, 0.0, 0.0]), n=3)
+    yield damaged(lambda r: r.update(format=3, periodic=[0.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0, -4.0, 0.0, 0.0]),
+                  member="recording.periodic", problem="has no area at a time of the run")
     yield damaged(lambda r: r.update(until=-1.0))
     yield damaged(lambda r: r.update(points=5), n=5, m=4)
     yield damaged(lambda r: r.update(radius=-1.0), member="recording.radius")
