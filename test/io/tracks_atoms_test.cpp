@@ -381,5 +381,59 @@ TEST(Read_tracks_xyz, errors_name_the_line) {
       error_of("1\nLattice=\"10 0 0 0 10 0 0 0 10\" pbc=\"F T T\"\nAr 1 2 3\n1\n\nAr 8 2 3\n"), "");
 }
 
+// ---- tracks in a periodic box ----
+
+std::string in_box(const std::string& text) {
+  const Tracks_file file = read_options(text, {.unwrap = Tracks_unwrap::periodic});
+  std::string result = shown(file);
+  for (const auto& [x, y] : file.periodic_box.value()) {
+    result += " (" + std::to_string(x) + ", " + std::to_string(y) + ")";
+  }
+  return result;
+}
+
+TEST(Read_tracks_in_box, wrapped_places_go_on_to_the_nearest_image) {
+  const std::string box = " (10.000000, 0.000000) (0.000000, 8.000000)";
+  const auto two = [](const std::string& columns, const std::string& from, const std::string& to) {
+    return frame(0, columns, {from}, "pp pp pp") + frame(10, columns, {to}, "pp pp pp");
+  };
+  EXPECT_EQ(in_box(two("id x y", "7 9 -3", "7 1 3")),
+            "7: 0 (9, -3) line 10 10 (11, -5) line 20" + box);
+  // The file says which image is meant, however far it is.
+  EXPECT_EQ(in_box(two("id xu yu", "7 9 -3", "7 31 3")),
+            "7: 0 (9, -3) line 10 10 (31, 3) line 20" + box);
+  EXPECT_EQ(in_box(two("id x y ix iy", "7 9 -3 0 0", "7 1 3 3 1")),
+            "7: 0 (9, -3) line 10 10 (31, 11) line 20" + box);
+  const Tracks_file_options periodic = {.unwrap = Tracks_unwrap::periodic};
+  EXPECT_TRUE(has_piece(read_options_error(two("id x y", "7 9 -3", "7 4 -3"), periodic),
+                        ":20: atom '7' goes half of the periodic box, which is 10 wide"));
+  // The box is known without the option too, but places must be unwrapped then.
+  EXPECT_TRUE(read_options(two("id xu yu", "7 9 -3", "7 31 3"), {}).periodic_box);
+}
+
+TEST(Read_tracks_in_box, tilted_boxes_turn_left) {
+  const auto text = [](const std::string& lattice) {
+    return "1\nLattice=\"" + lattice + "\" pbc=\"T T F\"\nH 1 1 0\n1\nLattice=\"" + lattice +
+           "\" pbc=\"T T F\"\nH 2 1 0\n";
+  };
+  const std::string tracks = "0: 0 (1, 1) line 3 1 (2, 1) line 6";
+  EXPECT_EQ(in_box(text("10 0 0 3 8 0 0 0 5")),
+            tracks + " (10.000000, 0.000000) (3.000000, 8.000000)");
+  EXPECT_EQ(in_box(text("3 8 0 10 0 0 0 0 5")),
+            tracks + " (10.000000, 0.000000) (3.000000, 8.000000)");
+}
+
+TEST(Read_tracks_in_box, refuses_what_has_not_one_such_box) {
+  const Tracks_file_options periodic = {.unwrap = Tracks_unwrap::periodic};
+  const auto error = [&](const std::string& text) { return read_options_error(text, periodic); };
+  EXPECT_TRUE(has_piece(error(frame(0, "id x y", {"7 1 1"}) + frame(1, "id x y", {"7 2 1"})),
+                        "has no box that is periodic in two directions of the plane"));
+  std::string other = frame(1, "id xu yu", {"7 2 1"}, "pp pp pp");
+  other.replace(other.find("0 1e1"), 5, "0 2e1");
+  EXPECT_TRUE(has_piece(error(frame(0, "id xu yu", {"7 1 1"}, "pp pp pp") + other),
+                        ":19: the box differs from that of the frames before"));
+  EXPECT_FALSE(read_options(frame(0, "id xu yu", {"7 1 1"}, "pp pp pp") + other, {}).periodic_box);
+}
+
 }  // namespace
 }  // namespace kinetri::tracks_atoms_test

@@ -61,6 +61,7 @@
 #ifndef KINETRI_IO_TRACKS_FILE_H
 #define KINETRI_IO_TRACKS_FILE_H
 
+#include <array>
 #include <cstddef>
 #include <iosfwd>
 #include <optional>
@@ -157,6 +158,9 @@ enum class Tracks_duplicates {
 enum class Tracks_unwrap {
   refused,  ///< a file is refused if an image of an atom's next position is nearer than that
   nearest,  ///< an atom continues to the nearest image of its next position
+  /// The file must have one periodic box (Tracks_file::periodic_box). An atom continues to the
+  /// nearest image, unless the file says itself which image is meant: by xu and yu, or ix and iy.
+  periodic,
 };
 
 /// Options for reading a file of tracks.
@@ -221,6 +225,10 @@ struct Tracks_file {
   std::string origin;
   /// The area in which people walk as WKT, which JuPedSim writes with tracks; else empty.
   std::string walkable_area;
+  /// The vectors of the box of atoms, the second one to the left of the first, if it is the same in
+  /// all frames and periodic in two directions of the plane; of a box that is tilted toward z, only
+  /// if its third edge is not periodic.
+  std::optional<std::array<Vector_2, 2>> periodic_box;
   /// How the file was read, for users, in phrases without a period at the end.
   std::vector<std::string> remarks;
 };

@@ -63,7 +63,10 @@ std::array<double, 2> images_in(const Vector_2& step, const std::vector<Vector_2
 
 }  // namespace
 
-void Atom_boxes::add(std::size_t line, const Atom_box& box) {
+void Atom_boxes::add(std::size_t line, const Atom_box& box, bool are_wrapped) {
+  const bool is_new = all_boxes_.empty() || !(all_boxes_.front().box == box);
+  if (all_boxes_.size() < 2 && is_new) all_boxes_.push_back(images_of(line, box));
+  if (!are_wrapped) return;
   if (boxes_.empty() || !(boxes_.back().box == box)) boxes_.push_back(images_of(line, box));
 }
 
@@ -75,6 +78,7 @@ Atom_boxes::Images Atom_boxes::images_of(std::size_t line, const Atom_box& box) 
   for (std::size_t i = 0; i < box.edges.size(); ++i) {
     if (box.is_periodic[i] && !(box.edges[i] == Vector_2{})) edges.push_back(box.edges[i]);
   }
+  result.edges = edges;
   if (edges.size() == 2 && cross(direction(edges[0]), direction(edges[1])) != 0) {
     shorten(edges[0], edges[1]);
     result.basis = edges;
@@ -114,11 +118,30 @@ const Atom_boxes::Images& Atom_boxes::images_at(std::size_t line) const {
 
 void Atom_boxes::settle_jumps(Tracks_file& file, const Tracks_input& input,
                               std::string_view expected) const {
-  if (input.options.unwrap == Tracks_unwrap::nearest) {
+  if (all_boxes_.size() == 1 && all_boxes_.front().basis.size() == 2) {
+    const Vector_2& a = all_boxes_.front().edges[0];
+    const Vector_2& b = all_boxes_.front().edges[1];
+    const bool turns_left = cross(direction(a), direction(b)) > 0;
+    file.periodic_box = turns_left ? std::array{a, b} : std::array{b, a};
+  }
+  const bool is_periodic = input.options.unwrap == Tracks_unwrap::periodic;
+  if (is_periodic) expect_periodic_box(file, input.name);
+  if (input.options.unwrap == Tracks_unwrap::nearest || (is_periodic && !boxes_.empty())) {
     unwrap(file, input.name, expected);
   } else if (!boxes_.empty()) {
     expect_no_jumps(file, input.name, expected);
   }
+}
+
+void Atom_boxes::expect_periodic_box(const Tracks_file& file, const std::string& name) const {
+  if (file.periodic_box || file.tracks.empty()) return;
+  if (all_boxes_.size() > 1) {
+    throw Input_error(name, all_boxes_[1].line,
+                      "the box differs from that of the frames before; expected one periodic box");
+  }
+  throw Input_error(name, 0,
+                    "has no box that is periodic in two directions of the plane, and in no third "
+                    "one that is oblique to it; expected one, such as boundaries pp pp in a dump");
 }
 
 void Atom_boxes::unwrap(Tracks_file& file, const std::string& name,

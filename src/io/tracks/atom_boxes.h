@@ -27,10 +27,12 @@ struct Atom_box {
 /// The boxes of the frames of a file.
 class Atom_boxes {
  public:
-  /// Sets the box of the atoms from this line on. Precondition: the lines ascend.
-  void add(std::size_t line, const Atom_box& box);
+  /// Sets the box of the atoms from this line on. Precondition: the lines ascend. `are_wrapped`:
+  /// whether their places may be those of any image; else the file says which image is meant.
+  void add(std::size_t line, const Atom_box& box, bool are_wrapped = true);
 
-  /// Moves each atom to the nearest image of its next position, if the options request it. Else
+  /// Sets Tracks_file::periodic_box, and moves each atom to the nearest image of its next position,
+  /// if the options request it. Else
   /// throws Input_error if an image of the next position of an atom is nearer than that, so that it
   /// has jumped; the message ends in `expected`. Throws also if there is not exactly one box in
   /// which to unwrap, if two images are equally near, or if images are ambiguous in the plane,
@@ -42,17 +44,20 @@ class Atom_boxes {
   struct Images {
     std::size_t line = 0;
     Atom_box box;
+    std::vector<Vector_2> edges;     // that are periodic and not parallel to z
     std::vector<Vector_2> basis;     // at most two, reduced; empty if two do not suffice
     std::vector<Vector_2> shortest;  // one of them or their negatives leads to the nearest image
   };
 
   static Images images_of(std::size_t line, const Atom_box& box);
   const Images& images_at(std::size_t line) const;
+  void expect_periodic_box(const Tracks_file& file, const std::string& name) const;
   void unwrap(Tracks_file& file, const std::string& name, std::string_view expected) const;
   void expect_no_jumps(const Tracks_file& file, const std::string& name,
                        std::string_view expected) const;
 
-  std::vector<Images> boxes_;  // each differs from the one before
+  std::vector<Images> boxes_;      // of wrapped places; each differs from the one before
+  std::vector<Images> all_boxes_;  // the first, and the first other one if there is one
 };
 
 }  // namespace kinetri

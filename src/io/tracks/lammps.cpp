@@ -193,7 +193,7 @@ class Lammps_reader {
     const Columns columns = columns_of(names);
     const bool has_images = columns.image[0] != none && columns.image[1] != none;
     expect_box(columns);
-    if (box_ && !columns.is_unwrapped && !has_images) boxes_.add(lines_.line(), *box_);
+    if (box_) boxes_.add(lines_.line(), *box_, !columns.is_unwrapped && !has_images);
     const double time = time_of_section();
     for (std::size_t i = 0; i < *atoms_; ++i) {
       const auto& fields = lines_.atom(i, *atoms_, columns.least_fields);
