@@ -49,16 +49,17 @@ class CertificatePanel {
     this.drawPlot(certificate);
   }
 
-  meaning({kind, a, b, left, right}) {
-    const name = (point) => this.viewer.pointName(point);
+  meaning({kind, a, b, left, right, offsets}) {
+    const name = (point, k) =>
+      this.viewer.pointName(point) + (offsets === undefined ? '' : offsetText(...offsets[k]));
     if (kind === 'in-circle') {
       const isWeighted = this.viewer.recording.motionSizes !== null;
-      const corners = `${name(a)}, ${name(b)} and ${name(left)}`;
-      return `Opposite corners ${name(left)} and ${name(right)}. The edge is ` +
+      const names = [a, b, left, right].map(name), corners = `${names[0]}, ${names[1]} and ${names[2]}`;
+      return `Opposite corners ${names[2]} and ${names[3]}. The edge is ` +
         `${isWeighted ? 'regular' : 'Delaunay'} while ` +
-        `\u2212in-circle(${[a, b, left, right].map(name).join(', ')}) is positive: ` + (isWeighted ?
-        `at the place of equal power to ${corners}, the power to ${name(right)} is greater.` :
-        `while ${name(right)} is outside the circle through ${corners}.`);
+        `\u2212in-circle(${names.join(', ')}) is positive: ` + (isWeighted ?
+        `at the place of equal power to ${corners}, the power to ${names[3]} is greater.` :
+        `while ${names[3]} is outside the circle through ${corners}.`);
     }
     if (kind === 'orientation') {
       const corners = left >= 0 ? [a, b, left] : [b, a, right];

@@ -31,9 +31,8 @@ function eventNumber(recording, row) {
 
 function edgeName(viewer, edge) {
   const {edgeA, edgeB, edgeX, edgeY} = viewer.recording;
-  const isOffset = edgeX !== null && (edgeX[edge] !== 0 || edgeY[edge] !== 0);
   return `${viewer.pointName(edgeA[edge])}\u2013${viewer.pointName(edgeB[edge])}` +
-    (isOffset ? ` (${edgeX[edge]}, ${edgeY[edge]})` : '');
+    (edgeX === null ? '' : offsetText(edgeX[edge], edgeY[edge]));
 }
 
 /** What an event does, such as "3–7 → 5–9". */

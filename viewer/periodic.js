@@ -22,6 +22,11 @@ function boxRate({numbers}, vector, coordinate) {
   return numbers[5 * vector + 3 + coordinate];
 }
 
+/** What follows the name of a point for its image with this offset. */
+function offsetText(x, y) {
+  return x === 0 && y === 0 ? '' : ` (${x}, ${y})`;
+}
+
 /** Whether an edge with these ends and this offset of the second one against the first is named so, and not
  * in the other direction. */
 function isForward(a, b, x, y) {

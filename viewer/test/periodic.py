@@ -167,6 +167,10 @@ class Periodic(Page):
             facts = self.evaluate("document.getElementById('certificate-facts').innerText")
             self.assertIn("Fails\nbetween two consecutive binary64 numbers", facts, event)
             self.assertIn("positive at the lower one, negative at the upper one (exact)", facts, event)
+            says = self.evaluate("document.getElementById('certificate-says').innerText")
+            a, b = event["removed_a"], event["removed_b"]
+            name = b if offset == "0,0" else f"{b} ({offset.replace(',', ', ')})"
+            self.assertIn(f"in-circle({a}, {name}, ", says)
             checked += 1
         self.assertEqual(checked, 12)
 
