@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -215,6 +216,18 @@ void Simulation_2<Traits>::check_is_whole() const {
 }
 
 // ---- time ----
+
+template <SimulationKineticTraits_2 Traits>
+auto Simulation_2<Traits>::next_event_time() -> std::optional<Time> {
+  const detail::Flag_while changing = start_change();
+  std::optional<Time> result = core_->triangulation.next_event_time();
+  core_->schedule.settle();
+  auto& queue = core_->schedule.queue();
+  if (queue.empty()) return result;
+  const Time first = queue.time(queue.top());
+  if (!result || first < *result) result = first;
+  return result;
+}
 
 template <SimulationKineticTraits_2 Traits>
 std::size_t Simulation_2<Traits>::step() {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -90,11 +91,26 @@ std::string difference_of_states(const Simulation_2<Traits>& one,
   return one.queue_size() == other.queue_size() ? "" : "sizes of queues";
 }
 
-// Goes to `time` step by step: what advance_to is to do.
+// Goes to `time` step by step: what advance_to is to do. Each step goes to the time that is said to
+// be that of the next event.
 template <class Traits>
 std::size_t step_to(Simulation_2<Traits>& simulation, const Algebraic_number& time) {
   std::size_t events = 0;
-  while (const std::size_t more = simulation.step(time)) events += more;
+  for (;;) {
+    const std::optional<Algebraic_number> next = simulation.next_event_time();
+    const std::size_t more = simulation.step(time);
+    if (more == 0) {
+      EXPECT_FALSE(next && *next <= time);
+      break;
+    }
+    // With weights it may be a time at which another triangle hides a point, which is no event.
+    if constexpr (HasWeight<typename Traits::Motion>) {
+      EXPECT_GE(simulation.current_time(), next);
+    } else {
+      EXPECT_EQ(simulation.current_time(), next);
+    }
+    events += more;
+  }
   simulation.advance_to(time);
   return events;
 }

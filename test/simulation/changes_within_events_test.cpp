@@ -46,6 +46,7 @@ std::map<std::string, Call> all_changes() {
   return {{"advance_to", [](auto& simulation) { simulation.advance_to(9.0); }},
           {"advance_to, asking",
            [](auto& simulation) { simulation.advance_to(9.0, [] { return true; }); }},
+          {"next_event_time", [](auto& simulation) { simulation.next_event_time(); }},
           {"step", [](auto& simulation) { simulation.step(); }},
           {"step until", [](auto& simulation) { simulation.step(9.0); }},
           {"insert", [](auto& simulation) { simulation.insert(motion); }},

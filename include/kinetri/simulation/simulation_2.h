@@ -189,6 +189,13 @@ class Simulation_2 {
 
   // ---- time ----
 
+  /// The time of the next event of the triangulation, contact or scheduled change, or at which a
+  /// shrinking radius reaches zero, whichever comes first; empty if nothing will happen. May
+  /// recheck certificates, but executes no event. (As for the triangulation there may be no event
+  /// then: if points meet, or if another triangle hides a point.) Cost: O(1) besides those
+  /// certificates.
+  std::optional<Time> next_event_time();
+
   /// Goes to the time of the next event and executes all events of that time, contacts included.
   /// Returns their number; 0 if there is no next event. Throws Endless_contacts_error or
   /// Own_image_error before the contact that it names. After another Contact_error the simulation
