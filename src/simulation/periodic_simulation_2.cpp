@@ -5,6 +5,8 @@
 #include "kinetri/simulation/simulation_2.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
 #include "simulation/simulation_2_impl.h"
+#include "triangulation/torus_construction.h"
+#include "triangulation/torus_repair.h"
 
 namespace kinetri {
 

@@ -7,6 +7,7 @@
 
 #include <string>
 
+#include "kinetri/impl/triangulation/torus_triangulation.h"
 #include "kinetri/impl/triangulation/wrapping.h"
 #include "kinetri/simulation/simulation_errors.h"
 #include "simulation/shortest_text.h"

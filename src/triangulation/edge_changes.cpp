@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <functional>
 #include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace kinetri::detail {
 namespace {
@@ -31,7 +34,7 @@ void sort_by_edge(std::vector<Element>& elements, const Edge_of& edge_of) {
   for (const Element& element : elements) sorted[ends[ids_of(edge_of(element))[0]]++] = element;
   std::uint32_t begin = 0;
   for (const std::uint32_t end : ends) {
-    std::ranges::sort(sorted.begin() + begin, sorted.begin() + end, {}, key);
+    std::ranges::sort(std::span(sorted).subspan(begin, end - begin), {}, key);
     begin = end;
   }
   elements = std::move(sorted);

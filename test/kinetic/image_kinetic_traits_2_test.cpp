@@ -221,6 +221,40 @@ TEST(Image_traits, fail_when_a_sheared_lattice_passes_a_rectangle) {
             Time(2.0));
 }
 
+// Discs coincide if their weights are equal, too; also with one center for ever.
+TEST(Image_traits, of_discs_coincide_at_the_time_of_equal_weights) {
+  const Basic_kinetic_traits_2<Image_disc_motion_2> traits;
+  const auto disc = [](const Linear_motion_2& motion, const Lattice_offset_2& offset,
+                       const Periodic_box_2& box, double radius, double growth) {
+    return Moving_image_disc_2(image_of(Disc_motion_2{motion, radius, growth, 0}, offset, &box));
+  };
+  const auto failure = [&](const Moving_image_disc_2& p, const Moving_image_disc_2& q) {
+    const Certificate apart = traits.coincidence_certificate(p, q, Time(0.0), for_ever);
+    return apart.kind == Kind::fails ? std::optional(*apart.failure) : std::nullopt;
+  };
+  const Periodic_box_2 box({{3, 0}, {0, 0}, 0}, {{0, 3}, {0, 0}, 0});
+  const Periodic_box_2 sheared({{3, 0}, {0, 0}, 0}, {{0, 3}, {1, 0}, 0});
+  const Linear_motion_2 at_rest = {{0.5, 1}, {0, 0}, 0};
+  const Moving_image_disc_2 p = disc(at_rest, {0, 0}, box, 1, 1);
+  EXPECT_EQ(failure(p, disc({{3.5, 1}, {0, 0}, 0}, {-1, 0}, box, 2, 0)), Time(1.0));
+  EXPECT_EQ(failure(p, disc({{3.5, 1}, {0, 0}, 0}, {0, 0}, box, 2, 0)), std::nullopt);
+  EXPECT_EQ(failure(p, disc({{3.5, 1}, {0, 0}, 0}, {-1, 1}, box, 2, 0)), std::nullopt);
+  // The velocity of the disc cancels the rate of the box.
+  EXPECT_EQ(failure(disc(at_rest, {0, 0}, sheared, 1, 1),
+                    disc({{0.5, -2}, {-1, 0}, 0}, {0, 1}, sheared, 2, 0)),
+            Time(1.0));
+  // They meet at the time 1, with equal weights or not.
+  for (const double radius : {1.0, 2.0}) {
+    const auto meeting = failure(disc(at_rest, {0, 0}, sheared, 1, 0),
+                                 disc({{-0.5, -2}, {0, 0}, 0}, {0, 1}, sheared, radius, 0));
+    EXPECT_EQ(meeting, radius == 1 ? std::optional(Time(1.0)) : std::nullopt);
+  }
+  EXPECT_TRUE(
+      same_trajectory(p.motion(), disc({{3.5, 1}, {0, 0}, 0}, {-1, 0}, box, 1, 1).motion()));
+  EXPECT_FALSE(
+      same_trajectory(p.motion(), disc({{3.5, 1}, {0, 0}, 0}, {-1, 0}, box, 1, 0).motion()));
+}
+
 TEST(Image_traits, coincide_across_the_border_at_an_exact_time) {
   const Periodic_box_2 box({{3, 0}, {0, 0}, 0}, {{0, 3}, {0, 0}, 0});
   const Moving_image_2 p({{{0.5, 1}, {-1, 0}, 0}, {0, 0}, &box}, 0);

@@ -2,7 +2,8 @@
 //
 // A slow, simple oracle for discs of one radius in a periodic box: the exact contact times of all
 // pairs of images that are near enough, anew for each contact. It has no triangulation. It shares
-// with the library only the algebra and the functions that change motions.
+// with the library only the algebra and the functions that change motions. It looks at four lines
+// of images along the first vector on each side, so the box must not be much lower than the discs.
 #ifndef KINETRI_TEST_SUPPORT_IMAGE_CONTACTS_H
 #define KINETRI_TEST_SUPPORT_IMAGE_CONTACTS_H
 
@@ -98,7 +99,8 @@ class Image_contacts {
         const auto l0 = std::lround((first.x * d.y - first.y * d.x) / area);
         constexpr long around = 4;
         for (long l = l0 - around; l <= l0 + around; ++l) {
-          const Vector_2 rest = {d.x - l * second.x, d.y - l * second.y};
+          const auto lines = static_cast<double>(l);
+          const Vector_2 rest = {d.x - lines * second.x, d.y - lines * second.y};
           const auto k0 = std::lround((rest.x * first.x + rest.y * first.y) / square);
           for (long k = k0 - around; k <= k0 + around; ++k) {
             const Lattice_offset_2 offset = {static_cast<std::int32_t>(k),

@@ -137,7 +137,7 @@ TEST(Weighted_point, is_inside_a_face_whose_sides_it_is_to_the_left_of_just_afte
   const auto lower = part.edge(0, 1);
   const auto face = part.topology.hull_triangle(lower).first;
   const auto is_inside = [&](const Disc_motion_2& motion, bool strictly) {
-    return part.updates.is_inside(Weighted_part::Point_2(motion, 3), face, strictly);
+    return part.updates.is_inside(Weighted_part::Point_2(motion, 3), {face}, strictly);
   };
   EXPECT_TRUE(is_inside(disc(1, 1, 0), true));
   EXPECT_FALSE(is_inside(disc(3, 3, 0), false));

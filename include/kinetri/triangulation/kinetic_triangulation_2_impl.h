@@ -131,7 +131,12 @@ std::vector<Edge_ids> Kinetic_triangulation_2<Traits>::finite_edge_ids() const {
 template <KineticTraits_2 Traits>
 std::vector<Periodic_edge> Kinetic_triangulation_2<Traits>::periodic_edges() const requires
     PeriodicKineticTraits_2<Traits> {
-  return core_.topology.finite_edges();
+  // clang before 16 instantiates this for other traits as well, in an explicit instantiation.
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    return core_.topology.finite_edges();
+  } else {
+    return {};
+  }
 }
 
 // ---- time ----

@@ -4,8 +4,10 @@
 // polynomials are those of support/images.h, which shares no code with the library's.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 #include "kinetic/filter/filter.h"
 #include "kinetic/filter/precise_filter.h"
@@ -327,6 +329,122 @@ TEST_P(Image_filter, of_contacts_never_contradicts_exact_arithmetic) {
     EXPECT_GT(decided, cases / 2);
     EXPECT_GT(contacts, cases / 40);
     EXPECT_GT(rounded, contacts / 2);
+  }
+}
+
+// ---- discs ----
+
+// Discs about the images, of about the size of their distances at the time: of equal or different
+// radii, which may grow, and with weights of either sign.
+std::array<Image_disc_motion_2, 4> discs_about(const std::array<Image_motion_2, 4>& centers,
+                                               double time, test::Images& source) {
+  const auto share = [&] { return source.integer(2001) / 1000.0 - 1; };
+  const auto distance = [&](const Image_motion_2& p, const Image_motion_2& q) {
+    const Vector_2 a = rounded_place(p, time);
+    const Vector_2 b = rounded_place(q, time);
+    return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
+  };
+  const double size = distance(centers[0], centers[1]);
+  const bool are_equal = source.integer(6) == 0;
+  const bool do_grow = source.integer(2) == 0;
+  const bool have_weights = source.integer(3) == 0;
+  const double radius = size * std::abs(share());
+  std::array<Image_disc_motion_2, 4> result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    result[i] = {centers[i], are_equal ? radius : size * std::abs(share()),
+                 do_grow ? size * share() : 0,
+                 have_weights && !are_equal ? 4 * size * size * share() : 0};
+  }
+  return result;
+}
+
+// The sign of the determinant of in_circle_polynomial by its definition.
+Sign sign_of_power_circle(const std::array<Image_disc_motion_2, 4>& discs, const Rational& t) {
+  std::array<std::array<Rational, 3>, 4> rows;  // x, y, lift
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Image_disc_motion_2& d = discs[i];
+    const test::Static_point place = test::place_at(center(d), t);
+    const Rational radius =
+        to_rational(d.radius) + to_rational(d.growth) * (t - to_rational(d.motion.epoch));
+    rows[i] = {
+        place.x(), place.y(),
+        place.x() * place.x() + place.y() * place.y() - radius * radius - to_rational(d.weight)};
+  }
+  const auto turn = [&](std::size_t i, std::size_t j, std::size_t k) -> Rational {
+    return (rows[j][0] - rows[i][0]) * (rows[k][1] - rows[i][1]) -
+           (rows[j][1] - rows[i][1]) * (rows[k][0] - rows[i][0]);
+  };
+  const Rational determinant = rows[0][2] * turn(1, 2, 3) - rows[1][2] * turn(0, 2, 3) +
+                               rows[2][2] * turn(0, 1, 3) - rows[3][2] * turn(0, 1, 2);
+  return CGAL::sign(determinant.sign());
+}
+
+TEST_P(Image_filter, of_discs_never_contradicts_exact_arithmetic) {
+  using Point = Moving_image_disc_2;
+  test::Images source(57);
+  test::Decided decided;
+  test::Decided_after_flips counts;
+  int pairs = 0;
+  const int cases = 500 * test::multiplier();
+  for (int i = 0; i < cases; ++i) {
+    const auto centers = source.next(GetParam());
+    SCOPED_TRACE(test::describe(centers));
+    const double t = source.time();
+    const auto m = discs_about(centers, t, source);
+    auto beyond = discs_about(centers, t, source);
+    for (std::size_t k = 0; k < 4; ++k) beyond[k].offset = centers[(k + 1) % 4].offset;
+    const int mode = test::rounding_mode(i);
+    const Polynomial in_circle =
+        in_circle_polynomial(Point(m[0]), Point(m[1]), Point(m[2]), Point(m[3]));
+    for (const Rational& time : {to_rational(t), Rational(to_rational(t) + 1), Rational(-7, 3)}) {
+      ASSERT_EQ(in_circle.sign_at(time), sign_of_power_circle(m, time));
+    }
+    test::expect_true_certificates(m, t, mode, decided);
+    if (HasFatalFailure()) return;
+    test::expect_true_pair(m, beyond, t, mode, pairs);
+    if (HasFatalFailure()) return;
+    test::expect_true_after_flip(m, beyond, t, mode, counts);
+    if (HasFatalFailure()) return;
+    // Signs throughout an interval.
+    const Double_interval interval = {t, t + std::ldexp(1, -10 - source.integer(50))};
+    const auto expect_sign = [&](const auto& certain, const Polynomial& p) {
+      const Sign sign = test::in_mode(mode, certain);
+      if (sign == CGAL::ZERO) return;
+      ASSERT_EQ(sign_at(p, Algebraic_number(t)), sign);
+      const auto root = first_root_after(p, t);
+      ASSERT_TRUE(!root || root->value > Algebraic_number(interval.upper));
+    };
+    expect_sign([&] { return certain_in_circle(m[0], m[1], m[2], m[3], interval); }, in_circle);
+    expect_sign([&] { return certain_power_distance_order(m[0], m[1], m[2], interval); },
+                power_distance_difference(Point(m[0]), Point(m[1]), Point(m[2])));
+    expect_sign([&] { return certain_weight_order(m[0], m[1], interval); },
+                weight_difference(Point(m[0]), Point(m[1])));
+    if (HasFatalFailure()) return;
+    if (test::in_mode(mode, [&] { return certainly_apart(m[0], m[1], interval); })) {
+      const Polynomial x = x_difference(Point(m[0]), Point(m[1]));
+      const Polynomial y = y_difference(Point(m[0]), Point(m[1]));
+      ASSERT_TRUE(!x.is_zero() || !y.is_zero()) << "they have one position for ever";
+      ASSERT_LE(gcd(x, y).degree(), 0) << "they meet, but were said not to";
+    }
+    // Twice the precision, also as near to a root as two numbers can be.
+    const auto expect_precise = [&](double high, double low) {
+      const double value = precise_in_circle(m[0], m[1], m[2], m[3], high, low);
+      if (value == 0) return;
+      ASSERT_EQ(CGAL::sign(value), in_circle.sign_at(to_rational(high) + to_rational(low)));
+    };
+    expect_precise(t, t * 0x1p-60);
+    if (in_circle.is_zero()) continue;
+    if (const auto root = first_root_after(in_circle, t)) {
+      const auto [high, low] = nearest_sum(root->value);
+      if (std::isfinite(high)) expect_precise(high, low);
+    }
+    if (HasFatalFailure()) return;
+  }
+  if (GetParam() < 3) {
+    EXPECT_GT(decided.all, cases * 95 / 100) << "of the certificates, half hold at the start";
+    EXPECT_GT(decided.failures, cases / 30);
+    EXPECT_GT(pairs, cases / 2);
+    EXPECT_GT(counts.flips, cases / 30);
   }
 }
 

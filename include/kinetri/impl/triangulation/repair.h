@@ -112,7 +112,7 @@ class Kinetic_types<Traits>::Repair {
 
   // ---- the rest ----
   bool put_back();
-  bool hide_or_show(Vertex_handle v, Face_handle face);
+  bool hide_or_show(Vertex_handle v, const Location& above);
   bool flip_hull(std::vector<Vertex_handle> suspects);
   std::vector<Vertex_handle> hull() const;
   std::vector<Vertex_handle> hull_loops() const;
@@ -398,7 +398,8 @@ template <class Traits>
 void Kinetic_types<Traits>::Repair::take_out_hidden(Face_handle face) {
   if constexpr (is_weighted) {
     if (face->vertex_list().empty()) return;
-    for (const Vertex_handle v : Topology::take_hidden({&face, 1})) {
+    for (const Taken_point& taken : Topology::take_hidden({&face, 1})) {
+      const Vertex_handle v = taken.vertex;
       v->set_event(no_event);
       reporter_.note_moved_hidden(v->point().id());
       removed_.push_back({v, finite_corner(face)});
@@ -490,15 +491,15 @@ bool Kinetic_types<Traits>::Repair::put_back() {
 // Hides a point in the face that hides it. If there is none, the point is not hidden; returns
 // false.
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::hide_or_show(Vertex_handle v, Face_handle face) {
+bool Kinetic_types<Traits>::Repair::hide_or_show(Vertex_handle v, const Location& above) {
   if constexpr (is_weighted) {
-    const bool is_hidden = face != Face_handle();
+    const bool is_hidden = above.face != Face_handle();
     if (v->is_hidden() != is_hidden) {
       reporter_.note_hidden(v->point().id(), is_hidden);
       reporter_.note_moved_hidden(v->point().id());
     }
     if (is_hidden) {
-      topology_.hide_in(v, face);
+      topology_.hide_in(v, above);
     } else if (v->is_hidden()) {
       triangulation_.show(v);
     }

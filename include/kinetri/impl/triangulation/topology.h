@@ -104,7 +104,10 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   void set_instant(const Instant& instant) { clock_.set(instant); }
   /// Of a periodic box: sets the predicates to those of other traits, at the instant of clock().
   void set_traits(const Traits& traits) requires is_periodic {
-    triangulation_.set_geom_traits(traits.instantaneous_traits(clock_));
+    // clang before 16 instantiates this for other traits as well, in an explicit instantiation.
+    if constexpr (is_periodic) {
+      triangulation_.set_geom_traits(traits.instantaneous_traits(clock_));
+    }
   }
 
   // ---- edges ----

@@ -564,12 +564,16 @@ auto Kinetic_types<Traits>::Topology::take_hidden(std::span<const Face_handle> f
 // The certificate of a hidden point fails at once if it is in another face.
 template <class Traits>
 auto Kinetic_types<Traits>::Topology::location_of(const Taken_point& taken) const -> Location {
-  constexpr std::size_t few_steps = 8;
-  const Point_2& point = taken.vertex->point();
-  const Face_handle face = taken.near->face();
-  const auto start =
-      Triangulation::location_near(point, face, face->index(taken.near), taken.offset);
-  return {triangulation_.locate(point, face, start.offset, few_steps)};
+  if constexpr (is_periodic) {
+    constexpr std::size_t few_steps = 8;
+    const Point_2& point = taken.vertex->point();
+    const Face_handle face = taken.near->face();
+    const auto start =
+        Triangulation::location_near(point, face, face->index(taken.near), taken.offset);
+    return {triangulation_.locate(point, face, start.offset, few_steps)};
+  } else {
+    return {taken.vertex->face()};
+  }
 }
 
 }  // namespace kinetri::detail

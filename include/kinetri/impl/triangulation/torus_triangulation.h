@@ -380,19 +380,25 @@ class Torus_triangulation {
   void replace(const Location& location, const Point_2& point) requires is_weighted;
   /// Hides a vertex that has no faces, or that is hidden and in no list, at the location.
   void hide(Vertex_handle v, const Location& location) requires is_weighted {
-    if (!v->is_hidden()) ++hidden_;
-    v->set_hidden(true);
-    v->set_face(location.face);
-    v->set_offset(location.offset);
-    location.face->vertex_list().push_back(v);
+    if constexpr (is_weighted) {  // See Topology::set_traits.
+      if (!v->is_hidden()) ++hidden_;
+      v->set_hidden(true);
+      v->set_face(location.face);
+      v->set_offset(location.offset);
+      location.face->vertex_list().push_back(v);
+    }
   }
   /// Removes a hidden vertex from the list of its face. It stays hidden. Linear in the length of
   /// the list.
-  void take_from_face(Vertex_handle v) requires is_weighted { v->face()->vertex_list().remove(v); }
+  void take_from_face(Vertex_handle v) requires is_weighted {
+    if constexpr (is_weighted) v->face()->vertex_list().remove(v);
+  }
   /// Makes a hidden vertex in no list visible. It has no faces yet.
   void show(Vertex_handle v) requires is_weighted {
-    --hidden_;
-    v->set_hidden(false);
+    if constexpr (is_weighted) {
+      --hidden_;
+      v->set_hidden(false);
+    }
   }
   /// Counts the hidden vertices, after the data structure has been changed as a whole. O(n).
   void count_hidden_vertices() requires is_weighted { hidden_ = hidden_vertex_handles().size(); }
