@@ -2,7 +2,8 @@
 //
 // The live page: a viewer (viewer/) whose recording grows, since the run goes on at its end. The end is the
 // present: there points are taken, thrown, added, erased and pinned. Going back plays the recording.
-// This is a module, after kinetri.mjs in the same element; the viewer's scripts are before it.
+// This is a module, after kinetri.mjs, presets.js and unpack.js in the same element; the viewer's scripts are
+// before it.
 
 const BUDGET = 8;             // milliseconds of a frame for events
 const TURN = 0.1;             // time between two turns of a flock
@@ -13,6 +14,8 @@ const REFRESH = 250;          // milliseconds between two updates of list, histo
 const REST = 120;             // milliseconds: a pointer that rests so long throws nothing
 const HEAVY = 1e9;            // mass of a point that is held or pinned
 const MOST_FOR_NEXT = 20000;  // points for which the next event is looked for
+const MOST_POINTS = 100000;   // of a preset
+const MANY = 20000;           // points for whose beginning one has to wait
 const TOOLS = {take: 'Take and throw', add: 'Add', erase: 'Erase', pin: 'Pin', wall: 'Draw a wall'};
 const MESSAGE = {take: 'Drag a point to throw it', add: 'Click to add a point', erase: 'Click a point to erase it',
                  pin: 'Click a point to pin it, or to let it go', wall: 'Drag to draw a wall of discs that are pinned'};
@@ -22,6 +25,9 @@ class Hold {
   constructor(viewer, id, event) {
     this.viewer = viewer;
     this.id = id;
+    this.pointer = event.pointerId;
+    this.moves = 0;
+    this.velocity = viewer.velocityOf(id);  // before it was held
     this.places = [];
     this.move(event);
   }
@@ -29,6 +35,7 @@ class Hold {
   move(event) {
     const {viewer} = this, {camera} = viewer.flatView;
     [this.x, this.y] = viewer.inBox(camera.planeX(event.offsetX), camera.planeY(event.offsetY));
+    this.screen = {x: event.offsetX, y: event.offsetY};
     this.places.push({x: this.x, y: this.y, at: event.timeStamp});
     while (this.places.length > 2 && this.places[0].at < event.timeStamp - REST) this.places.shift();
   }
@@ -227,20 +234,34 @@ class LiveViewer extends Viewer {
   press(event) {
     if (event.button !== 0 || !this.isPresent()) return false;
     const {view} = this, reach = REACH[event.pointerType] ?? REACH.mouse;
-    if (this.hold !== null) return true;  // another finger
+    // Another finger.
+    if (this.wall !== null) return true;
+    if (this.hold !== null) this.giveUp(this.hold);
+    if (this.pointerInput.down.size > 0) return false;
     const point = view === this.flatView ? view.pointAt(event.offsetX, event.offsetY, reach + 2) : -1;
     if (this.tool === 'wall') return this.beginWall(event);
     if (point < 0) return false;
     if (this.tool !== 'take') return true;
     element('picture').setPointerCapture(event.pointerId);
     this.hold = new Hold(this, point, event);
-    this.hold.pointer = event.pointerId;
-    this.hold.moves = 0;
     if (this.usesMasses()) this.attempt(() => this.points.setMass(point, HEAVY));
     return true;
   }
 
+  /** Since there is a second finger, both move and zoom the picture, and the point goes on as before. */
+  giveUp(hold) {
+    this.hold = null;
+    this.change(() => {
+      if (this.usesMasses() && !this.pinned.has(hold.id)) this.points.setMass(hold.id, 1);
+      if (this.isPlaying()) this.points.setVelocities([hold.id], [hold.velocity]);
+    });
+    this.pointerInput.moved = 0;
+    this.pointerInput.down.set(hold.pointer, hold.screen);
+  }
+
   drag(event) {
+    // A button that was released where the page does not learn of it.
+    if (event.buttons === 0 && (this.hold ?? this.wall)?.pointer === event.pointerId) return this.release(event);
     const {hold, wall} = this;
     if (wall !== null) {
       if (wall.pointer === event.pointerId) this.goOnWithWall(event);
@@ -555,7 +576,11 @@ class LiveViewer extends Viewer {
 
   nextText() {
     const {next} = this;
-    if (this.isPlaying() || !this.isPresent() || next === undefined) return '';
+    if (this.isPlaying() || !this.isPresent()) return '';
+    if (this.points.length > MOST_FOR_NEXT) {
+      return `the next event is looked for among up to ${MOST_FOR_NEXT.toLocaleString('en')} points`;
+    }
+    if (next === undefined) return '';
     if (next === null) return 'there is no next event';
     const edges = [next.removed, next.added].filter((edge) => edge !== null).map((edge) => edge.join('\u2013'));
     const what = [next.points.join(', '), edges.join(' \u2192 ')].filter(Boolean).join(', ');
@@ -574,13 +599,6 @@ function exactTimeText({time, lower, upper, polynomial}) {
 
 // ---- the start ----
 
-/** The bytes of the module: base64 of what is deflated. */
-async function unpacked(text) {
-  const bytes = Uint8Array.from(atob(text.trim()), (character) => character.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
-  return new Response(stream).arrayBuffer();
-}
-
 /** What the address asks for: ?start=gas&points=300. Without it the points of the file, or the first preset. */
 function asked() {
   const query = new URLSearchParams(window.location.search);
@@ -594,16 +612,25 @@ function asked() {
     throw new KinetriError(`start=${id} is unknown; expected one of ${Object.keys(PRESETS).join(', ')}`);
   }
   const number = Number(query.get('points') || preset.count);
-  if (!Number.isInteger(number) || number < 1 || number > 100000) {
-    throw new KinetriError(`points=${query.get('points')}; expected a whole number from 1 to 100000`);
+  if (!Number.isInteger(number) || number < 1 || number > MOST_POINTS) {
+    throw new KinetriError(`points=${query.get('points')}; expected a whole number from 1 to ${MOST_POINTS}`);
   }
   return {...preset.make(number), preset: {...preset, id, number}};
+}
+
+/** Says what to wait for, and waits until that can be seen. */
+function sayWait(text) {
+  element('message').textContent = text;
+  element('message').hidden = false;
+  return new Promise((done) => { setTimeout(done, 50); });
 }
 
 async function start() {
   try {
     const begin = asked();
-    await load(await unpacked(element('module').textContent));
+    const {number} = begin.preset ?? {};
+    if (number > MANY) await sayWait(`${number.toLocaleString('en')} points: this takes a while.`);
+    await load(unpacked(element('module').textContent));
     element('module').textContent = '';
     const points = KineticDelaunay.read(begin.text, begin.options);
     points.logEvents();
@@ -611,6 +638,7 @@ async function start() {
     points.record(2 * points.length + SPARE_IDS);
     const recording = readRecording(points.takeRecording(), true);
     recording.title = 'Kinetri live';
+    element('message').hidden = true;
     const viewer = showViewer(() => new LiveViewer(recording, points, begin));
     viewer.say(MESSAGE.take);
     window.live = viewer;

@@ -325,9 +325,26 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-// Writes the page of the viewer, and in it what `write_content` writes.
-template <class Function>
-void write_page(std::ostream& out, const std::string& title, const Function& write_content) {
+// Writes a script without indentation, empty lines, and lines that are comments but those about
+// the license: with the module a page is large.
+void write_code(std::ostream& out, std::string_view script) {
+  bool is_comment = false;
+  while (!script.empty()) {
+    std::string_view line = script.substr(0, std::min(script.find('\n'), script.size() - 1) + 1);
+    script.remove_prefix(line.size());
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    if (line.starts_with("/*")) is_comment = true;
+    const bool is_left_out = is_comment || line.starts_with("//") || line == "\n";
+    if (line.find("*/") != std::string_view::npos) is_comment = false;
+    if (!is_left_out || line.find("SPDX") != std::string_view::npos) out << line;
+  }
+}
+
+// Writes the page of the viewer with scripts as `write_script` writes each, and in it what
+// `write_content` writes.
+template <class Write_script, class Function>
+void write_page(std::ostream& out, const std::string& title, const Write_script& write_script,
+                const Function& write_content) {
   std::string_view rest = detail::viewer_page;
   const auto write_up_to = [&](std::string_view marker) {
     const std::size_t position = rest.find(marker);
@@ -342,7 +359,7 @@ void write_page(std::ostream& out, const std::string& title, const Function& wri
   write_content();
   write_up_to("<!-- scripts -->");
   out << "<script>\n";
-  for (const std::string_view script : detail::viewer_scripts) out << script;
+  for (const std::string_view script : detail::viewer_scripts) write_script(script);
   out << "</script>\n" << rest;
 }
 
@@ -386,7 +403,8 @@ std::string viewer_recording(const Recording& recording, const Viewer_settings& 
 
 void write_viewer_page(std::ostream& out, const Recording& recording,
                        const Viewer_settings& settings) {
-  write_page(out, settings.title, [&] {
+  const auto write_script = [&](std::string_view script) { out << script; };
+  write_page(out, settings.title, write_script, [&] {
     out << "<script type=\"application/json\" id=\"recording\">"
         << embedded(viewer_recording(recording, settings)) << "</script>\n";
   });
@@ -398,7 +416,8 @@ bool has_live_module() {
 
 void write_live_page(std::ostream& out, const Live_page& page) {
   KINETRI_PRECONDITION(has_live_module(), "a page without its module");
-  write_page(out, page.title, [&] {
+  const auto write_script = [&](std::string_view script) { write_code(out, script); };
+  write_page(out, page.title, write_script, [&] {
     out << "<style>" << detail::live_style << "</style>\n";
     if (!page.points.empty()) {
       out << "<script type=\"text/csv\" id=\"points\" data-options='" << escaped(page.options)
@@ -408,7 +427,7 @@ void write_live_page(std::ostream& out, const Live_page& page) {
     out << "<script type=\"text/plain\" id=\"module\">";
     for (const std::string_view piece : detail::live_module) out << piece;
     out << "</script>\n<script type=\"module\">\n";
-    for (const std::string_view script : detail::live_scripts) out << script;
+    for (const std::string_view script : detail::live_scripts) write_script(script);
     out << "</script>\n";
   });
 }

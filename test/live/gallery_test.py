@@ -12,6 +12,18 @@ import sys
 PAGE = "docs/gallery/live.html"
 
 
+def code(script):
+    """Without indentation, empty lines, and lines that are comments but those about the license, as in the page."""
+    lines, is_comment = [], False
+    for line in script.splitlines(keepends=True):
+        text = line.lstrip(" ")
+        is_comment = is_comment or text.startswith("/*")
+        if "SPDX" in text or not (is_comment or text.startswith("//") or text == "\n"):
+            lines.append(text)
+        is_comment = is_comment and "*/" not in text
+    return "".join(lines)
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
 
@@ -19,18 +31,18 @@ def main():
         return (root / name).read_text(encoding="utf-8")
 
     text = read(PAGE)
-    module = re.search(r'<script type="text/plain" id="module">([A-Za-z0-9+/=]{100000,})</script>', text)
+    module = re.search(r'<script type="text/plain" id="module">([!#-;=-\[\]-~]{100000,})</script>', text)
     if module is None:
         sys.exit(f"{PAGE} has no module")
     scripts = "".join(read(f"viewer/{name}") for name in read("viewer/scripts.txt").split())
-    live = "".join(read(f"live/{name}") for name in ("kinetri.mjs", "presets.js", "live.js"))
+    live = "".join(read(f"live/{name}") for name in ("kinetri.mjs", "presets.js", "unpack.js", "live.js"))
     expected = read("viewer/page.html")
     for marker, content in (
             ("title", "Kinetri live"),
             ("style", read("viewer/style.css")),
             ("recording", f"<style>{read('live/live.css')}</style>\n{module.group()}\n"
-                          f'<script type="module">\n{live}</script>\n'),
-            ("scripts", f"<script>\n{scripts}</script>\n")):
+                          f'<script type="module">\n{code(live)}</script>\n'),
+            ("scripts", f"<script>\n{code(scripts)}</script>\n")):
         before, after = expected.split(f"<!-- {marker} -->", 1)
         expected = before + content + after
     if text != expected:

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The live page, in Chromium, with real pointer events. What it shows is compared with what its module says, and
+"""The live page, in a browser, with real pointer events. What it shows is compared with what its module says, and
 its logs are checked by kinetri-verify, which shares no code with it.
 
-usage: page_test.py KINETRI KINETRI_VERIFY
+usage: page_test.py KINETRI KINETRI_VERIFY BROWSER
 
-Ends with 77, which ctest takes for skipped, if the program has no module of live pages, or there is no Chromium.
+BROWSER is chromium or firefox. Ends with 77, which ctest takes for skipped, if the program has no module of live
+pages, or the browser is not there.
 """
 import pathlib
 import subprocess
@@ -16,8 +17,10 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "viewer" / "test"))
 from chromium import Chromium  # noqa: E402
+from firefox import Firefox  # noqa: E402
 
 SKIPPED = 77
+BROWSERS = {"chromium": Chromium, "firefox": Firefox}
 POINTS = "x,y,vx,vy\n" + "".join(f"{7 * i % 50 + 3},{11 * i % 53 + 2},{i % 5 - 2},{i % 7 - 3}\n" for i in range(40))
 SCREEN = "(() => { const x = live.flatView.camera.screenX(%f), y = live.flatView.camera.screenY(%f);" \
          " const r = element('picture').getBoundingClientRect(); return [r.left + x, r.top + y]; })()"
@@ -195,6 +198,60 @@ class LivePageTest(unittest.TestCase):
         self.check_present()
         self.check_logs()
 
+    def test_two_fingers_zoom_where_there_are_points(self):
+        BROWSER.touch(True)
+        self.open(self.points_file(), "--box", "0,0,60,60")
+        places = self.evaluate("Array.from(live.points.positions())")
+        scale = self.evaluate("live.flatView.camera.scale")
+        x, y = self.place_of(12)
+        BROWSER.pinch(x + 40, y, 40, 80)  # one finger on the point
+        BROWSER.touch(False)
+        self.assertAlmostEqual(self.evaluate("live.flatView.camera.scale") / scale, 2, delta=0.1)
+        self.assertIsNone(self.evaluate("live.hold"))
+        self.assertEqual(self.evaluate("live.pointerInput.down.size"), 0)
+        self.assertEqual(self.evaluate("Array.from(live.points.positions())"), places)
+        self.check_present()
+
+    def test_a_button_that_is_released_elsewhere(self):
+        self.open(self.points_file(), "--box", "0,0,60,60")
+        x, y = self.place_of(3)
+        BROWSER.mouse("mouseMoved", x, y)
+        BROWSER.mouse("mousePressed", x, y, button="left", buttons=1, clickCount=1)
+        self.assertEqual(self.evaluate("live.hold.id"), 3)
+        self.evaluate("element('picture').dispatchEvent(new PointerEvent('pointermove',"
+                      " {pointerId: live.hold.pointer, buttons: 0, bubbles: true}))")
+        self.assertIsNone(self.evaluate("live.hold"))
+        BROWSER.mouse("mouseReleased", x, y, button="left", clickCount=1)
+        self.check_present()
+
+    def test_an_hour_in_the_background(self):
+        self.open(self.points_file(), "--box", "0,0,60,60", plays=True)
+        # As frames are: none for an hour, then one.
+        before, speed, after = self.evaluate(
+            "(() => { live.lastFrame = performance.now(); const {clock} = live;"
+            " live.advance(live.lastFrame + 3600e3); return [clock, live.speed(), live.clock]; })()")
+        self.assertLess(after - before, 0.11 * speed)
+        self.evaluate("live.direction = 0")
+        self.check_present()
+
+    def test_a_point_is_thrown_onto_another(self):
+        self.open(self.points_file(), "--box", "0,0,60,60")
+        # There, with the same velocity: it hides the other one.
+        self.evaluate("live.change(() => live.points.setMotions([3], [Array.from(live.points.positions().subarray(34, 36))],"
+                      " [[0, 0]]))")
+        BROWSER.settle()
+        self.assertEqual(self.evaluate("kinetri.hidden()"), [17])
+        self.check_present()
+        # There, with another one: both go on.
+        self.evaluate("live.change(() => live.points.setMotions([3], [Array.from(live.points.positions().subarray(34, 36))],"
+                      " [[1, 7]]))")
+        clock = self.evaluate("live.clock")
+        self.evaluate("live.togglePlaying(1)")
+        self.wait(f"live.clock > {clock} + 0.3")
+        self.evaluate("live.direction = 0")
+        self.check_present()
+        self.check_logs()
+
     def test_a_wall_is_drawn_and_stays(self):
         self.open(query="?start=gas&points=40")
         self.choose("wall")
@@ -315,13 +372,13 @@ class LivePageTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM, VERIFY = sys.argv[1:3]
-    if Chromium.executable() is None:
-        print("skipped: there is no chromium")
+    PROGRAM, VERIFY, name = sys.argv[1:4]
+    if BROWSERS[name].executable() is None:
+        print(f"skipped: there is no {name}")
         sys.exit(SKIPPED)
     with tempfile.TemporaryDirectory(prefix="kinetri-live-") as place:
         FOLDER = pathlib.Path(place)
         write_page(FOLDER)
-        with Chromium() as BROWSER:
-            result = unittest.main(argv=[sys.argv[0], *sys.argv[3:]], exit=False).result
+        with BROWSERS[name]() as BROWSER:
+            result = unittest.main(argv=[sys.argv[0], *sys.argv[4:]], exit=False).result
     sys.exit(0 if result.wasSuccessful() else 1)
