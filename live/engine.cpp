@@ -44,15 +44,35 @@ std::string text;
 std::vector<std::uint32_t> ids;
 std::vector<double> numbers;
 
+constexpr std::size_t steps_for_clock = 16;  // after which it is looked at
 constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
+
+template <class Motion>
+constexpr bool has_acceleration = requires(Motion motion) {
+  motion.acceleration;
+};
+
+// Gives the motion this acceleration, which does not change in time.
+template <class Motion>
+void accelerate(Motion& motion, const Vector_2& acceleration) {
+  if constexpr (has_acceleration<Motion>) {
+    motion.acceleration = acceleration;
+    motion.jerk = {};
+  } else if (acceleration != Vector_2{}) {
+    throw Precondition_error(
+        "the points have no accelerations; expected 0, or points that are made with accelerations");
+  }
+}
 
 // The point with the numbers, with as many of them as the kind of motion has.
 template <class Motion>
-Motion motion_of(const Vector_2& position, const Vector_2& velocity, double radius, double epoch) {
+Motion motion_of(const Vector_2& position, const Vector_2& velocity, double radius,
+                 const Vector_2& acceleration, double epoch) {
   Motion motion;
   motion.position = position;
   motion.velocity = velocity;
   motion.epoch = epoch;
+  accelerate(motion, acceleration);
   if constexpr (HasWeight<Motion>) motion.radius = radius;
   return motion;
 }
@@ -236,9 +256,11 @@ KINETRI_EXPORT int kinetri_advance(Engine* engine, double time, double milliseco
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::duration<double, std::milli>(milliseconds);
     bool arrives = true;
+    std::size_t asked = 0;  // the clock, which is that of JavaScript, is slow
     engine->simulation.visit([&](auto& s) {
       if (!(milliseconds < std::numeric_limits<double>::infinity())) return s.advance_to(time);
-      return s.advance_to(time, [&] { return arrives = Clock::now() < end; });
+      return s.advance_to(
+          time, [&] { return arrives = asked++ % steps_for_clock != 0 || Clock::now() < end; });
     });
     return arrives ? 1 : 0;
   });
@@ -286,6 +308,24 @@ KINETRI_EXPORT void kinetri_velocities(const Engine* engine) {
       Vector_2 velocity = {not_there, not_there};
       if (triangulation.contains(id)) velocity = rounded_velocity(triangulation.motion(id), time);
       numbers.insert(numbers.end(), {velocity.x, velocity.y});
+    });
+    return 0;
+  });
+}
+KINETRI_EXPORT void kinetri_accelerations(const Engine* engine) {
+  engine->simulation.visit([](auto& s) {
+    for_each_id(s, [](const auto& triangulation, Point_id id, double time) {
+      Vector_2 acceleration = {not_there, not_there};
+      if (triangulation.contains(id)) {
+        const auto& motion = triangulation.motion(id);
+        acceleration = {};
+        if constexpr (has_acceleration<std::remove_cvref_t<decltype(motion)>>) {
+          const double elapsed = time - motion.epoch;
+          acceleration = {motion.acceleration.x + elapsed * motion.jerk.x,
+                          motion.acceleration.y + elapsed * motion.jerk.y};
+        }
+      }
+      numbers.insert(numbers.end(), {acceleration.x, acceleration.y});
     });
     return 0;
   });
@@ -365,10 +405,10 @@ KINETRI_EXPORT int kinetri_set_velocities(Engine* engine, const std::uint32_t* p
     s.set_velocities(std::span(points, count), vectors);
   });
 }
-// From these positions on, with these velocities.
+// From these positions on, with these velocities; and with these accelerations, if not null.
 KINETRI_EXPORT int kinetri_set_motions(Engine* engine, const std::uint32_t* points,
                                        std::size_t count, const double* positions,
-                                       const double* velocities) {
+                                       const double* velocities, const double* accelerations) {
   return change(*engine, [&]<class Traits>(Simulation_2<Traits>& s) {
     const double now = s.current_time().to_double();
     std::vector<typename Traits::Motion> motions;
@@ -380,6 +420,9 @@ KINETRI_EXPORT int kinetri_set_motions(Engine* engine, const std::uint32_t* poin
       const Vector_2 velocity = {velocities[2 * i], velocities[2 * i + 1]};
       auto motion = with_velocity_at(s.triangulation().motion(points[i]), velocity, now);
       motion.position = place;
+      if (accelerations != nullptr) {
+        accelerate(motion, {accelerations[2 * i], accelerations[2 * i + 1]});
+      }
       motions.push_back(motion);
     }
     s.set_motions(std::span(points, count), motions);
@@ -390,12 +433,12 @@ KINETRI_EXPORT int kinetri_set_mass(Engine* engine, std::uint32_t point, double 
 }
 // The id of the point.
 KINETRI_EXPORT double kinetri_insert(Engine* engine, double x, double y, double vx, double vy,
-                                     double radius) {
+                                     double radius, double ax, double ay) {
   return guarded(-1.0, [&] {
     return engine->simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) {
       const double now = s.current_time().to_double();
       return static_cast<double>(
-          s.insert(motion_of<typename Traits::Motion>({x, y}, {vx, vy}, radius, now)));
+          s.insert(motion_of<typename Traits::Motion>({x, y}, {vx, vy}, radius, {ax, ay}, now)));
     });
   });
 }

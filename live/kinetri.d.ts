@@ -63,6 +63,7 @@ export class KineticDelaunay {
   readonly length: number;
   positions(): Float64Array;
   velocities(): Float64Array;
+  accelerations(): Float64Array;
   radii(): Float64Array;
   edges(): Uint32Array;
   triangles(): Uint32Array;
@@ -76,9 +77,10 @@ export class KineticDelaunay {
 
   setVelocities(velocities: Vectors): void;
   setVelocities(ids: ArrayLike<number>, velocities: Vectors): void;
-  setMotions(ids: ArrayLike<number>, positions: Vectors, velocities?: Vectors): void;
+  setMotions(ids: ArrayLike<number>, positions: Vectors, velocities?: Vectors, accelerations?: Vectors): void;
   setMass(id: number, mass: number): void;
-  insert(position: readonly [number, number], velocity?: readonly [number, number], radius?: number): number;
+  insert(position: readonly [number, number], velocity?: readonly [number, number], radius?: number,
+    acceleration?: readonly [number, number]): number;
   erase(id: number): void;
 
   logMotions(): void;

@@ -11,7 +11,7 @@ let wasm = null;  // the exports of the module
 const bytesAt = (address, size) => new Uint8Array(wasm.memory.buffer, address, size);
 const decoder = new TextDecoder(), encoder = new TextEncoder();
 
-/** The system calls of the module: it prints errors, and asks for the time. */
+/** What the module calls: it prints errors, and asks for the time and for the digits of numbers. */
 const system = {
   fd_write(file, vectors, count, resultAt) {
     const view = new DataView(wasm.memory.buffer);
@@ -29,6 +29,12 @@ const system = {
     const now = BigInt(Math.round(1e6 * performance.now()));
     new DataView(wasm.memory.buffer).setBigUint64(resultAt, now, true);
     return 0;
+  },
+  // As cmake/platforms/wasm/standard_library.h says.
+  kinetri_digits(number, at) {
+    const text = number.toExponential(), bytes = bytesAt(at, text.length);
+    for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+    return text.length;
   },
   proc_exit(code) {
     throw new KinetriError(`the module has stopped with the code ${code}`);
@@ -229,6 +235,12 @@ export class KineticDelaunay {
     return numbersOf();
   }
 
+  /** The components of the acceleration of each point by id; NaN for a point that has been erased. */
+  accelerations() {
+    wasm.kinetri_accelerations(this.#there());
+    return numbersOf();
+  }
+
   /** The radius of each point by id; NaN for a point that has been erased. */
   radii() {
     wasm.kinetri_radii(this.#there());
@@ -320,13 +332,17 @@ export class KineticDelaunay {
       wasm.kinetri_set_velocities(this.#there(), p, points.length, v)));
   }
 
-  /** Moves points to positions from which they go on with these velocities (at rest, if left out). */
-  setMotions(ids, positions, velocities) {
+  /**
+   * Moves points to positions from which they go on with these velocities (0 if left out) and accelerations
+   * (theirs, if left out). Only points that were made with accelerations can have others than 0.
+   */
+  setMotions(ids, positions, velocities, accelerations) {
     const points = Uint32Array.from(ids), places = rowsOf('positions', positions, 2, points.length);
     const vectors = velocities === undefined ? new Float64Array(2 * points.length) :
       rowsOf('velocities', velocities, 2, points.length);
-    this.#reported(withCopies([points, places, vectors], (p, x, v) =>
-      wasm.kinetri_set_motions(this.#there(), p, points.length, x, v)));
+    const more = accelerations === undefined ? [] : [rowsOf('accelerations', accelerations, 2, points.length)];
+    this.#reported(withCopies([points, places, vectors, ...more], (p, x, v, a = 0) =>
+      wasm.kinetri_set_motions(this.#there(), p, points.length, x, v, a)));
   }
 
   /** The mass of a point for elastic collisions: at first that of the options, or 1. */
@@ -334,9 +350,9 @@ export class KineticDelaunay {
     checked(wasm.kinetri_set_mass(this.#there(), id, mass));
   }
 
-  /** Inserts a point and returns its id. */
-  insert([x, y], [vx, vy] = [0, 0], radius = 0) {
-    return this.#reported(wasm.kinetri_insert(this.#there(), x, y, vx, vy, radius));
+  /** Inserts a point and returns its id. For accelerations see setMotions. */
+  insert([x, y], [vx, vy] = [0, 0], radius = 0, [ax, ay] = [0, 0]) {
+    return this.#reported(wasm.kinetri_insert(this.#there(), x, y, vx, vy, radius, ax, ay));
   }
 
   /** Erases a point. Its id is not used again. */

@@ -13,9 +13,12 @@ const MOST_LOG = 100e6;       // characters of the logs that are kept
 const REFRESH = 250;          // milliseconds between two updates of list, histogram and counters
 const REST = 120;             // milliseconds: a pointer that rests so long throws nothing
 const HEAVY = 1e9;            // mass of a point that is held or pinned
+const ABOVE_FLOOR = 0.005;    // of the height of the box: how near a point that falls is put to the floor
 const MOST_FOR_NEXT = 20000;  // points for which the next event is looked for
 const MOST_POINTS = 100000;   // of a preset
 const MANY = 20000;           // points for whose beginning one has to wait
+const CHANGES = ['radius', 'growth', 'collisions', 'gravity'];  // of a preset, that can be asked for
+const RESPONSES = ['none', 'log', 'swap', 'elastic', 'stop', 'remove'];
 const TOOLS = {take: 'Take and throw', add: 'Add', erase: 'Erase', pin: 'Pin', wall: 'Draw a wall'};
 const MESSAGE = {take: 'Drag a point to throw it', add: 'Click to add a point', erase: 'Click a point to erase it',
                  pin: 'Click a point to pin it, or to let it go', wall: 'Drag to draw a wall of discs that are pinned'};
@@ -34,7 +37,8 @@ class Hold {
 
   move(event) {
     const {viewer} = this, {camera} = viewer.flatView;
-    [this.x, this.y] = viewer.inBox(camera.planeX(event.offsetX), camera.planeY(event.offsetY));
+    const place = [camera.planeX(event.offsetX), camera.planeY(event.offsetY)];
+    [this.x, this.y] = viewer.inBox(...place, viewer.r[this.id]);
     this.screen = {x: event.offsetX, y: event.offsetY};
     this.places.push({x: this.x, y: this.y, at: event.timeStamp});
     while (this.places.length > 2 && this.places[0].at < event.timeStamp - REST) this.places.shift();
@@ -50,11 +54,13 @@ class Hold {
 }
 
 class LiveViewer extends Viewer {
-  constructor(recording, points, {options, preset}) {
+  constructor(recording, points, {options, preset, gravity, asked}) {
     super(recording);
     this.points = points;
     this.options = options;
     this.preset = preset;
+    this.gravity = gravity;        // downwards, of the preset; points of a file have accelerations of their own
+    this.asked = asked;            // changes of the preset
     this.clock = recording.until;  // up to which the run has gone, and at which points are changed
     this.turned = this.clock;
     this.next = undefined;         // the next event; null: there is none; undefined: not looked for
@@ -62,7 +68,7 @@ class LiveViewer extends Viewer {
     this.wall = null;              // that is being drawn: {pointer, x, y}, the place of its last disc
     this.openPlaces = [];          // of walls, where other discs still are
     this.tool = 'take';
-    this.pinned = new Map();       // velocities before
+    this.pinned = new Map();       // velocity and acceleration of each pinned point, before
     this.logs = {events: [], motions: [], size: 0};
     this.refreshed = 0;
     this.isSlow = false;
@@ -211,13 +217,16 @@ class LiveViewer extends Viewer {
 
   // ---- the pointer ----
 
-  /** A place in the box, as near as possible. */
-  inBox(x, y) {
+  /** A place in the box, as near as possible, of a disc of the radius. */
+  inBox(x, y, radius = this.radiusOfNew()) {
     const {box} = this.recording;
     if (box === null) return [x, y];
-    const clearance = this.options.rim ? (this.options.radius ?? 0) : 0;
-    const within = (value, low, high) => Math.min(Math.max(value, low + clearance), high - clearance);
-    return [within(x, box[0], box[2]), within(y, box[1], box[3])];
+    const clearance = this.options.rim ? radius : 0;
+    const within = (value, low, high, more = 0) =>
+      Math.min(Math.max(value, low + clearance + more), high - clearance - more);
+    // On the floor itself a point would rebound without end.
+    const above = this.gravity === 0 ? 0 : ABOVE_FLOOR * (box[3] - box[1]);
+    return [within(x, box[0], box[2]), within(y, box[1], box[3], above)];
   }
 
   /** These listeners are called before those of PointerInput, since they are for the way down. */
@@ -290,8 +299,9 @@ class LiveViewer extends Viewer {
     if (this.usesMasses() && !this.pinned.has(hold.id)) this.attempt(() => this.points.setMass(hold.id, 1));
     if (hold.moves <= CLICK_MOVES) this.selectedPoint.select(hold.id);
     else if (this.isPlaying()) {
+      const before = this.pinned.get(hold.id);
       this.pinned.delete(hold.id);
-      this.change(() => this.points.setVelocities([hold.id], [hold.thrown(event)]));
+      this.change(() => this.send(hold.id, hold.thrown(event), before?.acceleration));
     }
     return true;
   }
@@ -306,7 +316,7 @@ class LiveViewer extends Viewer {
     if (this.tool === 'add') {
       if (point >= 0 || !this.hasRoom()) return true;
       const place = this.inBox(camera.planeX(event.offsetX), camera.planeY(event.offsetY));
-      this.change(() => this.points.insert(place, [0, 0], this.radiusOfNew()));
+      this.change(() => this.points.insert(place, [0, 0], this.radiusOfNew(), [0, -this.gravity]));
     } else if (point >= 0) {
       if (this.tool === 'erase') this.erase(point);
       else this.togglePin(point);
@@ -374,7 +384,7 @@ class LiveViewer extends Viewer {
       if (!this.hasRoom()) return false;
       const id = points.insert([x, y], [0, 0], radius);
       points.setMass(id, HEAVY);
-      this.pinned.set(id, [0, 0]);
+      this.pinned.set(id, {velocity: [0, 0], acceleration: [0, -this.gravity]});
       return false;
     });
   }
@@ -386,13 +396,27 @@ class LiveViewer extends Viewer {
   }
 
   togglePin(point) {
-    const velocity = this.pinned.get(point);
-    if (velocity === undefined) this.pinned.set(point, this.velocityOf(point));
-    else this.pinned.delete(point);
+    const before = this.pinned.get(point);
+    if (before === undefined) {
+      this.pinned.set(point, {velocity: this.velocityOf(point), acceleration: this.accelerationOf(point)});
+    } else {
+      this.pinned.delete(point);
+    }
     this.change(() => {
-      if (this.usesMasses()) this.points.setMass(point, velocity === undefined ? HEAVY : 1);
-      this.points.setVelocities([point], [velocity ?? [0, 0]]);
+      if (this.usesMasses()) this.points.setMass(point, before === undefined ? HEAVY : 1);
+      this.send(point, before?.velocity ?? [0, 0], before?.acceleration ?? [0, 0]);
     });
+  }
+
+  /** Lets a point go on with the velocity, and with the acceleration if that is another one than it has. */
+  send(point, velocity, acceleration = this.accelerationOf(point)) {
+    const {points} = this;
+    points.setVelocities([point], [velocity]);
+    const [ax, ay] = this.accelerationOf(point);
+    if (acceleration[0] === ax && acceleration[1] === ay) return;
+    // Its motion begins at the present place, which is a pair of numbers.
+    const place = Array.from(points.positions().subarray(2 * point, 2 * point + 2));
+    points.setMotions([point], [place], [velocity], [acceleration]);
   }
 
   usesMasses() {
@@ -401,6 +425,10 @@ class LiveViewer extends Viewer {
 
   velocityOf(point) {
     return Array.from(this.points.velocities().subarray(2 * point, 2 * point + 2));
+  }
+
+  accelerationOf(point) {
+    return Array.from(this.points.accelerations().subarray(2 * point, 2 * point + 2));
   }
 
   /** A change of the points, now. */
@@ -473,6 +501,10 @@ class LiveViewer extends Viewer {
       <form id="live-start" class="choices">
         <label>Start <select id="live-preset"></select></label>
         <label>with <input id="live-count" type="number" min="1" max="100000"> points</label>
+        <label>Radius <input id="live-radius" type="number" min="0" step="any" placeholder="its own"></label>
+        <label>Growth <input id="live-growth" type="number" min="0" step="any" placeholder="its own"></label>
+        <label>Contacts <select id="live-collisions"></select></label>
+        <label>Gravity <input id="live-gravity" type="number" step="any" placeholder="its own"></label>
         <button class="choice">Start</button>
       </form>
       <div class="choices" id="live-tools" role="group" aria-label="What the pointer does"></div>
@@ -488,12 +520,28 @@ class LiveViewer extends Viewer {
     for (const [id, {label}] of Object.entries(PRESETS)) select.append(new Option(label, id));
     if (element('points') !== null) select.append(new Option('Points of the file', 'points'));
     select.value = this.preset?.id ?? 'points';
+    const contacts = element('live-collisions');
+    contacts.append(new Option('its own', ''), ...RESPONSES.map((response) => new Option(response)));
     const count = element('live-count');
     count.value = this.preset?.number ?? this.points.length;
-    select.addEventListener('change', () => { count.value = PRESETS[select.value]?.count ?? ''; });
+    for (const name of CHANGES) element(`live-${name}`).value = this.asked[name] ?? '';
+    // The points of a file have their own.
+    const disable = () => {
+      for (const name of CHANGES) element(`live-${name}`).disabled = select.value === 'points';
+    };
+    disable();
+    select.addEventListener('change', () => {
+      count.value = PRESETS[select.value]?.count ?? '';
+      disable();
+    });
     element('live-start').addEventListener('submit', (event) => {
       event.preventDefault();
-      window.location.search = `?${new URLSearchParams({start: select.value, points: count.value})}`;
+      const query = new URLSearchParams({start: select.value, points: count.value});
+      for (const name of CHANGES) {
+        const {value, disabled} = element(`live-${name}`);
+        if (value !== '' && !disabled) query.set(name, value);
+      }
+      window.location.search = `?${query}`;
     });
     for (const [id, label] of Object.entries(TOOLS)) {
       const button = document.createElement('button');
@@ -599,13 +647,27 @@ function exactTimeText({time, lower, upper, polynomial}) {
 
 // ---- the start ----
 
-/** What the address asks for: ?start=gas&points=300. Without it the points of the file, or the first preset. */
+/** The number that the address gives the name; null if there is none. */
+function askedNumber(query, name, least, greatest) {
+  const text = query.get(name) ?? '', number = Number(text);
+  if (text === '') return null;
+  if (!(number >= least && number <= greatest)) {
+    throw new KinetriError(`${name}=${text}; expected a number from ${least} to ${greatest}`);
+  }
+  return number;
+}
+
+/**
+ * What the address asks for: ?start=gas&points=300, and for a preset also radius, growth, collisions and gravity.
+ * Without it the points of the file, or the first preset.
+ */
 function asked() {
   const query = new URLSearchParams(window.location.search);
   const file = element('points');
   const id = query.get('start') ?? (file === null ? Object.keys(PRESETS)[0] : 'points');
   if (id === 'points' && file !== null) {
-    return {text: file.textContent, options: JSON.parse(file.dataset.options ?? '{}'), preset: null};
+    const options = JSON.parse(file.dataset.options ?? '{}');
+    return {text: file.textContent, options, preset: null, gravity: 0, asked: {}};
   }
   const preset = PRESETS[id];
   if (preset === undefined) {
@@ -615,7 +677,11 @@ function asked() {
   if (!Number.isInteger(number) || number < 1 || number > MOST_POINTS) {
     throw new KinetriError(`points=${query.get('points')}; expected a whole number from 1 to ${MOST_POINTS}`);
   }
-  return {...preset.make(number), preset: {...preset, id, number}};
+  const changes = {
+    radius: askedNumber(query, 'radius', 0, SIDE), growth: askedNumber(query, 'growth', 0, SIDE),
+    collisions: query.get('collisions') || null, gravity: askedNumber(query, 'gravity', -1000, 1000),
+  };
+  return {...pointsOf(preset, number, changes), preset: {...preset, id, number}, asked: changes};
 }
 
 /** Says what to wait for, and waits until that can be seen. */

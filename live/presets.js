@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the page begins with: the points as a file of points, and the options of KineticDelaunay. All in a box
-// of SIDE by SIDE, and the same each time.
+// What the page begins with: the columns and rows of a file of points, and the options of KineticDelaunay. All in
+// a box of SIDE by SIDE, and the same each time.
 
 const SIDE = 100;
 const BOX = [0, 0, SIDE, SIDE];
@@ -39,24 +39,31 @@ function radiusOfShare(count, share) {
   return Math.sqrt(share * SIDE * SIDE / (Math.PI * count));
 }
 
+/** Rows of places and velocities, and of the columns `names`; and options besides the box. */
+function beginning(rows, options = {}, names = []) {
+  return {names: ['x', 'y', 'vx', 'vy', ...names], rows, options: {box: BOX, ...options}};
+}
+
 function gas(count) {
   const random = randomNumbers(7), radius = radiusOfShare(count, 0.18);
   const velocity = () => 40 * (random() - 0.5);
-  return {
-    text: pointsFile(['x', 'y', 'vx', 'vy'],
-                     jitteredGrid(count, radius, 0.9, random).map((place) => [...place, velocity(), velocity()])),
-    options: {box: BOX, radius, rim: true, collisions: 'elastic'},
-  };
+  const rows = jitteredGrid(count, radius, 0.9, random).map((place) => [...place, velocity(), velocity()]);
+  return beginning(rows, {radius, rim: true, collisions: 'elastic'});
+}
+
+function falling(count) {
+  const random = randomNumbers(13), radius = radiusOfShare(count, 0.08);
+  const velocity = () => 30 * (random() - 0.5);
+  const rows = jitteredGrid(count, radius, 0.8, random).map((place) => [...place, velocity(), velocity()]);
+  return beginning(rows, {radius, rim: true, collisions: 'elastic'});
 }
 
 function packing(count) {
   const random = randomNumbers(11), radius = radiusOfShare(count, 0.05), growth = radius / 4;
   const velocity = () => 12 * (random() - 0.5);
-  return {
-    text: pointsFile(['x', 'y', 'vx', 'vy', 'radius', 'growth'], jitteredGrid(count, radius, 0.9, random).map(
-      (place) => [...place, velocity(), velocity(), radius * (0.6 + 0.4 * random()), growth * (0.6 + 0.4 * random())])),
-    options: {box: BOX, rim: true, collisions: 'elastic'},
-  };
+  const rows = jitteredGrid(count, radius, 0.9, random).map(
+    (place) => [...place, velocity(), velocity(), radius * (0.6 + 0.4 * random()), growth * (0.6 + 0.4 * random())]);
+  return beginning(rows, {rim: true, collisions: 'elastic'}, ['radius', 'growth']);
 }
 
 function crowds(count) {
@@ -64,20 +71,13 @@ function crowds(count) {
   const walk = () => 6 + 3 * random(), drift = () => 2 * (random() - 0.5);
   const group = (number, sides, direction) => jitteredGrid(number, radius, 0.8, random, sides).map(
     (place) => [...place, direction * walk(), drift()]);
-  return {
-    text: pointsFile(['x', 'y', 'vx', 'vy'], [...group(half, [0, 10, 42, 90], 1),
-                                             ...group(count - half, [58, 10, 100, 90], -1)]),
-    options: {box: BOX, radius, rim: true, collisions: 'elastic'},
-  };
+  const rows = [...group(half, [0, 10, 42, 90], 1), ...group(count - half, [58, 10, 100, 90], -1)];
+  return beginning(rows, {radius, rim: true, collisions: 'elastic'});
 }
 
 function flock(count) {
   const random = randomNumbers(3), velocity = () => 24 * (random() - 0.5);
-  return {
-    text: pointsFile(['x', 'y', 'vx', 'vy'],
-                     jitteredGrid(count, 0, 0.9, random).map((place) => [...place, velocity(), velocity()])),
-    options: {box: BOX},
-  };
+  return beginning(jitteredGrid(count, 0, 0.9, random).map((place) => [...place, velocity(), velocity()]));
 }
 
 /** Turns each point toward the mean velocity of itself and its neighbors, by a share. */
@@ -108,7 +108,7 @@ function oneMover(count) {
   const random = randomNumbers(9);
   const rows = jitteredGrid(count, 0, 0.7, random).map((place) => [...place, 0, 0]);
   if (rows.length > 0) rows[0].splice(2, 2, 31, 19);
-  return {text: pointsFile(['x', 'y', 'vx', 'vy'], rows), options: {box: BOX}};
+  return beginning(rows);
 }
 
 /** A lattice whose columns move up and down: at many times all its points are cocircular with others. */
@@ -118,7 +118,7 @@ function lattice(count) {
   for (let i = 0; i < columns; ++i) {
     for (let k = 0; k < columns; ++k) rows.push([step * (i + 1), step * (k + 1), 0, i % 2 === 0 ? step : -step]);
   }
-  return {text: pointsFile(['x', 'y', 'vx', 'vy'], rows), options: {box: BOX}};
+  return beginning(rows);
 }
 
 /** The wave of the paper: a row of points moves up, and hands its velocity on to each row that it meets. */
@@ -127,11 +127,12 @@ function wave(count) {
   for (let k = 0; k < columns; ++k) {
     for (let i = 0; i < columns; ++i) rows.push([step * (i + 0.5), step * (k + 0.5), 0, k === 0 ? step : 0]);
   }
-  return {text: pointsFile(['x', 'y', 'vx', 'vy'], rows), options: {box: BOX, radius: step / 128, collisions: 'swap'}};
+  return beginning(rows, {radius: step / 128, collisions: 'swap'});
 }
 
 const PRESETS = {
   gas: {label: 'Gas', make: gas, count: 120},
+  falling: {label: 'Falling discs', make: falling, count: 60, gravity: 30},
   packing: {label: 'Packing', make: packing, count: 150},
   crowds: {label: 'Two crowds', make: crowds, count: 240},
   flock: {label: 'Flock', make: flock, count: 200, turn: turnFlock},
@@ -139,3 +140,33 @@ const PRESETS = {
   lattice: {label: 'Lattice', make: lattice, count: 144},
   wave: {label: 'Wave', make: wave, count: 225},
 };
+
+/**
+ * The file and the options of a preset with `number` points, with the changes that are asked for; null: none.
+ * `gravity` is an acceleration downwards. Discs that grow without a response to contacts change the
+ * triangulation, the regular one.
+ */
+function pointsOf(preset, number, {radius = null, growth = null, collisions = null, gravity = null} = {}) {
+  const {names, rows, options} = preset.make(number);
+  const setColumn = (name, value) => {
+    if (!names.includes(name)) names.push(name);
+    for (const row of rows) row[names.indexOf(name)] = value;
+  };
+  if (collisions !== null) options.collisions = collisions;
+  const isTouching = (options.collisions ?? 'none') !== 'none', hasRadii = names.includes('radius');
+  let size = radius ?? options.radius ?? null;
+  if (size === null && !hasRadii && (isTouching || growth !== null)) size = radiusOfShare(number, 0.05);
+  if (size !== null) options.radius = size;
+  if (growth !== null || hasRadii) {  // then each disc has a radius of its own
+    if (size !== null) setColumn('radius', size);
+    if (growth !== null) setColumn('growth', growth);
+    delete options.radius;
+    options.regular = !isTouching;
+  }
+  const fall = gravity ?? preset.gravity ?? 0;
+  if (fall !== 0) {
+    setColumn('ax', 0);
+    setColumn('ay', -fall);
+  }
+  return {text: pointsFile(names, rows), options, gravity: fall};
+}

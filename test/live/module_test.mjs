@@ -181,6 +181,35 @@ test('discs collide, and stay in their box', () => {
   assert.equal(growing.nextEvent().time, 2);
 });
 
+test('points fall, and can be given other accelerations', () => {
+  const fall = [0, -2], box = [0, 0, 10, 10];
+  const points = new KineticDelaunay([[2, 8], [6, 8], [4, 2]], null, {accelerations: [fall, fall, fall], box});
+  points.advanceTo(1);
+  assert.deepEqual(Array.from(points.positions()), [2, 7, 6, 7, 4, 1]);
+  assert.deepEqual(Array.from(points.velocities()), [0, -2, 0, -2, 0, -2]);
+  assert.deepEqual(Array.from(points.accelerations()), [0, -2, 0, -2, 0, -2]);
+  points.setMotions([0], [[2, 7]], [[0, 0]], [[0, 0]]);  // it stays there
+  assert.equal(points.insert([5, 5], [1, 0], 0, fall), 3);
+  assert.equal(points.insert([9, 5]), 4);
+  const bounces = [];
+  points.watch(({kind, points: [id], lower, upper}) => { if (kind === 'wall') bounces.push([id, lower, upper]); });
+  points.advanceTo(2);
+  const places = Array.from(points.positions());
+  assert.deepEqual(places.filter((_, i) => i < 4 || i > 5), [2, 7, 6, 4, 6, 4, 9, 5]);
+  assert.deepEqual(Array.from(points.accelerations()), [0, 0, 0, -2, 0, -2, 0, -2, 0, 0]);
+  // At the square root of 2 it rebounds.
+  const [[id, lower, upper], ...others] = bounces;
+  assert.deepEqual([id, others], [2, []]);
+  assert.ok(lower ** 2 <= 2 && 2 <= upper ** 2 && upper - lower < 1e-15);
+  assert.deepEqual(points.audit(), []);
+  const straight = new KineticDelaunay([[0, 0], [1, 0], [0, 1]], [[1, 0], [0, 0], [0, 1]]);
+  assert.throws(() => straight.insert([5, 5], [0, 0], 0, fall), /the points have no accelerations; expected 0, or points/);
+  assert.throws(() => straight.setMotions([0], [[0, 0]], [[0, 0]], [fall]), /the points have no accelerations/);
+  straight.setMotions([0], [[0, 0.5]], [[0, 0]], [[0, 0]]);
+  assert.deepEqual(Array.from(straight.accelerations()), [0, 0, 0, 0, 0, 0]);
+  assert.equal(straight.length, 3);
+});
+
 test('errors say what is wrong, and change nothing', () => {
   assert.throws(() => new KineticDelaunay([[0, 0], [1]]), (error) =>
     error instanceof KinetriError && /positions: row 1 has 1 numbers; expected 2/.test(error.message));

@@ -16,6 +16,7 @@ import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "viewer" / "test"))
+from browser import BrowserError  # noqa: E402
 from chromium import Chromium  # noqa: E402
 from firefox import Firefox  # noqa: E402
 
@@ -60,9 +61,16 @@ class LivePageTest(unittest.TestCase):
     def evaluate(self, expression):
         return BROWSER.evaluate(expression)
 
-    def wait(self, condition, seconds=60):
+    def wait(self, condition, seconds=60, is_loading=False):
+        """A page that is loading may not answer."""
         end = time.monotonic() + seconds
-        while not self.evaluate(condition):
+        while True:
+            try:
+                if self.evaluate(condition):
+                    return
+            except BrowserError:
+                if not is_loading:
+                    raise
             self.assertLess(time.monotonic(), end, f"waiting for {condition}")
             time.sleep(0.05)
 
@@ -137,7 +145,7 @@ class LivePageTest(unittest.TestCase):
         self.assertEqual(log.stdout.splitlines(), events)
 
     def test_every_beginning_passes_an_audit(self):
-        for start in ("gas", "packing", "crowds", "flock", "mover", "lattice", "wave"):
+        for start in ("gas", "falling", "packing", "crowds", "flock", "mover", "lattice", "wave"):
             with self.subTest(start=start):
                 BROWSER.begin_page(1280, 800)
                 self.open(query=f"?start={start}&points=60", plays=True)
@@ -146,6 +154,62 @@ class LivePageTest(unittest.TestCase):
                 BROWSER.settle()
                 self.assertGreater(self.evaluate("live.clock"), 0.4)
                 self.check_present()
+
+    def test_a_beginning_is_changed(self):
+        self.open(query="?start=flock&points=20&radius=1.5&collisions=elastic&gravity=10")
+        self.assertEqual(self.evaluate("Array.from(new Set(live.points.radii()))"), [1.5])
+        self.assertEqual(self.evaluate("Array.from(live.points.accelerations().subarray(0, 2))"), [0, -10])
+        self.assertEqual(self.evaluate("live.options.collisions"), "elastic")
+        shown = "['radius', 'growth', 'collisions', 'gravity'].map((name) => element(`live-${name}`).value)"
+        self.assertEqual(self.evaluate(shown), ["1.5", "", "elastic", "10"])
+        self.check_present()
+        # The form asks for another one.
+        self.evaluate("element('live-preset').value = 'mover'; element('live-preset').dispatchEvent(new Event('change'));"
+                      " element('live-count').value = 30; element('live-growth').value = 0.25;"
+                      " element('live-radius').value = element('live-gravity').value = element('live-collisions').value = '';"
+                      " element('live-start').requestSubmit()")
+        self.wait("window.live?.preset.id === 'mover'", is_loading=True)
+        BROWSER.problems = []
+        self.assertEqual(self.evaluate("window.location.search"), "?start=mover&points=30&growth=0.25")
+        self.evaluate("live.direction = 0")
+        before = self.evaluate("[live.clock, live.points.radii()[7]]")
+        self.evaluate("live.togglePlaying(1)")
+        self.wait(f"live.clock > {before[0]} + 0.5")
+        self.evaluate("live.direction = 0")
+        clock, radius = self.evaluate("[live.clock, live.points.radii()[7]]")
+        self.assertAlmostEqual(radius - before[1], 0.25 * (clock - before[0]), delta=1e-9)
+        self.check_present()
+
+    def test_points_fall_and_are_pinned(self):
+        self.open(query="?start=falling&points=12&radius=1&collisions=log")
+        self.choose("pin")
+        place = self.evaluate("Array.from(live.points.positions().subarray(0, 2))")
+        velocity = self.evaluate("Array.from(live.points.velocities().subarray(0, 2))")
+        BROWSER.click(*self.place_of(0))
+        self.choose("add")
+        BROWSER.click(*self.evaluate(SCREEN % (50.5, 97)))
+        self.assertEqual(self.evaluate("live.points.length"), 13)
+        begin = self.evaluate("live.clock")
+        self.evaluate("live.togglePlaying(1)")
+        self.wait(f"live.clock > {begin} + 0.25")
+        self.evaluate("live.direction = 0")
+        self.assertEqual(self.evaluate("Array.from(live.points.positions().subarray(0, 2))"), place)
+        elapsed = self.evaluate("live.clock") - begin
+        self.assertAlmostEqual(self.evaluate("live.points.velocities()[25]"), -30 * elapsed, delta=1e-9)
+        self.choose("pin")
+        BROWSER.click(*self.place_of(0))
+        self.assertEqual(self.evaluate("Array.from(live.points.velocities().subarray(0, 2))"), velocity)
+        self.assertEqual(self.evaluate("Array.from(live.points.accelerations().subarray(0, 2))"), [0, -30])
+        self.check_present()
+        # A point that is put to the floor does not rebound there without end.
+        self.choose("take")
+        self.drag(self.place_of(0), self.evaluate(SCREEN % (40, -30)))
+        clock = self.evaluate("live.clock")
+        self.evaluate("live.togglePlaying(1)")
+        self.wait(f"live.clock > {clock} + 1")
+        self.evaluate("live.direction = 0")
+        self.check_present()
+        self.check_logs()
 
     def test_a_point_is_thrown(self):
         self.open(self.points_file(), "--box", "0,0,60,60")
@@ -355,6 +419,11 @@ class LivePageTest(unittest.TestCase):
         BROWSER.begin_page(1280, 800)
         self.open(query="?start=%3Cb%3E", plays=True)
         self.assertIn("unknown", self.evaluate("element('message').innerText"))
+        for query, expected in (("radius=-1", "expected a number from 0 to 100"), ("gravity=up", "from -1000 to 1000"),
+                                ("collisions=bounce", "is unknown; expected none, log")):
+            BROWSER.begin_page(1280, 800)
+            self.open(query=f"?start=gas&points=9&{query}", plays=True)
+            self.assertIn(expected, self.evaluate("element('message').innerText"))
 
     def test_a_browser_without_webassembly(self):
         page = write_page(self.folder)

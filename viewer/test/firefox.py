@@ -210,8 +210,10 @@ class Firefox(Browser):
         self.call("WebDriver:Navigate", url=address)
 
     def evaluate(self, expression):
-        value, error = self.call("WebDriver:ExecuteAsyncScript", script=EVALUATE,
-                                 args=[expression])["value"]
+        answer = self.call("WebDriver:ExecuteAsyncScript", script=EVALUATE, args=[expression])["value"]
+        if answer is None:
+            raise BrowserError(f"{expression}: the page has gone before it answered")
+        value, error = answer
         if error is not None:
             raise BrowserError(f"{expression}: {error}")
         return json.loads(value)
