@@ -115,8 +115,8 @@ void Edge_follower<Traits>::finish_instant() {
   }
   if (rebuilt_edges_.empty()) return;
   std::ranges::sort(rebuilt_edges_);
-  const auto again = std::ranges::unique(rebuilt_edges_);
-  rebuilt_edges_.erase(again.begin(), again.end());
+  rebuilt_edges_.erase(std::unique(rebuilt_edges_.begin(), rebuilt_edges_.end()),
+                       rebuilt_edges_.end());
   change_triangles(rebuilt_edges_);
   rebuilt_edges_.clear();
 }

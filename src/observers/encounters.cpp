@@ -4,12 +4,26 @@
 #include "observers/encounter_tracker.h"
 
 namespace kinetri {
+namespace {
+
+// clang before 16 instantiates this for traits without simulations, too.
+template <class Traits>
+std::unique_ptr<detail::Encounter_tracker<Traits>> tracker_of(
+    detail::Simulation_of<Traits>& simulation, double range) {
+  if constexpr (ContactKineticTraits_2<Traits>) {
+    return std::make_unique<detail::Encounter_tracker<Traits>>(simulation, range,
+                                                               simulation.options().radius);
+  } else {
+    return nullptr;
+  }
+}
+
+}  // namespace
 
 template <DistanceKineticTraits_2 Traits>
 Encounters<Traits>::Encounters(detail::Simulation_of<Traits>& simulation,
                                double range) requires ContactKineticTraits_2<Traits>
-    : tracker_(std::make_unique<detail::Encounter_tracker<Traits>>(simulation, range,
-                                                                   simulation.options().radius)) {}
+    : tracker_(tracker_of<Traits>(simulation, range)) {}
 
 template <DistanceKineticTraits_2 Traits>
 Encounters<Traits>::Encounters(Triangulation& triangulation,

@@ -41,7 +41,7 @@ class Simulation_types<Traits>::Contact_outcomes {
   }
 
  private:
-  Change reflection(Point_id id, std::size_t wall, const Time& now) const requires(!is_periodic);
+  Change reflection(Point_id id, std::size_t wall, const Time& now) const;
   std::vector<Change> collision(Point_id a, const Disc& other, const Time& now) const;
   Vector_2 relative_to_image(const Vector_2& velocity, const Disc& disc, double times) const;
   Motion usable(Point_id id, Motion motion, const Time& now) const;
@@ -54,24 +54,28 @@ class Simulation_types<Traits>::Contact_outcomes {
 
 template <class Traits>
 auto Simulation_types<Traits>::Contact_outcomes::reflection(Point_id id, std::size_t wall,
-                                                            const Time& now) const -> Change
-    requires(!is_periodic) {
-  const Wall_2& side = setup_.walls()[wall];
-  if (!setup_.traits().has_approach_speed(geometry_.point(id), side, now)) {
-    refuse_resting_contact(id,
-                           "point " + std::to_string(id) + " accelerates toward the " +
-                               std::string(name(side.side)) + " wall",
-                           "change the acceleration or the box, or end before that time", now);
+                                                            const Time& now) const -> Change {
+  if constexpr (is_periodic) {
+    KINETRI_ASSERT(false, "there are no walls in a periodic box");
+    return {id, geometry_.motion(id)};
+  } else {
+    const Wall_2& side = setup_.walls()[wall];
+    if (!setup_.traits().has_approach_speed(geometry_.point(id), side, now)) {
+      refuse_resting_contact(id,
+                             "point " + std::to_string(id) + " accelerates toward the " +
+                                 std::string(name(side.side)) + " wall",
+                             "change the acceleration or the box, or end before that time", now);
+    }
+    const double time = now.to_double();
+    const Motion& motion = geometry_.motion(id);
+    Vector_2 velocity = rounded_velocity(motion, time);
+    double& component = side.is_vertical() ? velocity.x : velocity.y;
+    component = -component;
+    if (side.rim_touches) {  // the boundary circle leaves the wall as fast as it approached
+      component += (side.is_upper() ? -2 : 2) * growth_of(motion);
+    }
+    return {id, with_velocity(id, velocity, now)};
   }
-  const double time = now.to_double();
-  const Motion& motion = geometry_.motion(id);
-  Vector_2 velocity = rounded_velocity(motion, time);
-  double& component = side.is_vertical() ? velocity.x : velocity.y;
-  component = -component;
-  if (side.rim_touches) {  // the boundary circle leaves the wall as fast as it approached
-    component += (side.is_upper() ? -2 : 2) * growth_of(motion);
-  }
-  return {id, with_velocity(id, velocity, now)};
 }
 
 // The velocity plus so many times that of an image against its point.

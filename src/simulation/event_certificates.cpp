@@ -248,7 +248,7 @@ auto Certificate_finder<Traits>::hiding_triangle(Point_id id) const -> Triple {
   for (int i = 0; i < 3; ++i) {
     result[static_cast<std::size_t>(i)] = face->vertex(i)->point().id();
   }
-  std::ranges::rotate(result, std::ranges::min_element(result));
+  std::rotate(result.begin(), std::ranges::min_element(result), result.end());
   return result;
 }
 

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/triangulation/torus_triangulation_impl.h"
 
 namespace kinetri {
 namespace {
@@ -380,7 +379,9 @@ auto Recorder<Traits>::directed(const Edge_ids& pair) const -> std::vector<Direc
     return {pair, {pair[1], pair[0]}};
   } else {
     std::vector<Directed> result;
-    for (const auto& [p, q] : {pair, Edge_ids{pair[1], pair[0]}}) {
+    for (const Edge_ids& ends : {pair, Edge_ids{pair[1], pair[0]}}) {
+      const Point_id p = ends[0];
+      const Point_id q = ends[1];
       const auto add = [&](const Corner& end, const Corner& /*apex*/) {
         if (end.id == q) result.push_back({Corner{p, {}}, end});
         return false;

@@ -97,7 +97,7 @@ class Present {
   // The triangle of the position; the default handle if there is none.
   Face_handle triangle_at(const Vector_2& position) const {
     if (topology().dimension() < 2) return Face_handle();
-    const Location_2 location = Kinetic_queries_2(kinetic_).locate(position);
+    const Location_2 location = Kinetic_queries_2<Traits>(kinetic_).locate(position);
     if (location.kind == Location_2::Kind::outside_convex_hull) return Face_handle();
     Face_handle start;
     for_each_face_at(topology(), kinetic_.vertex(location.points.front()), [&](Face_handle face) {

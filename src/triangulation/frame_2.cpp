@@ -69,10 +69,11 @@ void add_periodic(Frame_2& frame,
     triangles.push_back(periodic_triangle(image(0), image(1), image(2)));
   }
   std::ranges::sort(triangles);
-  for (const auto& [ids, offsets] : triangles) {
+  for (const Periodic_triangle& triangle : triangles) {
+    const auto& ids = triangle.corners;
     const std::array corners = {positions.of(ids[0]), positions.of(ids[1]), positions.of(ids[2])};
     const auto shift = [&](std::size_t k) {
-      return box.shift(offsets[k - 1], images[corners[0]], images[corners[k]]);
+      return box.shift(triangle.offsets[k - 1], images[corners[0]], images[corners[k]]);
     };
     frame.triangles.push_back(corners);
     periodic.triangle_shifts.push_back({shift(1), shift(2)});

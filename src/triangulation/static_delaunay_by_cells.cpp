@@ -112,7 +112,7 @@ void triangulate(std::span<const Vector_2> places, Part& part) {
     }
   }
   std::ranges::sort(part.border);
-  part.border.erase(std::ranges::unique(part.border).begin(), part.border.end());
+  part.border.erase(std::unique(part.border.begin(), part.border.end()), part.border.end());
 }
 
 // The triangulation of the border. Its faces that faces of cells do not cover are part of the

@@ -143,7 +143,7 @@ void Torus_triangulation<Traits>::for_each_near(const Point_2& point, const Loca
   visit(location, face->vertex(index), offset(face, index));
   const Lattice_offset_2 against_vertex = offset_against(point, location, index);
   detail::for_each_face_at(*this, face->vertex(index), [&](Face_handle at, int i) {
-    if (at != face) visit_hidden(location_near(point, at, i, against_vertex));
+    if (at != location.face) visit_hidden(location_near(point, at, i, against_vertex));
   });
 }
 
@@ -469,8 +469,8 @@ bool Torus_triangulation<Traits>::take_from_faces(Vertex_handle v, std::vector<E
 // ---- weights ----
 
 template <TorusTraits_2 Traits>
-bool Torus_triangulation<Traits>::restore_regular(
-    std::vector<Edge> edges, std::vector<Vertex_handle>& hidden) requires is_weighted {
+bool Torus_triangulation<Traits>::restore_regular(std::vector<Edge> edges,
+                                                  std::vector<Vertex_handle>& hidden) {
   while (!edges.empty()) {
     const Edge edge = edges.back();
     edges.pop_back();
@@ -496,8 +496,7 @@ bool Torus_triangulation<Traits>::restore_regular(
 
 // The image of the new point with an offset is that of the old one with another one.
 template <TorusTraits_2 Traits>
-void Torus_triangulation<Traits>::replace(const Location& location,
-                                          const Point_2& point) requires is_weighted {
+void Torus_triangulation<Traits>::replace(const Location& location, const Point_2& point) {
   const auto& [face_there, to_point, locus, index] = location;
   const Vertex_handle v = face_there->vertex(index);
   const Lattice_offset_2 to_vertex = offset(face_there, index);

@@ -302,8 +302,6 @@ KINETRI_INSTANTIATE(Polynomial_disc_motion_2);
 #undef KINETRI_INSTANTIATE
 template std::optional<Rounding> rounded_contact(const Linear_motion_2&, const Linear_motion_2&,
                                                  double, const Double_interval&);
-template double precise_contact(const Image_motion_2&, const Image_motion_2&, double, double,
-                                double);
 template std::optional<Rounding> rounded_contact(const Image_motion_2&, const Image_motion_2&,
                                                  double, const Double_interval&);
 template std::optional<Rounding> rounded_contact(const Disc_motion_2&, const Disc_motion_2&, double,

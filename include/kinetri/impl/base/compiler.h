@@ -6,6 +6,7 @@
 #define KINETRI_IMPL_BASE_COMPILER_H
 
 #include <cstddef>
+#include <cstdint>
 
 #include "kinetri/base/platform.h"
 

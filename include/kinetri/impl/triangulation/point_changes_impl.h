@@ -250,10 +250,13 @@ void Kinetic_types<Traits>::Point_changes::find_changes_in_place(std::span<const
       return topology_.has_vertex(jump.change.point) && !topology_.is_hidden(jump.change.point);
     };
     if (std::ranges::none_of(plan.jumps, is_visible)) return;
-    const auto hidden = std::ranges::stable_partition(
-        plan.in_place, [&](const Change& change) { return !topology_.is_hidden(change.point); });
-    for (const Change& change : hidden) plan.jumps.push_back({change});
-    plan.in_place.erase(hidden.begin(), hidden.end());
+    const auto hidden = std::stable_partition(
+        plan.in_place.begin(), plan.in_place.end(),
+        [&](const Change& change) { return !topology_.is_hidden(change.point); });
+    for (auto change = hidden; change != plan.in_place.end(); ++change) {
+      plan.jumps.push_back({*change});
+    }
+    plan.in_place.erase(hidden, plan.in_place.end());
   }
 }
 
@@ -441,8 +444,9 @@ void Kinetic_types<Traits>::Point_changes::make(Vertex_changes& planned) {
     return topology_.has_vertex(jump.change.point) && topology_.is_hidden(jump.change.point);
   };
   const std::span<const Jump> jumps = plan.jumps;
-  const auto others = is_weighted ? std::ranges::stable_partition(plan.jumps, is_hidden).begin()
-                                  : plan.jumps.begin();
+  const auto others = is_weighted
+                          ? std::stable_partition(plan.jumps.begin(), plan.jumps.end(), is_hidden)
+                          : plan.jumps.begin();
   const auto hidden = static_cast<std::size_t>(others - plan.jumps.begin());
   take_out(jumps.first(hidden));
   change_in_place(plan.in_place);

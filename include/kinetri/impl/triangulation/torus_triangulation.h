@@ -374,10 +374,9 @@ class Torus_triangulation {
   /// them to `hidden`, without faces. Where the quadrilateral of a violated edge is not convex, its
   /// corner is above the lifted triangle of the three others. Returns false if the last of these
   /// could not be taken out, as remove_from_faces says.
-  bool restore_regular(std::vector<Edge> edges,
-                       std::vector<Vertex_handle>& hidden) requires is_weighted;
+  bool restore_regular(std::vector<Edge> edges, std::vector<Vertex_handle>& hidden);
   /// Replaces the point of a vertex, which is at the location, by another one there.
-  void replace(const Location& location, const Point_2& point) requires is_weighted;
+  void replace(const Location& location, const Point_2& point);
   /// Hides a vertex that has no faces, or that is hidden and in no list, at the location.
   void hide(Vertex_handle v, const Location& location) requires is_weighted {
     if constexpr (is_weighted) {  // See Topology::set_traits.
