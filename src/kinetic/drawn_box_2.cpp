@@ -7,7 +7,7 @@
 namespace kinetri {
 namespace {
 
-double determinant(const Vector_2& a, const Vector_2& b) {
+double spanned_area(const Vector_2& a, const Vector_2& b) {
   return a.x * b.y - a.y * b.x;
 }
 
@@ -39,9 +39,9 @@ std::array<Vector_2, 4> Drawn_box_2::corners() const {
 Drawn_box_2::Image Drawn_box_2::image(const Vector_2& place) const {
   const Vector_2 u = divided(first_, greatest(first_));
   const Vector_2 v = divided(second_, greatest(second_));
-  const double area = determinant(u, v);
-  const Vector_2 moves = {-std::floor(determinant(place, v) / area / greatest(first_)),
-                          -std::floor(determinant(u, place) / area / greatest(second_))};
+  const double area = spanned_area(u, v);
+  const Vector_2 moves = {-std::floor(spanned_area(place, v) / area / greatest(first_)),
+                          -std::floor(spanned_area(u, place) / area / greatest(second_))};
   return {{place.x + moves.x * first_.x + moves.y * second_.x,
            place.y + moves.x * first_.y + moves.y * second_.y},
           moves};

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinetri/impl/base/check.h"
 #include "simulation/disc_geometry.h"
 
 namespace kinetri::detail {

@@ -114,7 +114,7 @@ std::string difference(const Periodic_box_2& box, const Motions& motions,
 struct Named_box {
   const char* name;
   Periodic_box_2 box;
-  double until = 200;
+  double until = 120;
 };
 std::vector<Named_box> boxes() {
   const double side = 8;
@@ -153,10 +153,10 @@ TEST(Periodic_simulation, has_the_contacts_of_all_pairs_of_images) {
       const bool are_whole = run % 2 == 0;
       const std::size_t number = run % 12 == 0 ? 1 : 2 + random() % 4;
       const double radius = are_whole ? 0.5 + static_cast<double>(random() % 3) / 2
-                                      : std::uniform_real_distribution<double>(0.25, 1.5)(random);
+                                      : std::uniform_real_distribution<double>(0.5, 1.5)(random);
       Simulation_options options = discs(radius, collide_elastically);
       options.refuses_overlaps = true;
-      const Motions motions = random_discs(random, number, are_whole, 2);
+      const Motions motions = random_discs(random, number, are_whole, 4);
       try {
         const std::string problem =
             difference(named.box, motions, options, named.until, 60, totals);

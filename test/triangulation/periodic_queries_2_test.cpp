@@ -67,7 +67,7 @@ class Oracle {
     for (Point_id id = 0; id < kinetic.next_id(); ++id) {
       if (!kinetic.contains(id)) continue;
       points.emplace_back(id, scaled(kinetic.motion(id)));
-      given_[id] = place(points.back().second);
+      given_[id] = place(points.back().place);
     }
     for (const auto& copy : test::copies(box_, points)) {
       if (in_cells_.size() < points.size()) in_cells_.push_back(copy);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double most_copies = 64;
 
-struct Span {
+struct Extent_of_moves {
   double least = std::numeric_limits<double>::infinity();
   double greatest = -std::numeric_limits<double>::infinity();
 
@@ -62,8 +62,8 @@ Vector_2 Places::rate(Point_id id) const {
 
 std::vector<Vector_2> Places::copies(std::span<const Vector_2> corners) const {
   if (!box_) return {Vector_2()};
-  Span x;
-  Span y;
+  Extent_of_moves x;
+  Extent_of_moves y;
   for (const Vector_2& corner : corners) {
     const Vector_2 moves = box_->image(corner).moves;
     x.add(moves.x);

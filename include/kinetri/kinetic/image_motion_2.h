@@ -5,7 +5,6 @@
 #define KINETRI_KINETIC_IMAGE_MOTION_2_H
 
 #include <cmath>
-#include <concepts>
 #include <iosfwd>
 
 #include "kinetri/impl/base/double_interval.h"

@@ -3,8 +3,9 @@
 // The concepts KineticTraits_2, what the kinetic triangulation requires of a model of motion;
 // BatchKineticTraits_2, several certificates in one call, for speed; WeightedKineticTraits_2,
 // points with weights, such as discs; PeriodicKineticTraits_2, points in a periodic box;
-// DistanceKineticTraits_2, what ranges and nearest points require; and ContactKineticTraits_2, what
-// walls and colliding discs require.
+// DistanceKineticTraits_2, what ranges and nearest points require; ContactKineticTraits_2, what walls
+// and colliding discs require; and PeriodicContactKineticTraits_2, what colliding discs in a periodic
+// box require.
 #ifndef KINETRI_KINETIC_KINETIC_TRAITS_2_H
 #define KINETRI_KINETIC_KINETIC_TRAITS_2_H
 

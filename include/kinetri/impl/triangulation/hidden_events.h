@@ -57,7 +57,7 @@ class Kinetic_types<Traits>::Hidden_events {
       return true;
     }
     updates_.show_current_time();
-    return place(v, topology_.locate(v->point(), location));
+    return place(v, topology_.locate_from(v->point(), location));
   }
 
   /// Inserts a new point, or a hidden one that is in no list, at its location just after now.

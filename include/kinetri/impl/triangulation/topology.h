@@ -185,7 +185,7 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   /// dimension 2.
   Location locate(const Point_2& point, Face_handle start) const;
   /// The same from where it has been; in a periodic box of the same image.
-  Location locate(const Point_2& point, const Location& start) const;
+  Location locate_from(const Point_2& point, const Location& start) const;
   /// The triangle at the location that hides a point with a weight, which may be on the border of
   /// that; a null face if the point is below it, outside the hull, or at the position of a vertex.
   Location hiding_face(const Point_2& point, const Location& location) const;

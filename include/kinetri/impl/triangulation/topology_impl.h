@@ -229,7 +229,7 @@ auto Kinetic_types<Traits>::Topology::locate(const Point_2& point, Face_handle s
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::locate(const Point_2& point, const Location& start) const
+auto Kinetic_types<Traits>::Topology::locate_from(const Point_2& point, const Location& start) const
     -> Location {
   if constexpr (is_periodic) {
     return {triangulation_.locate(point, start.face, start.offset)};
