@@ -22,7 +22,7 @@ void Cell_limits::check() const {
 
 namespace {
 
-template <KineticTraits_2 Traits>
+template <PlanarKineticTraits_2 Traits>
 class Areas_now {
  public:
   using Kinetic = Kinetic_triangulation_2<Traits>;
@@ -131,7 +131,7 @@ class Areas_now {
 
 }  // namespace
 
-template <KineticTraits_2 Traits>
+template <PlanarKineticTraits_2 Traits>
 std::vector<Cell_area> cell_areas(const Kinetic_triangulation_2<Traits>& triangulation,
                                   const Cell_limits& limits) {
   return Areas_now<Traits>(triangulation, limits).areas();

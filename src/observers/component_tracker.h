@@ -27,11 +27,16 @@ namespace kinetri::detail {
 /// Invariant, at the last reported time: the connectivity has the edges of the graph whose ends are
 /// in range, except those still to be cut at that time; the queue has an entry for each edge whose
 /// ends will come in or out of range.
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 class Component_tracker final : private Edge_follower<Traits> {
  public:
+  using typename Edge_follower<Traits>::Edge_name;
+  using typename Edge_follower<Traits>::Image_2;
+  using typename Edge_follower<Traits>::Neighbor;
   using typename Edge_follower<Traits>::Point_2;
   using typename Edge_follower<Traits>::Time;
+  using Edge_follower<Traits>::is_periodic;
+  using Connectivity = Basic_dynamic_connectivity<Edge_name>;
 
   /// Observes a triangulation or a simulation.
   template <class Observed>
@@ -39,16 +44,16 @@ class Component_tracker final : private Edge_follower<Traits> {
       : Edge_follower<Traits>(observed), range_(range) {
     KINETRI_PRECONDITION(range >= 0 && std::isfinite(range), "a range is at least 0 and finite");
     const auto& graph = this->graph();
-    const std::vector<Edge_ids> edges = graph.edges();
+    const std::vector<Edge_name> edges = graph.edges();
     const Time& time = now();
     for (Point_id id = 0; id < graph.next_id(); ++id) {
       if (graph.contains(id)) connectivity_.add_point(id);
     }
-    for (const Edge_ids& edge : edges) {
+    for (const Edge_name& edge : edges) {
       if (is_in_range(edge, time)) connectivity_.add_edge(edge);
     }
     report(Kind::start, time);
-    for (const Edge_ids& edge : edges) schedule(edge, time);
+    for (const Edge_name& edge : edges) schedule(edge, time);
   }
 
   double range() const { return range_; }
@@ -56,7 +61,7 @@ class Component_tracker final : private Edge_follower<Traits> {
     look();
     return events_;
   }
-  const Dynamic_connectivity& connectivity() {
+  const Connectivity& connectivity() {
     look();
     return connectivity_;
   }
@@ -90,7 +95,7 @@ class Component_tracker final : private Edge_follower<Traits> {
 
   // The time at which a link begins or ends.
   struct Entry : Failure {
-    Edge_ids edge = {no_point, no_point};
+    Edge_name edge = {};
     Entry_kind kind = Entry_kind::begin;
   };
   using Queue = Failure_queue<Entry, Component_tracker>;
@@ -104,7 +109,7 @@ class Component_tracker final : private Edge_follower<Traits> {
 
   // An edge that has an entry.
   struct Scheduled_edge {
-    Point_id other;  // the greater id
+    Neighbor other;  // the second end
     Queue_handle event;
   };
 
@@ -136,26 +141,26 @@ class Component_tracker final : private Edge_follower<Traits> {
   // seem to split.
   void advance(const Time& time) override { execute_until(time, Due::begins); }
 
-  void before_change(std::span<const Edge_ids> removed,
+  void before_change(std::span<const Edge_name> removed,
                      std::span<const Changed_point> points) override {
-    for (const Edge_ids& edge : removed) queue_.erase(forget(edge));
-    for (const Edge_ids& edge : edges_of(points)) queue_.erase(forget(edge));
+    for (const Edge_name& edge : removed) queue_.erase(forget(edge));
+    for (const Edge_name& edge : edges_of(points)) queue_.erase(forget(edge));
   }
 
   // First merges, then splits: at the time itself all links exist.
-  void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
-              std::span<const Changed_point> points) override {
+  void change(const Time& time, std::span<const Edge_name> removed,
+              std::span<const Edge_name> added, std::span<const Changed_point> points) override {
     for (const auto& point : points) {
       if (connectivity_.contains(point.id)) continue;
       connectivity_.add_point(point.id);
-      report(Kind::insert, time, {point.id, no_point});
+      report(Kind::insert, time, Edge_ids{point.id, no_point});
     }
-    std::vector<Edge_ids> changed = edges_of(points);
+    std::vector<Edge_name> changed = edges_of(points);
     changed.insert(changed.end(), added.begin(), added.end());
     std::ranges::sort(changed);
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    std::vector<Edge_ids> ended(removed.begin(), removed.end());
-    for (const Edge_ids& edge : changed) {
+    std::vector<Edge_name> ended(removed.begin(), removed.end());
+    for (const Edge_name& edge : changed) {
       if (is_in_range(edge, time)) {
         link(edge, time);
       } else {
@@ -163,34 +168,35 @@ class Component_tracker final : private Edge_follower<Traits> {
       }
     }
     // Links that exist at this time only.
-    departures_.change(time, points, this->graph(), range_, 0,
-                       [&](const auto& gone, const auto& come) {
-                         if (!connectivity_.contains(gone.id())) return;
-                         if (!this->traits().do_touch(gone, come, range_, time)) return;
-                         ended.push_back(edge_ids(gone.id(), come.id()));
-                         link(ended.back(), time);
-                       });
+    if constexpr (!is_periodic) {
+      departures_.change(time, points, this->graph(), range_, 0,
+                         [&](const auto& gone, const auto& come) {
+                           if (!connectivity_.contains(gone.id())) return;
+                           if (!this->traits().do_touch(gone, come, range_, time)) return;
+                           ended.push_back(edge_ids(gone.id(), come.id()));
+                           link(ended.back(), time);
+                         });
+    }
     std::ranges::sort(ended);
-    for (const Edge_ids& edge : ended) cut(edge, time);
+    for (const Edge_name& edge : ended) cut(edge, time);
     for (const auto& point : points) {
       if (this->graph().contains(point.id)) continue;
       connectivity_.remove_point(point.id);
-      report(Kind::erase, time, {point.id, no_point});
+      report(Kind::erase, time, Edge_ids{point.id, no_point});
     }
-    for (const Edge_ids& edge : changed) schedule(edge, time);
+    for (const Edge_name& edge : changed) schedule(edge, time);
     execute_until(time, Due::all);
   }
 
-  bool is_in_range(const Edge_ids& edge, const Time& time) const {
-    return this->traits().do_touch(this->graph().point(edge[0]), this->graph().point(edge[1]),
-                                   range_, time);
+  bool is_in_range(const Edge_name& edge, const Time& time) const {
+    return this->traits().do_touch(this->first_end(edge), this->second_end(edge), range_, time);
   }
 
   // ---- the queue ----
 
   Time failure_time(const Entry& entry) const {
-    return this->traits().contact_failure(this->graph().point(entry.edge[0]),
-                                          this->graph().point(entry.edge[1]), range_, entry.bounds);
+    return this->traits().contact_failure(this->first_end(entry.edge), this->second_end(entry.edge),
+                                          range_, entry.bounds);
   }
   bool precedes(const Entry& a, const Entry& b) const {
     return std::tie(a.kind, a.edge) < std::tie(b.kind, b.edge);
@@ -198,9 +204,9 @@ class Component_tracker final : private Edge_follower<Traits> {
 
   // Schedules the next change of an edge. Precondition: it has no entry; it is linked if and only
   // if its ends are within the range at `time`.
-  void schedule(const Edge_ids& edge, const Time& time) {
-    const Point_2& p = this->graph().point(edge[0]);
-    const Point_2& q = this->graph().point(edge[1]);
+  void schedule(const Edge_name& edge, const Time& time) {
+    const Image_2& p = this->first_end(edge);
+    const Image_2& q = this->second_end(edge);
     if (connectivity_.is_edge(edge)) {
       push(edge, Entry_kind::end, this->traits().near_certificate(p, q, range_, time));
     } else {
@@ -208,21 +214,23 @@ class Component_tracker final : private Edge_follower<Traits> {
     }
   }
 
-  void push(const Edge_ids& edge, Entry_kind kind, Certificate certificate) {
+  void push(const Edge_name& edge, Entry_kind kind, Certificate certificate) {
     Entry entry;
     entry.edge = edge;
     entry.kind = kind;
     const Queue_handle event = queue_.push(entry, std::move(certificate));
     if (event == no_event) return;
-    if (edge[0] >= scheduled_.size()) scheduled_.resize(this->graph().next_id());
-    scheduled_[edge[0]].push_back({edge[1], event});
+    const auto [id, other] = ends_of(edge)[0];
+    if (id >= scheduled_.size()) scheduled_.resize(this->graph().next_id());
+    scheduled_[id].push_back({other, event});
   }
 
   // Returns the entry of an edge; no_event if it has none.
-  Queue_handle forget(const Edge_ids& edge) {
-    if (edge[0] >= scheduled_.size()) return no_event;
-    auto& scheduled = scheduled_[edge[0]];
-    const auto found = std::ranges::find(scheduled, edge[1], &Scheduled_edge::other);
+  Queue_handle forget(const Edge_name& edge) {
+    const auto [id, other] = ends_of(edge)[0];
+    if (id >= scheduled_.size()) return no_event;
+    auto& scheduled = scheduled_[id];
+    const auto found = std::ranges::find(scheduled, other, &Scheduled_edge::other);
     if (found == scheduled.end()) return no_event;
     const Queue_handle event = found->event;
     *found = scheduled.back();
@@ -231,8 +239,8 @@ class Component_tracker final : private Edge_follower<Traits> {
   }
 
   void execute(const Entry& entry, const Time& time) {
-    const Point_2& p = this->graph().point(entry.edge[0]);
-    const Point_2& q = this->graph().point(entry.edge[1]);
+    const Image_2& p = this->first_end(entry.edge);
+    const Image_2& q = this->second_end(entry.edge);
     if (entry.kind == Entry_kind::end) {
       cut(entry.edge, time);
       push(entry.edge, Entry_kind::begin,
@@ -248,36 +256,64 @@ class Component_tracker final : private Edge_follower<Traits> {
 
   // ---- changes ----
 
-  std::vector<Edge_ids> edges_of(const auto& points) const {
-    std::vector<Edge_ids> edges;
+  std::vector<Edge_name> edges_of(const auto& points) const {
+    std::vector<Edge_name> edges;
     for (const auto& point : points) {
       if (!this->graph().contains(point.id)) continue;
-      for (const Point_id other : this->graph().neighbors(point.id)) {
-        edges.push_back(edge_ids(point.id, other));
+      for (const Neighbor& other : this->graph().neighbors(point.id)) {
+        edges.push_back(edge_to(point.id, other));
       }
     }
     return edges;
   }
 
-  void link(const Edge_ids& edge, const Time& time) {
+  // What an event tells of the components of two points.
+  struct Ends {
+    std::array<std::size_t, 2> sizes = {0, 0};
+    std::array<int, 2> directions = {0, 0};
+  };
+
+  Ends ends_at(const Edge_name& edge) const {
+    const auto [a, b] = ids_of(edge);
+    return {{connectivity_.size_of(a), connectivity_.size_of(b)},
+            {connectivity_.wrapping_directions(a), connectivity_.wrapping_directions(b)}};
+  }
+
+  void link(const Edge_name& edge, const Time& time) {
     if (connectivity_.is_edge(edge)) return;
-    const std::array<std::size_t, 2> sizes = sizes_at(edge);
-    if (connectivity_.add_edge(edge)) report(Kind::merge, time, edge, sizes);
+    const Ends ends = ends_at(edge);
+    if (connectivity_.add_edge(edge)) report_link(Kind::merge, time, edge, ends);
+    report_wrapping(time, edge, std::ranges::max(ends.directions));
   }
 
-  void cut(const Edge_ids& edge, const Time& time) {
-    if (!connectivity_.is_edge(edge) || !connectivity_.remove_edge(edge)) return;
-    report(Kind::split, time, edge, sizes_at(edge));
+  void cut(const Edge_name& edge, const Time& time) {
+    if (!connectivity_.is_edge(edge)) return;
+    const int before = connectivity_.wrapping_directions(ids_of(edge)[0]);
+    if (connectivity_.remove_edge(edge)) {
+      report_link(Kind::split, time, edge, ends_at(edge));
+    } else {
+      report_wrapping(time, edge, before);
+    }
   }
 
-  std::array<std::size_t, 2> sizes_at(const Edge_ids& edge) const {
-    return {connectivity_.size_of(edge[0]), connectivity_.size_of(edge[1])};
+  // The ends of a link that has begun or ended are in one component, for which `before` directions
+  // are known.
+  void report_wrapping(const Time& time, const Edge_name& edge, int before) {
+    const Point_id id = ids_of(edge)[0];
+    const int after = connectivity_.wrapping_directions(id);
+    if (before == after) return;
+    report_link(before < after ? Kind::wrap : Kind::unwrap, time, edge,
+                {{connectivity_.size_of(id), 0}, {before, after}});
   }
 
+  void report_link(Kind kind, const Time& time, const Edge_name& link, const Ends& ends) {
+    report(kind, time, ids_of(link), ends, offset_of(link));
+  }
   void report(Kind kind, const Time& time, const Edge_ids& points = {no_point, no_point},
-              const std::array<std::size_t, 2>& sizes = {0, 0}) {
-    events_.push_back(
-        {time, kind, points, sizes, connectivity_.number_of_components(), connectivity_.largest()});
+              const Ends& ends = {}, const Lattice_offset_2& offset = {}) {
+    events_.push_back({time, kind, points, ends.sizes, connectivity_.number_of_components(),
+                       connectivity_.largest(), offset, ends.directions,
+                       connectivity_.number_of_wrapping_components()});
     look_at_watched(time);
   }
 
@@ -297,7 +333,7 @@ class Component_tracker final : private Edge_follower<Traits> {
   }
 
   double range_;
-  Dynamic_connectivity connectivity_;
+  Connectivity connectivity_;
   std::vector<Component_event> events_;
   std::vector<Watched_pair> watched_;
   Queue queue_{*this};

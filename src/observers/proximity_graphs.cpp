@@ -95,15 +95,15 @@ class Edge_tests {
 }  // namespace
 
 template <class Traits>
-requires HasNearestNeighbors<Traits> std::vector<Edge_ids> gabriel_edges(
-    const Kinetic_triangulation_2<Traits>& triangulation) {
+requires HasNearestNeighbors<Traits> && PlanarKineticTraits_2<Traits> std::vector<Edge_ids>
+gabriel_edges(const Kinetic_triangulation_2<Traits>& triangulation) {
   const Edge_tests<Traits> tests(triangulation);
   return tests.all([&](const auto& e) { return tests.is_gabriel(e); });
 }
 
 template <class Traits>
-requires HasNearestNeighbors<Traits> std::vector<Edge_ids> relative_neighbor_edges(
-    const Kinetic_triangulation_2<Traits>& triangulation) {
+requires HasNearestNeighbors<Traits> && PlanarKineticTraits_2<Traits> std::vector<Edge_ids>
+relative_neighbor_edges(const Kinetic_triangulation_2<Traits>& triangulation) {
   const Edge_tests<Traits> tests(triangulation);
   return tests.all([&](const auto& e) { return tests.is_relative_neighbor(e); });
 }

@@ -125,7 +125,7 @@ class Search {
 }  // namespace
 
 template <class Traits>
-requires HasNearestNeighbors<Traits> Widest_path
+requires HasNearestNeighbors<Traits> && PlanarKineticTraits_2<Traits> Widest_path
 widest_path(const Kinetic_triangulation_2<Traits>& triangulation, const Vector_2& from,
             const Vector_2& to) {
   KINETRI_PRECONDITION(
@@ -135,8 +135,10 @@ widest_path(const Kinetic_triangulation_2<Traits>& triangulation, const Vector_2
 }
 
 template <class Traits>
-requires HasNearestNeighbors<Traits> std::optional<Algebraic_number> end_of_path(
-    const Kinetic_triangulation_2<Traits>& triangulation, const Widest_path& path, double width) {
+requires HasNearestNeighbors<Traits> && PlanarKineticTraits_2<Traits>
+    std::optional<Algebraic_number> end_of_path(
+        const Kinetic_triangulation_2<Traits>& triangulation, const Widest_path& path,
+        double width) {
   KINETRI_PRECONDITION(std::isfinite(width) && width >= 0, "the width is negative or not finite");
   // Failures are exact; a certificate that holds until some time is checked again from there.
   const Traits& traits = triangulation.traits();

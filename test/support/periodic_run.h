@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -139,6 +140,59 @@ class Periodic_run {
         }
       }
     }
+  }
+
+  /// The pairs of images that are at most `range` apart just after the present time, a half
+  /// integer.
+  std::set<Periodic_edge> links_after(double range) const {
+    std::set<Periodic_edge> result;
+    const Rational now = to_rational(kinetic_.current_time().to_double());
+    for_each_pair(range, [&](const Periodic_edge& pair, const auto& p, const auto& q) {
+      const auto& [a, b] = pair.ids;
+      if (!kinetic_.contains(a) || !kinetic_.contains(b)) return;
+      // The squared distance less that of the range: its value and derivatives now, by differences.
+      const auto value = [&](const Rational& t) {
+        return Rational(
+            CGAL::squared_distance(place_at(p.back().motion, t), place_at(q.back().motion, t)) -
+            to_rational(range) * to_rational(range));
+      };
+      const Rational here = value(now);
+      const Rational slope = (value(now + 1) - value(now - 1)) / 2;
+      const Rational curvature = value(now + 1) - 2 * here + value(now - 1);
+      const bool is_farther =
+          here > 0 || (here == 0 && (slope > 0 || (slope == 0 && curvature > 0)));
+      if (!is_farther) result.insert(pair);
+    });
+    return result;
+  }
+
+  /// Offsets of images of q, among them that of the nearest one to p at a time, and of all that are
+  /// about as near: those of a distance of at most the sum of the lengths of the lattice vectors.
+  std::vector<Lattice_offset_2> offsets_near(const Linear_motion_2& p, const Linear_motion_2& q,
+                                             const Rational& now) const {
+    const double t = to_double(now);
+    const Vector_2 a = rounded_place(box_.first(), t);
+    const Vector_2 b = rounded_place(box_.second(), t);
+    const Vector_2 place_p = rounded_place(p, t);
+    const Vector_2 place_q = rounded_place(q, t);
+    const Vector_2 d = {place_p.x - place_q.x, place_p.y - place_q.y};
+    const double reach = std::hypot(a.x, a.y) + std::hypot(b.x, b.y);
+    const double determinant = a.x * b.y - a.y * b.x;
+    const double k0 = (d.x * b.y - d.y * b.x) / determinant;
+    const double l0 = (a.x * d.y - a.y * d.x) / determinant;
+    const int most_k = 1 + static_cast<int>(reach * std::hypot(b.x, b.y) / determinant);
+    const int most_l = 1 + static_cast<int>(reach * std::hypot(a.x, a.y) / determinant);
+    std::vector<Lattice_offset_2> result;
+    for (int k = -most_k; k <= most_k; ++k) {
+      for (int l = -most_l; l <= most_l; ++l) {
+        const int x = static_cast<int>(std::lround(k0)) + k;
+        const int y = static_cast<int>(std::lround(l0)) + l;
+        const double away_x = d.x - x * a.x - y * b.x;
+        const double away_y = d.y - x * a.y - y * b.y;
+        if (std::hypot(away_x, away_y) <= 1.001 * reach) result.push_back({x, y});
+      }
+    }
+    return result;
   }
 
   static constexpr double end = 4;

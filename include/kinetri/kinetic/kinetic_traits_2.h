@@ -3,9 +3,9 @@
 // The concepts KineticTraits_2, what the kinetic triangulation requires of a model of motion;
 // BatchKineticTraits_2, several certificates in one call, for speed; WeightedKineticTraits_2,
 // points with weights, such as discs; PeriodicKineticTraits_2, points in a periodic box;
-// DistanceKineticTraits_2, what ranges and nearest points require; ContactKineticTraits_2, what walls
-// and colliding discs require; and PeriodicContactKineticTraits_2, what colliding discs in a periodic
-// box require.
+// DistanceKineticTraits_2, what ranges and nearest points require; ContactKineticTraits_2, what
+// walls and colliding discs require; and PeriodicContactKineticTraits_2, what colliding discs in a
+// periodic box require.
 #ifndef KINETRI_KINETIC_KINETIC_TRAITS_2_H
 #define KINETRI_KINETIC_KINETIC_TRAITS_2_H
 
@@ -220,6 +220,11 @@ concept PeriodicKineticTraits_2 = KineticTraits_2<Traits> &&
   { traits.mirrored() } -> std::same_as<Traits>;
 };
 
+/// Traits of points in the plane, not in a periodic box. What has no meaning in a periodic box, or
+/// is not made for one, requires them: so the compiler says it.
+template <class Traits>
+concept PlanarKineticTraits_2 = KineticTraits_2<Traits> && !PeriodicKineticTraits_2<Traits>;
+
 /// A model of KineticTraits_2 with certificates of distances, which tell which points are near; in
 /// a periodic box, which images of points. "At most `range` apart" includes equality. The distance
 /// of discs with radii is the gap between their boundaries.
@@ -268,8 +273,8 @@ concept DistanceKineticTraits_2 = KineticTraits_2<Traits> &&
 /// | `do_approach(p, q, t)` | whether the distance of p and q decreases just after t |
 /// | `has_approach_speed(p, q, t)` | whether the derivative of their squared distance is negative |
 /// | `has_approach_speed(p, wall, t)` | whether p has a velocity at t that is outward |
-/// | `may_overlap(p, q, diameter, t)` | whether it is less than that just after t, or unsure; fast
-/// | | `is_inside(p, wall, t)` | whether p is on the inner side of the bound at t, or at it |
+/// | `may_overlap(p, q, diameter, t)` | whether they overlap just after t, or perhaps; fast |
+/// | `is_inside(p, wall, t)` | whether p is on the inner side of the bound at t, or at it |
 ///
 /// Points that are discs themselves (HasWeight) add their radii at each time to `diameter`, which
 /// is then usually 0, and to the clearance of a wall with `rim_touches`. They approach if their
@@ -288,7 +293,7 @@ concept DistanceKineticTraits_2 = KineticTraits_2<Traits> &&
 /// `with_velocity_at(motion, velocity, t)`, `at_rest_at(motion, t)`, `is_at_rest(motion)`, and
 /// `clamped_inside(motion, wall, times)`.
 template <class Traits>
-concept ContactKineticTraits_2 = DistanceKineticTraits_2<Traits> &&
+concept ContactKineticTraits_2 = PlanarKineticTraits_2<Traits> && DistanceKineticTraits_2<Traits> &&
     MotionWithVelocity_2<typename Traits::Motion> &&
     requires(const Traits traits, const typename Traits::Motion motion,
              const typename Traits::Point_2 p, const Algebraic_number t, const Wall_2 wall,

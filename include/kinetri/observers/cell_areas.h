@@ -62,7 +62,7 @@ struct Cell_area {
 /// near walls, as much for each triangle of the walkable area that the cell meets. Exact arithmetic
 /// only if positions almost coincide, or lie almost on a wall. Throws Precondition_error as
 /// Cell_limits::check.
-template <KineticTraits_2 Traits>
+template <PlanarKineticTraits_2 Traits>
 std::vector<Cell_area> cell_areas(const Kinetic_triangulation_2<Traits>& triangulation,
                                   const Cell_limits& limits);
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kinetri/impl/observers/neighbor_names.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
@@ -22,10 +23,12 @@ enum class Component_event_kind : std::uint8_t {
   split,   ///< a component becomes two
   insert,  ///< a point is inserted, as a component of its own; merges follow
   erase,   ///< a point is erased that is a component of its own, after splits
+  wrap,    ///< in a periodic box: a component begins to wrap around it, in a further direction
+  unwrap,  ///< in a periodic box: a component ceases to wrap around it, in a direction
 };
 
 /// The number of kinds.
-inline constexpr std::size_t component_event_kinds = 5;
+inline constexpr std::size_t component_event_kinds = 7;
 
 /// The kind's name in files: "start", "merge", ...
 std::string_view name(Component_event_kind kind);
@@ -36,12 +39,21 @@ struct Component_event {
   Component_event_kind kind = Component_event_kind::start;  ///< what happens
   /// Of a merge or split, the ends of the link that joins, or joined, the two components. Their
   /// distance is the range exactly, unless one of them is inserted, erased, or jumps at that time.
-  /// Of an insert or erase, the point and no_point. Of a start none.
+  /// Of a wrap or unwrap, the ends of the link by which the component wraps, or did. Of an insert
+  /// or erase, the point and no_point. Of a start none.
   Edge_ids points = {no_point, no_point};
-  /// The sizes of the two components: before a merge, after a split.
+  /// The sizes of the two components: before a merge, after a split. Of a wrap or unwrap, the size
+  /// of the component, and 0.
   std::array<std::size_t, 2> sizes = {0, 0};
   std::size_t components = 0;  ///< the number of components after the event
   std::size_t largest = 0;     ///< the number of points in the largest one after it
+  /// In a periodic box, `points` and this are a Periodic_edge: the link is that of the first point
+  /// with this image of the second one. Else zero.
+  Lattice_offset_2 offset = {};
+  /// In a periodic box, in how many directions the two components wrap: before a merge, after a
+  /// split. Of a wrap or unwrap, in how many the component does before the event, and after it.
+  std::array<int, 2> directions = {0, 0};
+  std::size_t wrapping = 0;  ///< the number of components that wrap after the event
 };
 
 /// Times from the first to the last, both included.
@@ -51,7 +63,7 @@ struct Time_interval {
 };
 
 namespace detail {
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 class Component_tracker;
 }  // namespace detail
 
@@ -75,7 +87,19 @@ class Component_tracker;
 ///
 /// Answers are for just after the current time; changes made afterwards at the same time come later
 /// in the order.
-template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
+///
+/// *In a periodic box* links are those of images; a point is linked to itself if it is at most the
+/// range from an image of itself. A component *wraps* around the box if a path along links leads
+/// from a point to another image of that point. The paths of a component lead to images in one
+/// direction, or in two independent ones: then it percolates in the whole plane. Events `wrap` and
+/// `unwrap` tell when that begins and ends, exactly; merges come with the directions of both
+/// components, and the joined one wraps in the greater number of directions, unless a `wrap` at
+/// that time follows. If a link of a component that wraps ends, the search costs O(component) more
+/// unless the shortest way between its ends is one without a net offset. A point that jumps takes
+/// the straight way between its positions as given, which counts as a link at that time, also
+/// if it jumps to another image of itself. A point that is erased and one that is inserted at the
+/// same time are not linked.
+template <DistanceKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Connected_components {
   static_assert(!HasWeight<typename Traits::Motion>, "of points, or discs of one radius");
 
@@ -86,7 +110,8 @@ class Connected_components {
   /// @{
   /// Observes from the current time on. What is observed must outlive this object. Precondition:
   /// the range is at least 0 and finite.
-  Connected_components(Simulation_2<Traits>& simulation, double range);
+  Connected_components(detail::Simulation_of<Traits>& simulation,
+                       double range) requires ContactKineticTraits_2<Traits>;
   Connected_components(Triangulation& triangulation, double range);
   /// @}
   ~Connected_components();
@@ -110,6 +135,11 @@ class Connected_components {
   std::size_t number_of_components();
   /// The number of points in a component that has the most; 0 if there is none.
   std::size_t largest();
+  /// In how many independent directions the component of a point wraps around a periodic box: 0, 1
+  /// or 2. Precondition: contains(id).
+  int wrapping_directions(Point_id id);
+  /// The number of components that wrap around a periodic box; 0 in the plane.
+  std::size_t number_of_wrapping_components();
 
   /// Records from the current time on when the two points are connected. They need not exist yet.
   /// Cost: O(1) for each pair and event. Precondition: they differ.
@@ -124,8 +154,13 @@ class Connected_components {
   std::unique_ptr<Tracker> tracker_;
 };
 
+/// The traits follow from the simulation.
+template <ContactKineticTraits_2 Traits>
+Connected_components(Simulation_2<Traits>&, double) -> Connected_components<Traits>;
+
 extern template class Connected_components<Linear_kinetic_traits_2>;
 extern template class Connected_components<Polynomial_kinetic_traits_2>;
+extern template class Connected_components<Periodic_kinetic_traits_2>;
 
 }  // namespace kinetri
 

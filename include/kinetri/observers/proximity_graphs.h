@@ -28,8 +28,8 @@ namespace kinetri {
 /// Sokal, Properties of Gabriel graphs relevant to geographic variation research and the clustering
 /// of points in the plane, Geographical Analysis 12, 1980.
 template <class Traits>
-requires HasNearestNeighbors<Traits> std::vector<Edge_ids> gabriel_edges(
-    const Kinetic_triangulation_2<Traits>& triangulation);
+requires HasNearestNeighbors<Traits> && PlanarKineticTraits_2<Traits> std::vector<Edge_ids>
+gabriel_edges(const Kinetic_triangulation_2<Traits>& triangulation);
 
 /// The edges of the relative neighborhood graph just after the current time, exactly, sorted: the
 /// pairs of points a and b with no other point c that is nearer to both than they are to each
@@ -42,8 +42,8 @@ requires HasNearestNeighbors<Traits> std::vector<Edge_ids> gabriel_edges(
 /// Source: G. T. Toussaint, The relative neighbourhood graph of a finite planar set, Pattern
 /// Recognition 12, 1980.
 template <class Traits>
-requires HasNearestNeighbors<Traits> std::vector<Edge_ids> relative_neighbor_edges(
-    const Kinetic_triangulation_2<Traits>& triangulation);
+requires HasNearestNeighbors<Traits> && PlanarKineticTraits_2<Traits> std::vector<Edge_ids>
+relative_neighbor_edges(const Kinetic_triangulation_2<Traits>& triangulation);
 
 /// @cond
 #define KINETRI_PROXIMITY_GRAPHS(declaration, Traits)                                      \

@@ -55,7 +55,7 @@ struct Widest_path {
 /// Cost: that of locating the positions, and O(k log k) exact comparisons for the k triangles that
 /// are reachable across gaps that are not narrower; k = O(n).
 template <class Traits>
-requires HasNearestNeighbors<Traits> Widest_path widest_path(
+requires HasNearestNeighbors<Traits> && PlanarKineticTraits_2<Traits> Widest_path widest_path(
     const Kinetic_triangulation_2<Traits>& triangulation, const Vector_2& from, const Vector_2& to);
 
 /// The first time, from the current one on, at which the path may end under the present motions: a
@@ -67,8 +67,10 @@ requires HasNearestNeighbors<Traits> Widest_path widest_path(
 /// Precondition: `path` is the result of widest_path for the present triangulation; `width` is at
 /// least 0 and finite. (For discs of radius r about the points, add 2r to the width.)
 template <class Traits>
-requires HasNearestNeighbors<Traits> std::optional<Algebraic_number> end_of_path(
-    const Kinetic_triangulation_2<Traits>& triangulation, const Widest_path& path, double width);
+requires HasNearestNeighbors<Traits> && PlanarKineticTraits_2<Traits>
+    std::optional<Algebraic_number> end_of_path(
+        const Kinetic_triangulation_2<Traits>& triangulation, const Widest_path& path,
+        double width);
 
 /// @cond
 #define KINETRI_WIDEST_PATH(declaration, Traits)                                                  \
