@@ -7,35 +7,36 @@
 
 namespace kinetri {
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits> Nearest_neighbors<Traits>::Nearest_neighbors(
-    Simulation_2<Traits>& simulation, On_change on_change)
-    : tracker_(
-          std::make_unique<detail::Nearest_tracker<Traits>>(simulation, std::move(on_change))) {}
+    detail::Simulation_of<Traits>& simulation, On_change on_change)
+requires ContactKineticTraits_2<Traits>
+    : tracker_(std::make_unique<detail::Nearest_tracker<Traits>>(simulation,
+                                                                 std::move(on_change))) {}
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits> Nearest_neighbors<Traits>::Nearest_neighbors(
     Triangulation& triangulation, On_change on_change)
     : tracker_(
           std::make_unique<detail::Nearest_tracker<Traits>>(triangulation, std::move(on_change))) {}
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits> Nearest_neighbors<Traits>::~Nearest_neighbors() = default;
 
-template <ContactKineticTraits_2 Traits>
-requires HasNearestNeighbors<Traits> std::optional<Point_id>
-Nearest_neighbors<Traits>::nearest_neighbor(Point_id id) {
-  const Point_id nearest = tracker_->nearest(id);
-  return nearest == no_point ? std::nullopt : std::optional(nearest);
+template <DistanceKineticTraits_2 Traits>
+requires HasNearestNeighbors<Traits>
+auto Nearest_neighbors<Traits>::nearest_neighbor(Point_id id) -> std::optional<Neighbor> {
+  const Neighbor nearest = tracker_->nearest(id);
+  return detail::id_of(nearest) == no_point ? std::nullopt : std::optional(nearest);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits>
-const std::vector<Point_id>& Nearest_neighbors<Traits>::nearest_neighbors() {
+auto Nearest_neighbors<Traits>::nearest_neighbors() -> const std::vector<Neighbor>& {
   return tracker_->all_nearest();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits>
 const std::vector<Nearest_neighbor_change>& Nearest_neighbors<Traits>::changes() {
   return tracker_->changes();
@@ -43,5 +44,6 @@ const std::vector<Nearest_neighbor_change>& Nearest_neighbors<Traits>::changes()
 
 template class Nearest_neighbors<Linear_kinetic_traits_2>;
 template class Nearest_neighbors<Polynomial_kinetic_traits_2>;
+template class Nearest_neighbors<Periodic_kinetic_traits_2>;
 
 }  // namespace kinetri

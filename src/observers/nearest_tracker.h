@@ -22,9 +22,11 @@ namespace kinetri::detail {
 
 /// Invariant, at the last reported time: each point has its nearest neighbor, and an entry in the
 /// queue with the first time at which another neighbor becomes nearer, if one does.
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 class Nearest_tracker final : private Edge_follower<Traits> {
  public:
+  using typename Edge_follower<Traits>::Edge_name;
+  using typename Edge_follower<Traits>::Neighbor;
   using typename Edge_follower<Traits>::Time;
   using Change = Nearest_neighbor_change;
   using On_change = std::function<void(const Change&)>;
@@ -34,22 +36,22 @@ class Nearest_tracker final : private Edge_follower<Traits> {
   Nearest_tracker(Observed& observed, On_change on_change)
       : Edge_follower<Traits>(observed),
         on_change_(std::move(on_change)),
-        nearest_(this->graph().next_id(), no_point),
+        nearest_(this->graph().next_id(), no_neighbor<Traits>()),
         handles_(nearest_.size(), no_event) {
     for (Point_id id = 0; id < this->graph().next_id(); ++id) {
       if (this->graph().contains(id)) look_again(id, this->triangulation().current_time());
     }
   }
 
-  Point_id nearest(Point_id id) {
+  Neighbor nearest(Point_id id) {
     this->update();
     KINETRI_PRECONDITION(this->graph().contains(id),
                          "there is no point with the id " + std::to_string(id));
     return nearest_[id];
   }
-  const std::vector<Point_id>& all_nearest() {
+  const std::vector<Neighbor>& all_nearest() {
     this->update();
-    nearest_.resize(this->triangulation().next_id(), no_point);
+    nearest_.resize(this->triangulation().next_id(), no_neighbor<Traits>());
     return nearest_;
   }
   const std::vector<Change>& changes() {
@@ -64,8 +66,8 @@ class Nearest_tracker final : private Edge_follower<Traits> {
   // The first failure of the nearest neighbor of a point.
   struct Entry : Failure {
     Point_id id = no_point;
-    Point_id nearest = no_point;
-    Point_id rival = no_point;  // becomes nearer than `nearest`
+    Neighbor nearest = {};
+    Neighbor rival = {};  // becomes nearer than `nearest`
   };
   using Queue = Failure_queue<Entry, Nearest_tracker>;
   friend Queue;
@@ -87,17 +89,18 @@ class Nearest_tracker final : private Edge_follower<Traits> {
 
   // To be updated: changed points and their neighbors, and points that lose the neighbor of their
   // entry or their nearest one.
-  void before_change(std::span<const Edge_ids> removed,
+  void before_change(std::span<const Edge_name> removed,
                      std::span<const Changed_point> points) override {
     again_.clear();
     for (const auto& changed : points) {
       again_.push_back(changed.id);
       if (!changed.before) continue;
-      const auto neighbors = this->graph().neighbors(changed.id);
-      again_.insert(again_.end(), neighbors.begin(), neighbors.end());
+      for (const Neighbor& other : this->graph().neighbors(changed.id)) {
+        again_.push_back(id_of(other));
+      }
     }
-    for (const Edge_ids& edge : removed) {
-      for (const auto& [id, other] : {std::pair(edge[0], edge[1]), std::pair(edge[1], edge[0])}) {
+    for (const Edge_name& edge : removed) {
+      for (const auto& [id, other] : ends_of(edge)) {
         const bool is_rival = handles_[id] != no_event && queue_[handles_[id]].rival == other;
         if (is_rival || nearest_[id] == other) again_.push_back(id);
       }
@@ -107,19 +110,20 @@ class Nearest_tracker final : private Edge_follower<Traits> {
     for (const Point_id id : again_) unschedule(id);
   }
 
-  void change(const Time& time, std::span<const Edge_ids> /*removed*/,
-              std::span<const Edge_ids> added, std::span<const Changed_point> /*points*/) override {
-    nearest_.resize(this->triangulation().next_id(), no_point);
+  void change(const Time& time, std::span<const Edge_name> /*removed*/,
+              std::span<const Edge_name> added,
+              std::span<const Changed_point> /*points*/) override {
+    nearest_.resize(this->triangulation().next_id(), no_neighbor<Traits>());
     handles_.resize(nearest_.size(), no_event);
     for (const Point_id id : again_) {
       if (this->graph().contains(id)) {
         look_again(id, time);
       } else {
-        set_nearest(id, no_point, time);
+        set_nearest(id, no_neighbor<Traits>(), time);
       }
     }
-    for (const Edge_ids& edge : added) {
-      for (const auto& [id, other] : {std::pair(edge[0], edge[1]), std::pair(edge[1], edge[0])}) {
+    for (const Edge_name& edge : added) {
+      for (const auto& [id, other] : ends_of(edge)) {
         if (!std::ranges::binary_search(again_, id)) look_at(id, other, time);
       }
     }
@@ -127,11 +131,11 @@ class Nearest_tracker final : private Edge_follower<Traits> {
 
   // ---- the nearest one ----
 
-  // Whether a is nearer than b, or equally near with the smaller id.
-  bool is_nearer(Point_id id, Point_id a, Point_id b, const Instant& after) const {
+  // Whether a is nearer than b, or equally near with the smaller name.
+  bool is_nearer(Point_id id, const Neighbor& a, const Neighbor& b, const Instant& after) const {
     const auto instantaneous = this->traits().instantaneous_traits(after);
-    const auto order = instantaneous.compare_distance_2_object()(
-        this->graph().point(id), this->graph().point(a), this->graph().point(b));
+    const auto order =
+        instantaneous.compare_distance_2_object()(this->itself(id), this->image(a), this->image(b));
     return order == CGAL::EQUAL ? a < b : order == CGAL::SMALLER;
   }
 
@@ -140,13 +144,13 @@ class Nearest_tracker final : private Edge_follower<Traits> {
   void look_again(Point_id id, const Time& time) {
     const auto neighbors = this->graph().neighbors(id);
     const Instant after = {time, Time_side::after};
-    Point_id nearest = no_point;
-    for (const Point_id other : neighbors) {
-      if (nearest == no_point || is_nearer(id, other, nearest, after)) nearest = other;
+    Neighbor nearest = no_neighbor<Traits>();
+    for (const Neighbor& other : neighbors) {
+      if (id_of(nearest) == no_point || is_nearer(id, other, nearest, after)) nearest = other;
     }
     set_nearest(id, nearest, time);
     std::optional<Next_failure> first;
-    for (const Point_id other : neighbors) {
+    for (const Neighbor& other : neighbors) {
       if (other == nearest) continue;
       std::optional<Next_failure> next = failure(id, nearest, other, time);
       if (next && (!first || is_before(*next, *first))) first = std::move(next);
@@ -155,9 +159,9 @@ class Nearest_tracker final : private Edge_follower<Traits> {
   }
 
   // A point has got a further neighbor.
-  void look_at(Point_id id, Point_id other, const Time& time) {
-    const Point_id nearest = nearest_[id];
-    if (nearest == no_point || is_nearer(id, other, nearest, {time, Time_side::after})) {
+  void look_at(Point_id id, const Neighbor& other, const Time& time) {
+    const Neighbor nearest = nearest_[id];
+    if (id_of(nearest) == no_point || is_nearer(id, other, nearest, {time, Time_side::after})) {
       unschedule(id);
       look_again(id, time);
       return;
@@ -174,7 +178,7 @@ class Nearest_tracker final : private Edge_follower<Traits> {
     push(std::move(*next));
   }
 
-  void set_nearest(Point_id id, Point_id nearest, const Time& time) {
+  void set_nearest(Point_id id, const Neighbor& nearest, const Time& time) {
     if (nearest_[id] == nearest) return;
     if (changed_.empty() || changed_at_ != time) {
       report();
@@ -187,7 +191,11 @@ class Nearest_tracker final : private Edge_follower<Traits> {
   void report() {
     for (const auto& [id, before] : std::exchange(changed_, {})) {
       if (before == nearest_[id]) continue;
-      const Change change = {changed_at_, id, before, nearest_[id]};
+      Change change = {changed_at_, id, id_of(before), id_of(nearest_[id])};
+      if constexpr (Edge_follower<Traits>::is_periodic) {
+        change.before_offset = before.offset;
+        change.after_offset = nearest_[id].offset;
+      }
       if (on_change_) {
         on_change_(change);
       } else {
@@ -198,15 +206,15 @@ class Nearest_tracker final : private Edge_follower<Traits> {
 
   // ---- failures ----
 
-  std::optional<Next_failure> failure(Point_id id, Point_id nearest, Point_id rival,
+  std::optional<Next_failure> failure(Point_id id, const Neighbor& nearest, const Neighbor& rival,
                                       const Time& time) const {
-    const auto& p = this->graph().point(id);
+    const auto& p = this->itself(id);
     Next_failure result;
     result.entry.id = id;
     result.entry.nearest = nearest;
     result.entry.rival = rival;
-    result.certificate = this->traits().closer_certificate(p, this->graph().point(nearest), p,
-                                                           this->graph().point(rival), time);
+    result.certificate =
+        this->traits().closer_certificate(p, this->image(nearest), p, this->image(rival), time);
     if (result.certificate.kind == Certificate::Kind::never_fails) return std::nullopt;
     return result;
   }
@@ -236,18 +244,18 @@ class Nearest_tracker final : private Edge_follower<Traits> {
   }
 
   Time failure_time(const Entry& entry) const {
-    const auto& p = this->graph().point(entry.id);
-    return this->traits().closer_failure(p, this->graph().point(entry.nearest), p,
-                                         this->graph().point(entry.rival), entry.bounds);
+    const auto& p = this->itself(entry.id);
+    return this->traits().closer_failure(p, this->image(entry.nearest), p, this->image(entry.rival),
+                                         entry.bounds);
   }
   bool precedes(const Entry& a, const Entry& b) const { return a.id < b.id; }
 
   On_change on_change_;
-  std::vector<Point_id> nearest_;
+  std::vector<Neighbor> nearest_;
   std::vector<Queue_handle> handles_;  // by id; no_event of none
   std::vector<Change> changes_;
   // The unreported changes at `changed_at_`: the nearest neighbors before.
-  std::map<Point_id, Point_id> changed_;
+  std::map<Point_id, Neighbor> changed_;
   Time changed_at_;
   std::vector<Point_id> again_;  // to be updated in the present change; sorted
   Queue queue_{*this};

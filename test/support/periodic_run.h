@@ -167,7 +167,8 @@ class Periodic_run {
   }
 
   /// Offsets of images of q, among them that of the nearest one to p at a time, and of all that are
-  /// about as near: those of a distance of at most the sum of the lengths of the lattice vectors.
+  /// about as near: those of a distance of at most half the sum of the lengths of the lattice
+  /// vectors.
   std::vector<Lattice_offset_2> offsets_near(const Linear_motion_2& p, const Linear_motion_2& q,
                                              const Rational& now) const {
     const double t = to_double(now);
@@ -176,7 +177,7 @@ class Periodic_run {
     const Vector_2 place_p = rounded_place(p, t);
     const Vector_2 place_q = rounded_place(q, t);
     const Vector_2 d = {place_p.x - place_q.x, place_p.y - place_q.y};
-    const double reach = std::hypot(a.x, a.y) + std::hypot(b.x, b.y);
+    const double reach = (std::hypot(a.x, a.y) + std::hypot(b.x, b.y)) / 2;
     const double determinant = a.x * b.y - a.y * b.x;
     const double k0 = (d.x * b.y - d.y * b.x) / determinant;
     const double l0 = (a.x * d.y - a.y * d.x) / determinant;
