@@ -248,7 +248,10 @@ Tracks_file read_tracks(std::istream& in, const std::string& name,
   const bool is_of_atoms =
       file.format == Tracks_format::lammps || file.format == Tracks_format::xyz;
   if (options.unwrap != Tracks_unwrap::refused && !is_of_atoms) {
-    throw Input_error(name, 0, "has no periodic box; expected no --unwrap");
+    throw Input_error(
+        name, 0,
+        joined("has no periodic box; expected no ",
+               options.unwrap == Tracks_unwrap::periodic ? "--periodic" : "--unwrap"));
   }
   if (!options.date_format.empty() && is_form_of_day(options.date_format) && file.origin.empty()) {
     expect_one_day(file, name);

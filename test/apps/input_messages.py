@@ -156,7 +156,10 @@ def meaning_cases():
     yield case("tracks t.csv --columns t=t,t=u", column="t")
     yield case("tracks t.csv --columns ''")
     yield case("tracks t.csv --date-format %m", format="%m")
-    yield case("tracks t.csv --unwrap nearest", file="t.csv")
+    yield case("tracks t.csv --unwrap nearest", file="t.csv", option="--unwrap")
+    yield case("tracks t.csv --periodic", file="t.csv", option="--periodic")
+    for option in ("--unwrap nearest", "--closest 3", "--verify", "--collisions log", "--areas n --cutoff 1", "--range 1"):
+        yield case(f"tracks t.csv --periodic {option}", option=option.split()[0])
     yield case("tracks t.csv --format rows --columns t=t,id=id,x=x,y=y", file="t.csv", format="rows")
     yield simulate("--fps 5", option="--fps,--frames-per-time")
     yield simulate("--frames-per-time 5", option="--fps,--frames-per-time")

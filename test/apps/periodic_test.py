@@ -9,6 +9,7 @@ import csv
 import io
 import itertools
 import json
+import math
 import pathlib
 import random
 import re
@@ -257,6 +258,78 @@ class Periodic(In_folder):
         self.assertEqual(len(drawn), 3)
         refused = self.run_program("render r.html --output p.svg --view edge=0-0,1", code=2)
         self.assertIn("edge: '0-0,1' is not possible", refused.stderr)
+
+    def dump(self, points, times, columns="id x y", present=lambda i, t: True, name="d.lammpstrj"):
+        """Writes a dump of the points, which move on straight lines, in a box of 8 and 10, tilted by 2. Numbers are
+        exact."""
+        lines = []
+        for t in times:
+            atoms = [i for i in range(len(points)) if present(i, t)]
+            lines += ["ITEM: TIMESTEP", str(t), "ITEM: NUMBER OF ATOMS", str(len(atoms)),
+                      "ITEM: BOX BOUNDS xy xz yz pp pp pp", "0 10 2", "0 10 0", "-1 1 0", f"ITEM: ATOMS {columns}"]
+            for i in atoms:
+                x, y, vx, vy = points[i]
+                x, y = x + vx * t, y + vy * t
+                l = math.floor(y / 10)
+                k = math.floor((x - 2 * l - (y - 10 * l) / 5) / 8)
+                values = {"id": i, "x": x - 8 * k - 2 * l, "y": y - 10 * l, "ix": k, "iy": l, "xu": x, "yu": y}
+                lines.append(" ".join(str(values[column]) for column in columns.split()))
+        self.write(name, "\n".join(lines) + "\n")
+
+    def test_tracks_are_the_run_of_their_motions(self):
+        """Straight motions, of which a dump has places: the same events and edges as those of the motions. All points
+        begin in the box, so that offsets are against the same positions."""
+        generator = random.Random(11)
+        points = [(x % 5 + 2, y % 8 + 1, vx, vy) for x, y, vx, vy in random_points(generator, 15, 8)]
+        outputs = "--events e.csv --edges f.csv --initial-edges i.csv --quiet --audit end"
+        self.run_program(f"simulate p.csv --until 4 --periodic 8,10,2 {outputs}", text_of(points))
+        flips = [(row["time"], edge_of(row, "removed"), edge_of(row, "added")) for row in self.rows() if row["kind"] == "flip"]
+        edges, initial = edges_in(self.read("f.csv")), edges_in(self.read("i.csv"))
+        self.assertGreater(len(flips), 30)
+        for columns in ("id x y", "id x y ix iy", "id xu yu"):
+            self.dump(points, range(6), columns)
+            self.run_program(f"tracks d.lammpstrj --periodic --until 4 {outputs}")
+            found = [(row["time"], edge_of(row, "removed"), edge_of(row, "added"))
+                     for row in self.rows() if row["kind"] == "flip"]
+            self.assertEqual([time for time, *_ in found], [time for time, *_ in flips], columns)
+            self.assertEqual(found, flips, columns)
+            self.assertEqual(edges_in(self.read("f.csv")), edges)
+            self.assertEqual(edges_in(self.read("i.csv")), initial)
+            # Motions go on as before at each frame, which the log says all the same.
+            self.assertEqual(sum(row["kind"] == "trajectory" for row in self.rows()), 4 * len(points))
+
+    def test_tracks_that_come_and_go(self):
+        generator = random.Random(12)
+        points = [(x % 5 + 2, y % 8 + 1, vx, vy) for x, y, vx, vy in random_points(generator, 12, 8)]
+        self.dump(points, range(6), present=lambda i, t: i % 3 == 0 or (t > 1 if i % 3 == 1 else t < 4))
+        done = self.run_program("tracks d.lammpstrj --periodic --events e.csv --edges f.csv --ids n.csv --html r.html "
+                                "--frames f --audit events")
+        self.assertIn("0 failed", done.stderr)
+        kinds = [row["kind"] for row in self.rows()]
+        self.assertEqual((kinds.count("insert"), kinds.count("erase")), (4, 12))
+        self.assertEqual(edges_in(self.read("f.csv")), [])
+        self.assertEqual(self.read("n.csv").splitlines()[0], "point,id,first,last")
+        self.run_program("render r.html --at 2.5 --output p.svg")
+        # From 2 on all twelve are there.
+        self.run_program("tracks d.lammpstrj --periodic --until 2.5 --edges f.csv --quiet")
+        self.assertEqual(len(edges_in(self.read("f.csv"))), 3 * 12)
+
+    def test_tracks_without_one_periodic_box_are_refused(self):
+        points = [(1, 1, 1, 0), (4, 4, 0, 1), (2, 7, 1, 1)]
+        self.dump(points, range(3))
+        text = self.read("d.lammpstrj")
+        refused = self.run_program("tracks d.lammpstrj --periodic --verify", code=2)
+        self.assertIn("--verify: is not for periodic boxes", refused.stderr)
+        self.write("d.lammpstrj", text.replace("pp pp pp", "pp ff pp"))
+        refused = self.run_program("tracks d.lammpstrj --periodic", code=2)
+        self.assertIn("d.lammpstrj: has no box that is periodic in two directions of the plane", refused.stderr)
+        at = text.rindex("0 10 2")
+        self.write("d.lammpstrj", text[:at] + "0 11 2" + text[at + 6:])
+        refused = self.run_program("tracks d.lammpstrj --periodic", code=2)
+        self.assertRegex(refused.stderr, r"d.lammpstrj:\d+: the box differs from that of the frames before")
+        self.write("t.csv", "t,id,x,y\n0,a,0,0\n1,a,1,1\n")
+        refused = self.run_program("tracks t.csv --periodic", code=2)
+        self.assertIn("t.csv: has no periodic box", refused.stderr)
 
     def test_logs_in_the_plane_have_no_offsets(self):
         self.run_program("simulate p.csv --until 3 --events e.csv --edges f.csv",

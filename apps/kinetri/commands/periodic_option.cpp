@@ -21,7 +21,7 @@ void add_periodic_options(Command& command, Periodic_options& options) {
       "in a unit of time (default 0)");
 }
 
-Periodic_settings periodic_settings(const Periodic_options& options) {
+Box_of_options periodic_box(const Periodic_options& options) {
   const std::string& text = *options.periodic;
   const std::vector<double> numbers =
       numbers_argument("--periodic", text, 2, 3, "two or three, LX,LY or LX,LY,XY");
@@ -41,13 +41,7 @@ Periodic_settings periodic_settings(const Periodic_options& options) {
                              "of another size"));
   }
   const Periodic_box_2 box({{width, 0}, {0, 0}, 0}, {{tilt, height}, {rate, 0}, 0});
-  Periodic_settings result = {.points = {},
-                              .from = 0,
-                              .until = 0,
-                              .box = box,
-                              .box_options = joined(width, ',', height, ',', tilt),
-                              .shear = joined(shear)};
-  return result;
+  return {box, {"--periodic", joined(width, ',', height, ',', tilt), "--shear", joined(shear)}};
 }
 
 void expect_no_shear(const Periodic_options& options) {

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/command.h"
 #include "commands/run_options.h"
@@ -22,9 +23,14 @@ struct Periodic_options {
 /// Declares both. `options` must outlive the command.
 void add_periodic_options(Command& command, Periodic_options& options);
 
-/// The settings of a run in a periodic box, but for its points and times. Throws Usage_error.
-/// Precondition: --periodic is given.
-Periodic_settings periodic_settings(const Periodic_options& options);
+/// The box of --periodic and --shear.
+struct Box_of_options {
+  Periodic_box_2 box;
+  std::vector<std::string> options;  ///< the same for kinetri-verify
+};
+
+/// Throws Usage_error. Precondition: --periodic is given.
+Box_of_options periodic_box(const Periodic_options& options);
 
 /// Throws Usage_error if --shear is given without --periodic.
 void expect_no_shear(const Periodic_options& options);

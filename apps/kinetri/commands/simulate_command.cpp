@@ -110,11 +110,14 @@ Periodic_settings periodic_run_settings(const Simulate_options& options) {
   if (choice_argument("--mass", options.mass, masses) != 0) refuse_with_periodic("--mass");
   if (options.regular) refuse_with_periodic("--regular");
   if (options.replay) refuse_with_periodic("--replay");
-  Periodic_settings result = periodic_settings(options.periodic);
-  result.points = options.points;
-  result.from = number_argument("--from", options.from);
-  result.until = *until_argument(options.run);
-  expect_in_order(result.from, result.until, options);
+  Box_of_options box = periodic_box(options.periodic);
+  const double from = number_argument("--from", options.from);
+  const double until = *until_argument(options.run);
+  expect_in_order(from, until, options);
+  Periodic_settings result;
+  result.path = options.points;
+  result.read = [=, path = options.points] { return points_in_box(path, box.box, from, until); };
+  result.box_options = std::move(box.options);
   result.coincident = coincident_argument(options.coincident);
   return result;
 }

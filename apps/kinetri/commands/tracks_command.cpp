@@ -12,8 +12,10 @@
 #include "commands/collisions_option.h"
 #include "commands/commands.h"
 #include "commands/common_arguments.h"
+#include "commands/periodic_option.h"
 #include "commands/run_options.h"
 #include "kinetri/impl/io/text.h"
+#include "runs/periodic_run.h"
 #include "runs/simulation_run.h"
 #include "sources/tracks_source.h"
 
@@ -37,6 +39,7 @@ struct Tracks_options {
   std::optional<std::string> date_format;
   std::optional<std::string> duplicates;
   std::optional<std::string> unwrap;
+  bool periodic = false;
   std::string coincident;
   std::optional<std::string> fps;
   std::optional<std::string> from;
@@ -151,6 +154,22 @@ Run_settings settings_of_run(const Tracks_options& options) {
   return result;
 }
 
+// Of a run with --periodic.
+Periodic_settings periodic_run_settings(const Tracks_options& options) {
+  expect_periodic(options.run);
+  if (options.unwrap) refuse_with_periodic("--unwrap");
+  if (options.closest) refuse_with_periodic("--closest");
+  if (options.run.verify) refuse_with_periodic("--verify");
+  Tracks_settings settings = tracks_settings(options);
+  if (settings.logs_contacts) refuse_with_periodic("--collisions");
+  settings.reading.unwrap = Tracks_unwrap::periodic;
+  Periodic_settings result;
+  result.path = options.tracks;
+  result.read = [settings] { return tracks_in_box(settings); };
+  result.coincident = settings.coincident;
+  return result;
+}
+
 }  // namespace
 
 Command tracks_command() {
@@ -183,6 +202,10 @@ Command tracks_command() {
   result.add("--unwrap", &options->unwrap, choice_type(unwraps),
              "Atoms that leave a periodic box and enter it on the other side move to the nearest "
              "image of their next position (default: refuse the file)");
+  result.add_flag("--periodic", options->periodic,
+                  "Repeat atoms all over the plane, by the periodic box of a dump of LAMMPS or of "
+                  "XYZ, which must be the same in all frames. Each goes on to the nearest image of "
+                  "its next position, unless xu and yu, or ix and iy, say where it is");
   add_coincident_option(result, options->coincident);
   result.add("--fps", &options->fps, "F",
              "Frames in a unit of time in TRACKS, if its times are numbers of frames (default: the "
@@ -215,8 +238,13 @@ Command tracks_command() {
                      "kinetri tracks ships.csv --columns t=time,id=name,x=lon,y=lat --projection "
                      "utm",
                      "kinetri tracks gt.txt --columns t=1,id=2,x=3,y=4 --closest 10",
-                     "kinetri tracks walks.csv --coincident refuse"};
+                     "kinetri tracks walks.csv --coincident refuse",
+                     "kinetri tracks dump.lammpstrj --periodic --html run.html"};
   result.run = [options](const Command& /*program*/) {
+    if (options->periodic) {
+      const Periodic_settings periodic = periodic_run_settings(*options);
+      return run_periodic(run_settings(options->run), periodic);
+    }
     const auto source = tracks_source(tracks_settings(*options));
     return run_simulation(settings_of_run(*options), *source);
   };

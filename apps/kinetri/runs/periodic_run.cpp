@@ -17,7 +17,6 @@
 #include "kinetri/impl/io/text.h"
 #include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
-#include "kinetri/io/points_file.h"
 #include "outputs/frame_outputs.h"
 #include "outputs/motion_output.h"
 #include "outputs/run_outputs.h"
@@ -25,7 +24,6 @@
 #include "outputs/viewer_output.h"
 #include "runs/run_summary.h"
 #include "sources/periodic_triangulation.h"
-#include "sources/points_source.h"
 #include "sources/run_source.h"
 
 namespace kinetri::app {
@@ -40,7 +38,7 @@ class Periodic_run {
   Periodic_run(const Run_settings& settings, const Periodic_settings& periodic)
       : settings_(settings),
         periodic_(periodic),
-        outputs_(settings.outputs, {periodic.points}),
+        outputs_(settings.outputs, {periodic.path}),
         progress_(settings.progress) {
     if (settings.verifies) verification_.emplace(settings.outputs);
     frames_ = frame_outputs(outputs_, settings.frame_rate);
@@ -54,6 +52,9 @@ class Periodic_run {
   void note_coincident();
   double time() const { return triangulation_->current_time().to_double(); }
   std::uint64_t number_of_events() const { return triangulation_->counters().number_of_events(); }
+  std::optional<double> next_stop() const;
+  void stop_at(double time);
+  void make_changes(double time);
   void advance();
   bool go_to(double end);
   bool may_go_on();
@@ -69,7 +70,8 @@ class Periodic_run {
   Stopwatch stopwatch_;
   std::optional<Worker_threads> workers_;  // from before the triangulation is made
   Run_statistics statistics_;
-  Points_file points_;
+  std::optional<Periodic_points> points_;
+  std::size_t next_change_ = 0;  // of the points
   std::optional<Event_log_writer> log_;
   std::unique_ptr<Event_observer> motion_log_;
   std::optional<Verification> verification_;
@@ -117,15 +119,10 @@ Exit_code Periodic_run::run() {
 // Reads the points and constructs the triangulation.
 void Periodic_run::build() {
   progress_.show_stage("reading");
-  points_ = read_points_file(periodic_.points);
-  if (points_.is_polynomial) {
-    throw Input_error(input_name(periodic_.points), 0,
-                      "the points accelerate, but those in a periodic box move on straight lines; "
-                      "expected no columns ax, ay, jx and jy, or no --periodic");
-  }
-  statistics_.points = points_.number_of_points();
-  statistics_.from = periodic_.from;
-  statistics_.until = periodic_.until;
+  points_.emplace(periodic_.read());
+  statistics_.points = points_->number_of_points;
+  statistics_.from = points_->from;
+  statistics_.until = points_->until;
   progress_.show_stage(joined("triangulating ", counted(statistics_.points, "point")));
   statistics_.seconds.read = stopwatch_.lap();
   workers_.emplace(settings_.threads);
@@ -147,7 +144,7 @@ void Periodic_run::build() {
   }
   if (verification_) verification_->start(*triangulation_);
   if (outputs_.has(Output::html)) {
-    viewer_.emplace(*triangulation_, title_of(periodic_.points), points_.labels, statistics_.until,
+    viewer_.emplace(*triangulation_, title_of(periodic_.path), points_->labels, statistics_.until,
                     settings_.html_view);
   }
   if (frames_) frames_->start(*triangulation_, statistics_.until);
@@ -157,48 +154,86 @@ void Periodic_run::build() {
 std::unique_ptr<Periodic_triangulation> Periodic_run::make_triangulation() const {
   const Arithmetic arithmetic =
       settings_.exact_only ? Arithmetic::exact_only : Arithmetic::filtered;
-  const std::string name = input_name(periodic_.points);
   try {
     return std::make_unique<Periodic_triangulation>(
-        points_.motions, Algebraic_number(periodic_.from),
-        Periodic_kinetic_traits_2(periodic_.box, arithmetic), periodic_.coincident);
+        points_->motions, Algebraic_number(points_->from),
+        Periodic_kinetic_traits_2(points_->box, arithmetic), periodic_.coincident);
   } catch (const Coincident_trajectories_error& error) {
-    const auto [first, second] = std::minmax({error.first(), error.second()});
-    throw Input_error(name, points_.lines[second],
-                      joined("the point is an image of the one in line ", points_.lines[first],
-                             " at all times; expected points that differ by more than vectors of "
-                             "the periodic box, or --coincident hide"));
+    throw points_->coincidence(error, points_->from);
   } catch (const Periodic_box_error& error) {  // a point is too far away
-    throw Input_error(name, 0, error.what());
+    throw Input_error(input_name(periodic_.path), 0, error.what());
   } catch (const Periodic_offset_error& error) {
     throw offset_error(error);
   }
 }
 
-// "2 points, the first is 5, with 1": no motion changes, so they coincide for the whole run.
+// "2 points, the first is 5, with 1"; if no motion changes, they coincide for the whole run.
 void Periodic_run::note_coincident() {
   if (triangulation_->number_of_hidden_points() == 0) return;
   Point_id first = 0;
   while (!triangulation_->is_hidden(first)) ++first;
-  coincident_ = joined(counted(triangulation_->number_of_hidden_points(), "point"),
-                       " at all times, the first is ", first, ", with ",
-                       triangulation_->vertex(first)->point().id());
+  coincident_ =
+      joined(counted(triangulation_->number_of_hidden_points(), "point"),
+             points_->changes.empty() ? " at all times" : " at the start", ", the first is ", first,
+             ", with ", triangulation_->vertex(first)->point().id());
 }
 
 // Executes the events, up to the end or an interruption.
 void Periodic_run::advance() {
   try {
-    while (frames_ && frames_->next_time() && go_to(*frames_->next_time())) {
-      statistics_.seconds.run += stopwatch_.lap();
-      frames_->write(*triangulation_);
-      statistics_.seconds.write += stopwatch_.lap();
-    }
-    statistics_.interrupted = !go_to(periodic_.until);
+    for (auto stop = next_stop(); stop && go_to(*stop); stop = next_stop()) stop_at(*stop);
+    statistics_.interrupted = !go_to(points_->until);
   } catch (const Periodic_offset_error& error) {
     throw offset_error(error);
   }
   statistics_.reached = time();
   statistics_.seconds.run += stopwatch_.lap();
+}
+
+// The next time of changes or of a frame; none after the last.
+std::optional<double> Periodic_run::next_stop() const {
+  std::optional<double> result = frames_ ? frames_->next_time() : std::nullopt;
+  const auto& changes = points_->changes;
+  if (next_change_ < changes.size() && changes[next_change_].time <= points_->until) {
+    const double time = changes[next_change_].time;
+    if (!result || time < *result) result = time;
+  }
+  return result;
+}
+
+// Changes of a time come before a frame.
+void Periodic_run::stop_at(double time) {
+  make_changes(time);
+  statistics_.seconds.run += stopwatch_.lap();
+  if (!frames_ || frames_->next_time() != time) return;
+  frames_->write(*triangulation_);
+  statistics_.seconds.write += stopwatch_.lap();
+}
+
+void Periodic_run::make_changes(double time) {
+  std::vector<Point_id> gone;
+  std::vector<Point_id> turning;
+  std::vector<Linear_motion_2> motions;
+  std::vector<Linear_motion_2> coming;
+  const auto& changes = points_->changes;
+  for (; next_change_ < changes.size() && changes[next_change_].time == time; ++next_change_) {
+    const auto& [at, id, motion] = changes[next_change_];
+    if (!motion) {
+      gone.push_back(id);
+    } else if (id < triangulation_->next_id()) {
+      turning.push_back(id);
+      motions.push_back(*motion);
+    } else {
+      coming.push_back(*motion);
+    }
+  }
+  try {
+    if (!gone.empty()) triangulation_->erase(gone);
+    if (!turning.empty()) triangulation_->set_motions(turning, motions);
+    if (!coming.empty()) triangulation_->insert(coming);
+  } catch (const Coincident_trajectories_error& error) {
+    throw points_->coincidence(error, time);
+  }
 }
 
 // Executes the events up to `end`. Returns false if the run must end before.
@@ -243,6 +278,7 @@ void Periodic_run::write_outputs() {
   if (outputs_.has(Output::edges)) {
     write_periodic_edges(outputs_.stream(Output::edges), triangulation_->periodic_edges());
   }
+  if (outputs_.has(Output::ids)) points_->write_ids(outputs_.stream(Output::ids));
   if (frames_) frames_->finish();
   if (viewer_) viewer_->write(outputs_.stream(Output::html));
   statistics_.seconds.write += stopwatch_.lap();
@@ -258,16 +294,14 @@ void Periodic_run::write_outputs() {
 // Not if a signal has stopped the run: the user does not want to wait.
 Exit_code Periodic_run::verify() const {
   if (!verification_ || interrupted()) return Exit_code::done;
-  // kinetri-verify does not read UTF-16.
-  return verification_->run(*triangulation_, points_.is_utf16 ? "" : periodic_.points,
-                            {"--periodic", periodic_.box_options, "--shear", periodic_.shear},
+  return verification_->run(*triangulation_, points_->verified, periodic_.box_options,
                             outputs_.has_standard_output() ? Stream::error : Stream::output);
 }
 
 void Periodic_run::summarize() const {
   Run_summary summary;
   if (statistics_.interrupted) summary.end = ", interrupted";
-  summary.remarks = remarks_about(points_);
+  summary.remarks = points_->remarks;
   summary.coincident = coincident_;
   summary.paths = outputs_.paths();
   print_summary(summary, statistics_);

@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs points of a file in a periodic box, and writes its outputs.
+// Runs points of a file, or recorded tracks, in a periodic box, and writes its outputs.
 #ifndef KINETRI_APPS_PERIODIC_RUN_H
 #define KINETRI_APPS_PERIODIC_RUN_H
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "cli/exit_code.h"
-#include "kinetri/kinetic/periodic_box_2.h"
 #include "kinetri/triangulation/coincident_points.h"
 #include "outputs/output_table.h"
 #include "runs/run_settings.h"
+#include "sources/periodic_points.h"
 
 namespace kinetri::app {
 
 /// What a run in a periodic box needs besides the settings of all runs.
 struct Periodic_settings {
-  std::string points;  ///< a path, or "-"
-  double from = 0;
-  double until = 0;  ///< at least `from`
-  Periodic_box_2 box;
-  std::string box_options;  ///< for kinetri-verify: the value of --periodic
-  std::string shear;        ///< and that of --shear
+  std::string path;                       ///< of the input, or "-"
+  std::function<Periodic_points()> read;  ///< reads the input; called once
+  std::vector<std::string> box_options;   ///< for kinetri-verify
   Coincident_points coincident = Coincident_points::hide;
 };
 
@@ -29,7 +28,7 @@ struct Periodic_settings {
 constexpr bool is_for_periodic_boxes(Output output) {
   return output == Output::events || output == Output::motions || output == Output::initial_edges ||
          output == Output::edges || output == Output::stats || output == Output::frames ||
-         output == Output::vtu || output == Output::html;
+         output == Output::vtu || output == Output::html || output == Output::ids;
 }
 
 /// As run_simulation, of the triangulation alone. Precondition: all outputs of the settings are for

@@ -18,6 +18,7 @@
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/simulation/tracks.h"
 #include "sources/any_simulation.h"
+#include "sources/periodic_points.h"
 
 namespace kinetri::app {
 namespace {
@@ -51,6 +52,9 @@ class Tracks_source final : public Run_source {
   std::string walkable_area() const override { return file_.walkable_area; }
   std::vector<std::string> remarks() const override;
   void write_points(std::ostream& out) const override;
+
+  /// In the box of the file.
+  Periodic_points in_box() const;
 
  private:
   Input_error error(std::size_t line, const std::string& message) const {
@@ -142,6 +146,34 @@ Any_simulation Tracks_source::make_simulation(Arithmetic arithmetic) const {
   } catch (const Coincident_trajectories_error& coincident) {
     throw coincidence(coincident, from_);
   }
+}
+
+Periodic_points Tracks_source::in_box() const {
+  // Without observations there is none.
+  const auto [first, second] =
+      file_.periodic_box.value_or(std::array{Vector_2{1, 0}, Vector_2{0, 1}});
+  Periodic_points result = {
+      .box = {{first, {}, 0}, {second, {}, 0}}, .from = from_, .until = until_, .motions = {}};
+  for (Point_id id = 0; id < stays_.size(); ++id) {
+    const Stay& stay = stays_[id];
+    const std::vector<Observation_2>& track = observations_[stay.track];
+    for (std::size_t i = stay.first; i <= stay.last; ++i) {
+      const bool is_last = i == stay.last;
+      if (track[i].time > from_) {
+        result.changes.push_back({track[i].time, id, std::nullopt});
+        if (!is_last) result.changes.back().motion = motion_after(track, i);
+      } else if (!is_last && track[i + 1].time > from_) {
+        result.motions.push_back(motion_after(track, i));
+      }
+    }
+  }
+  std::ranges::sort(result.changes, {}, [](const Periodic_change& change) {
+    return std::pair(change.time, change.id);
+  });
+  result.number_of_points = stays_.size();
+  result.labels = labels();
+  result.remarks = remarks();
+  return result;
 }
 
 // By track.
@@ -263,6 +295,17 @@ std::vector<std::string> Tracks_source::remarks() const {
 }
 
 }  // namespace
+
+Periodic_points tracks_in_box(const Tracks_settings& settings) {
+  const auto source = std::make_shared<Tracks_source>(settings);
+  source->read();
+  Periodic_points result = source->in_box();
+  result.coincidence = [source](const Coincident_trajectories_error& error, double time) {
+    return source->coincidence(error, time);
+  };
+  result.write_ids = [source](std::ostream& out) { source->write_points(out); };
+  return result;
+}
 
 std::unique_ptr<Run_source> tracks_source(const Tracks_settings& settings) {
   return std::make_unique<Tracks_source>(settings);
