@@ -75,10 +75,11 @@ struct Relative_place {
   }
   template <class Disc>
   static Interval radius(const Disc& disc, const Interval& t) {
-    if constexpr (!HasWeight<Disc>)
-      return {0.0};
-    else
+    if constexpr (HasWeight<Disc>) {
       return Interval(disc.radius) + Interval(disc.growth) * (t - Interval(disc.epoch));
+    } else {
+      return {0.0};
+    }
   }
 };
 
@@ -190,10 +191,11 @@ Coefficients squared_distance(const Disc& p, const Disc& q) {
 
 template <class Disc>
 bool has_radius([[maybe_unused]] const Disc& disc) {
-  if constexpr (!HasWeight<Disc>)
-    return false;
-  else
+  if constexpr (HasWeight<Disc>) {
     return disc.radius != 0 || disc.growth != 0;
+  } else {
+    return false;
+  }
 }
 
 template <class Disc>

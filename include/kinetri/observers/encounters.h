@@ -53,7 +53,8 @@ class Encounter_tracker;
 /// (Periodic_edge). So any range is allowed, and a point in range of two images of another one has
 /// two encounters. Offsets are against the positions as given: if a motion moves a point to
 /// another image of itself, its encounters end and others begin. A point that is erased and one
-/// that is inserted at the same time have no encounter there.
+/// that is inserted at the same time have no encounter there. An offset of 2^31 or more, of images
+/// that far from the positions as given, is a Periodic_box_error of the call that advances time.
 ///
 /// Cost: for each new edge and each encounter some certificates, in proportion to the number of
 /// points in range of one; for each encounter two entries of a queue. Least gaps are computed on
