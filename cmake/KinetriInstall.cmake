@@ -53,7 +53,8 @@ endforeach()
 # Of impl, what public headers include; the rest is for the programs (KinetriAlone.cmake).
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/kinetri DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   COMPONENT development FILES_MATCHING PATTERN "*.h" PATTERN "io" EXCLUDE
-  REGEX "/impl/(observers|simulation)$" EXCLUDE)
+  REGEX "/impl/(kinetic/drawn_box_2|observers/(answer_columns|connections|spanning_tree_rows)|simulation/(experiment|playback|wave))\\.h$"
+  EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/kinetri/io
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinetri COMPONENT io FILES_MATCHING PATTERN "*.h")
 install(FILES ${PROJECT_BINARY_DIR}/include/kinetri/version.h

@@ -84,7 +84,7 @@ Unwrapped unwrapped(const Frame_2& frame) {
     return all.ids.size() - 1;
   };
   for (std::size_t i = 0; i < frame.triangles.size(); ++i) {
-    for (const std::size_t k : {1, 2}) {
+    for (const std::size_t k : {std::size_t{1}, std::size_t{2}}) {
       std::size_t& corner = all.triangles[i][k];
       corner = image(corner, frame.periodic->triangle_shifts[i][k - 1]);
     }

@@ -31,7 +31,7 @@ std::int32_t offset_back(const Polynomial& part, const Polynomial& area,
 }
 
 template <class Image>
-bool have_same_trajectory(const Image& a, const Image& b) {
+bool are_same_image(const Image& a, const Image& b) {
   const Basic_moving_point_2<Image> p(a);
   const Basic_moving_point_2<Image> q(b);
   return x_difference(p, q).is_zero() && y_difference(p, q).is_zero() &&
@@ -41,10 +41,10 @@ bool have_same_trajectory(const Image& a, const Image& b) {
 }  // namespace
 
 bool same_trajectory(const Image_motion_2& a, const Image_motion_2& b) {
-  return have_same_trajectory(a, b);
+  return are_same_image(a, b);
 }
 bool same_trajectory(const Image_disc_motion_2& a, const Image_disc_motion_2& b) {
-  return have_same_trajectory(a, b);
+  return are_same_image(a, b);
 }
 
 Vector_2 rounded_position(const Image_motion_2& image, const Algebraic_number& t) {

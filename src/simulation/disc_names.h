@@ -17,16 +17,6 @@
 namespace kinetri::detail {
 
 /// @{
-/// The id of a disc.
-inline Point_id id_of(Point_id disc) {
-  return disc;
-}
-inline Point_id id_of(const Periodic_image& disc) {
-  return disc.id;
-}
-/// @}
-
-/// @{
 /// Another disc as `between` sees it, for the one that sees `between`.
 inline Point_id beyond(Point_id /*between*/, Point_id disc) {
   return disc;

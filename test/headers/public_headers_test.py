@@ -16,8 +16,10 @@ LISTED = (pathlib.Path(__file__).parent / "public_headers.txt").read_text(encodi
 INCLUDE = re.compile(r"#include <(kinetri/[^>]+)>")
 INCLUDE_OF_OURS = re.compile(r'#include "(kinetri/[^"]+)"')
 # Headers that the programs include, or that only the library itself does: not installed (KinetriInstall.cmake).
-NOT_INSTALLED = re.compile(r"kinetri/impl/(io|observers|simulation)/")
-MOST_PUBLIC, MOST_LINES = 75, 17_000
+NOT_INSTALLED = re.compile(
+    r"kinetri/impl/(io/|kinetic/drawn_box_2|observers/(answer_columns|connections|spanning_tree_rows)"
+    r"|simulation/(experiment|playback|wave))")
+MOST_PUBLIC, MOST_LINES = 75, 18_000
 
 
 class Public_headers(unittest.TestCase):

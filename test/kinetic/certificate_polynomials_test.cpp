@@ -51,7 +51,7 @@ class Motion_source {
 };
 
 constexpr int flavors = 4;
-constexpr int cases_per_flavor = 1000;
+constexpr int cases_per_flavor = 2000;
 
 TEST(Certificate_polynomials, at_rational_times_have_the_signs_of_the_static_predicates) {
   constexpr unsigned seed = 20261120;

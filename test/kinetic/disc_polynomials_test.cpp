@@ -81,7 +81,7 @@ TYPED_TEST(Disc_polynomials, of_collinear_discs_have_the_signs_of_the_static_pre
   Disc_source source(seed);
   const auto power_side = test::Static_kernel().power_side_of_oriented_power_circle_2_object();
   std::array<int, 3> signs = {};
-  for (int i = 0; i < 1500 * test::multiplier(); ++i) {
+  for (int i = 0; i < 3000 * test::multiplier(); ++i) {
     const int flavor = i % 2 == 0 ? 1 : i % Disc_source::flavors;
     std::array<TypeParam, 3> m;
     std::array<Point, 3> p;

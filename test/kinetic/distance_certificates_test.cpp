@@ -303,7 +303,7 @@ void expect_definition(const std::vector<Motion>& m, unsigned seed, int& failure
 }
 
 TEST(Exact_distance_certificates, are_those_of_the_definition) {
-  const auto n = static_cast<std::size_t>(200 * test::multiplier());
+  const auto n = static_cast<std::size_t>(400 * test::multiplier());
   int failures = 0;
   expect_definition(test::grid_motions(n, 12, 3, 41), 51, failures);
   if (HasFatalFailure()) return;
@@ -440,13 +440,13 @@ void expect_same_as_exact(int flavor, int cases, int greatest_exact_share) {
 class Filtered_distance_certificates : public testing::TestWithParam<int> {};
 
 TEST_P(Filtered_distance_certificates, are_those_of_exact_arithmetic) {
-  expect_same_as_exact<Linear_motion_2>(GetParam(), 200 * test::multiplier(), 60);
+  expect_same_as_exact<Linear_motion_2>(GetParam(), 400 * test::multiplier(), 60);
 }
 TEST_P(Filtered_distance_certificates, of_curves_are_those_of_exact_arithmetic) {
-  expect_same_as_exact<Polynomial_motion_2>(GetParam(), 75 * test::multiplier(), 60);
+  expect_same_as_exact<Polynomial_motion_2>(GetParam(), 150 * test::multiplier(), 60);
 }
 TEST_P(Filtered_distance_certificates, of_discs_are_those_of_exact_arithmetic) {
-  expect_same_as_exact<Disc_motion_2>(GetParam(), 120 * test::multiplier(), 70);
+  expect_same_as_exact<Disc_motion_2>(GetParam(), 240 * test::multiplier(), 70);
 }
 TEST_P(Filtered_distance_certificates, of_curved_discs_are_those_of_exact_arithmetic) {
   expect_same_as_exact<Polynomial_disc_motion_2>(GetParam(), 80 * test::multiplier(), 100);

@@ -5,7 +5,8 @@
 // (section 9); if all polynomial motions are linear, the filter of linear motion decides. If
 // weights or radii matter, it may also be Disc_motion_2 or Polynomial_disc_motion_2; disc_filter.h
 // has the questions about centers alone. It may be Image_motion_2 (section 18), but not with walls;
-// or, if weights matter, Image_disc_motion_2, but not in contacts, walls and distances of two pairs.
+// or, if weights matter, Image_disc_motion_2, but not in contacts, walls and distances of two
+// pairs.
 #ifndef KINETRI_SRC_KINETIC_FILTER_FILTER_H
 #define KINETRI_SRC_KINETIC_FILTER_FILTER_H
 

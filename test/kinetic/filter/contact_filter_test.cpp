@@ -75,7 +75,7 @@ TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
   int signs = 0;
   int apart = 0;
   int overlapping = 0;
-  const int cases = 2000 * test::multiplier();
+  const int cases = 4000 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     SCOPED_TRACE(test::describe({m.begin(), m.begin() + 2}));
@@ -142,7 +142,7 @@ TEST_P(Contact_filter, of_signs_at_an_instant_never_contradicts_exact_arithmetic
   test::Certificates source(272);
   int decided = 0;
   int surrounded = 0;
-  const int cases = 750 * test::multiplier();
+  const int cases = 1500 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     SCOPED_TRACE(test::describe({m.begin(), m.end()}));

@@ -68,7 +68,7 @@ void expect_true_circles(int flavor, int cases) {
 }
 
 TEST_P(Disc_filter, of_power_circles_never_contradicts_exact_arithmetic) {
-  expect_true_circles<Disc_motion_2>(GetParam(), 125 * test::multiplier());
+  expect_true_circles<Disc_motion_2>(GetParam(), 250 * test::multiplier());
 }
 TEST_P(Disc_filter, of_power_circles_of_curves_never_contradicts_exact_arithmetic) {
   expect_true_circles<Polynomial_disc_motion_2>(GetParam(), 100 * test::multiplier());
@@ -176,10 +176,10 @@ void expect_true_signs(int flavor, int cases) {
 }
 
 TEST_P(Disc_filter, of_signs_never_contradicts_exact_arithmetic) {
-  expect_true_signs<Disc_motion_2>(GetParam(), 750 * test::multiplier());
+  expect_true_signs<Disc_motion_2>(GetParam(), 1500 * test::multiplier());
 }
 TEST_P(Disc_filter, of_signs_of_curves_never_contradicts_exact_arithmetic) {
-  expect_true_signs<Polynomial_disc_motion_2>(GetParam(), 300 * test::multiplier());
+  expect_true_signs<Polynomial_disc_motion_2>(GetParam(), 600 * test::multiplier());
 }
 
 // Whether what the filter says is true of the certificate whose exact failure is given. Returns
@@ -268,10 +268,10 @@ void expect_true_contacts(int flavor, int cases) {
 }
 
 TEST_P(Disc_filter, of_contacts_never_contradicts_exact_arithmetic) {
-  expect_true_contacts<Disc_motion_2>(GetParam(), 1000 * test::multiplier());
+  expect_true_contacts<Disc_motion_2>(GetParam(), 2000 * test::multiplier());
 }
 TEST_P(Disc_filter, of_contacts_of_curves_never_contradicts_exact_arithmetic) {
-  expect_true_contacts<Polynomial_disc_motion_2>(GetParam(), 300 * test::multiplier());
+  expect_true_contacts<Polynomial_disc_motion_2>(GetParam(), 600 * test::multiplier());
 }
 
 INSTANTIATE_TEST_SUITE_P(Flavors, Disc_filter, testing::Range(0, test::Certificates::flavors),
@@ -280,7 +280,7 @@ INSTANTIATE_TEST_SUITE_P(Flavors, Disc_filter, testing::Range(0, test::Certifica
 // What equal constant radii make of a filter's result is what it is without them, bit for bit.
 TEST(Disc_filter, of_equal_radii_gives_what_that_of_points_gives) {
   test::Certificates source(77);
-  for (int i = 0; i < 500 * test::multiplier(); ++i) {
+  for (int i = 0; i < 1000 * test::multiplier(); ++i) {
     const auto lines = source.next(i % test::Certificates::flavors);
     const double t = source.time(i % test::Certificates::flavors);
     std::array<Disc_motion_2, 4> m;
@@ -340,7 +340,7 @@ TEST(Disc_filter, of_discs_that_pass_at_a_touch_never_contradicts_exact_arithmet
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> share(0.1, 0.5);
   int decided = 0;
-  for (int i = 0; i < 1500 * test::multiplier(); ++i) {
+  for (int i = 0; i < 3000 * test::multiplier(); ++i) {
     Disc_motion_2 p;
     p.epoch = -std::ldexp(1 + share(random), 24);
     p.growth = share(random);

@@ -217,34 +217,34 @@ void expect_most_decided(const Counts& counts, int share, int share_after_root) 
 }
 
 TEST_P(Distance_filter, of_ranges_never_contradicts_exact_arithmetic) {
-  const Counts counts = expect_true_ranges<Linear_motion_2>(GetParam(), 1000 * test::multiplier());
+  const Counts counts = expect_true_ranges<Linear_motion_2>(GetParam(), 2000 * test::multiplier());
   if (GetParam() == 0) expect_most_decided(counts, 99, 99);
 }
 TEST_P(Distance_filter, of_ranges_of_curves_never_contradicts_exact_arithmetic) {
   const Counts counts =
-      expect_true_ranges<Polynomial_motion_2>(GetParam(), 250 * test::multiplier());
+      expect_true_ranges<Polynomial_motion_2>(GetParam(), 500 * test::multiplier());
   if (GetParam() == 0) expect_most_decided(counts, 95, 60);
 }
 TEST_P(Distance_filter, of_ranges_of_discs_never_contradicts_exact_arithmetic) {
-  const Counts counts = expect_true_ranges<Disc_motion_2>(GetParam(), 800 * test::multiplier());
+  const Counts counts = expect_true_ranges<Disc_motion_2>(GetParam(), 1600 * test::multiplier());
   if (GetParam() == 0) expect_most_decided(counts, 85, 60);
 }
 TEST_P(Distance_filter, of_ranges_of_curved_discs_never_contradicts_exact_arithmetic) {
-  expect_true_ranges<Polynomial_disc_motion_2>(GetParam(), 200 * test::multiplier());
+  expect_true_ranges<Polynomial_disc_motion_2>(GetParam(), 400 * test::multiplier());
 }
 
 TEST_P(Distance_filter, of_comparisons_never_contradicts_exact_arithmetic) {
   const Counts counts =
-      expect_true_comparisons<Linear_motion_2>(GetParam(), 1000 * test::multiplier());
+      expect_true_comparisons<Linear_motion_2>(GetParam(), 2000 * test::multiplier());
   if (GetParam() == 0) expect_most_decided(counts, 98, 95);
 }
 TEST_P(Distance_filter, of_comparisons_of_curves_never_contradicts_exact_arithmetic) {
   const Counts counts =
-      expect_true_comparisons<Polynomial_motion_2>(GetParam(), 250 * test::multiplier());
+      expect_true_comparisons<Polynomial_motion_2>(GetParam(), 500 * test::multiplier());
   if (GetParam() == 0) expect_most_decided(counts, 95, 60);
 }
 TEST_P(Distance_filter, of_comparisons_of_discs_is_about_centers) {
-  expect_true_comparisons<Disc_motion_2>(GetParam(), 100 * test::multiplier());
+  expect_true_comparisons<Disc_motion_2>(GetParam(), 200 * test::multiplier());
 }
 
 INSTANTIATE_TEST_SUITE_P(Flavors, Distance_filter, testing::Range(0, test::Certificates::flavors),

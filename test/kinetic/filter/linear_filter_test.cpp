@@ -27,7 +27,7 @@ TEST_P(Linear_filter, never_contradicts_exact_arithmetic) {
   constexpr unsigned seed = 314;
   test::Certificates source(seed);
   test::Decided decided;
-  const int cases = 750 * test::multiplier();
+  const int cases = 1500 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     SCOPED_TRACE(test::describe({m.begin(), m.end()}));
@@ -52,7 +52,7 @@ TEST_P(Linear_filter, two_at_once_never_contradict_exact_arithmetic) {
   constexpr unsigned seed = 316;
   test::Certificates source(seed);
   int decided = 0;
-  const int cases = 750 * test::multiplier();
+  const int cases = 1500 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const auto n = source.next(GetParam());
@@ -70,7 +70,7 @@ TEST_P(Linear_filter, after_a_flip_never_contradicts_exact_arithmetic) {
   constexpr unsigned seed = 315;
   test::Certificates source(seed);
   test::Decided_after_flips counts;
-  const int cases = 750 * test::multiplier();
+  const int cases = 1500 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const auto beyond = source.next(GetParam());
@@ -102,7 +102,7 @@ TEST_P(Linear_filter, rounds_a_failure_time_to_what_it_is_exactly_or_not_at_all)
   test::Certificates source(seed);
   int failures = 0;
   int rounded = 0;
-  const int cases = 1500 * test::multiplier();
+  const int cases = 3000 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     SCOPED_TRACE(test::describe({m.begin(), m.end()}));

@@ -43,7 +43,7 @@ class Polynomial_filter : public testing::TestWithParam<int> {
 
 TEST_P(Polynomial_filter, never_contradicts_exact_arithmetic) {
   test::Decided decided;
-  const int cases = 250 * test::multiplier();
+  const int cases = 500 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const Motions m = next();
     SCOPED_TRACE(test::describe(m));
@@ -58,7 +58,7 @@ TEST_P(Polynomial_filter, never_contradicts_exact_arithmetic) {
 
 TEST_P(Polynomial_filter, two_at_once_never_contradict_exact_arithmetic) {
   int decided = 0;
-  const int cases = 150 * test::multiplier();
+  const int cases = 300 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const Motions m = next();
     const Motions n = next();
@@ -73,7 +73,7 @@ TEST_P(Polynomial_filter, two_at_once_never_contradict_exact_arithmetic) {
 
 TEST_P(Polynomial_filter, after_a_flip_never_contradicts_exact_arithmetic) {
   test::Decided_after_flips counts;
-  const int cases = 300 * test::multiplier();
+  const int cases = 600 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const Motions m = next();
     const Motions beyond = next();
@@ -98,7 +98,7 @@ void expect_sign(Sign sign, const Polynomial& p, const Double_interval& interval
 }
 
 TEST_P(Polynomial_filter, has_right_signs_at_instants) {
-  const int cases = 500 * test::multiplier();
+  const int cases = 1000 * test::multiplier();
   int certain = 0;
   for (int i = 0; i < cases; ++i) {
     const int mode = test::rounding_mode(i);
@@ -181,7 +181,7 @@ bool expect_contact(const Filter_result& result, const Polynomial& distance, dou
 }
 
 TEST_P(Polynomial_filter, never_contradicts_exact_contacts) {
-  const int cases = 500 * test::multiplier();
+  const int cases = 1000 * test::multiplier();
   int decided = 0;
   int signs = 0;
   int apart = 0;

@@ -41,16 +41,6 @@ template <class Traits>
 using Simulation_of = typename Simulation_type<Traits>::type;
 
 /// @{
-/// The id of a neighbor.
-inline Point_id id_of(Point_id neighbor) {
-  return neighbor;
-}
-inline Point_id id_of(const Periodic_image& neighbor) {
-  return neighbor.id;
-}
-/// @}
-
-/// @{
 /// The two ends of an edge, each with the other one as seen from there.
 inline std::array<std::pair<Point_id, Point_id>, 2> ends_of(const Edge_ids& edge) {
   return {{{edge[0], edge[1]}, {edge[1], edge[0]}}};

@@ -10,18 +10,11 @@
 #include <vector>
 
 #include "kinetri/base/ids.h"
-#include "kinetri/impl/events/basic_event.h"
+#include "kinetri/impl/triangulation/edge_changes.h"
 
 namespace kinetri::detail {
 
 // ---- corners: points in the plane, images of points in a periodic box ----
-
-constexpr Point_id id_of(Point_id corner) {
-  return corner;
-}
-constexpr Point_id id_of(const Periodic_image& corner) {
-  return corner.id;
-}
 
 // The corner as the image of a point with that offset sees it; in the plane the corner.
 constexpr Point_id seen_from(const Lattice_offset_2& /*offset*/, Point_id corner) {

@@ -38,6 +38,16 @@ inline Lattice_offset_2 offset_of(const Periodic_edge& edge) {
 }
 /// @}
 
+/// @{
+/// The id of a point, or of an image of a point in a periodic box.
+constexpr Point_id id_of(Point_id point) {
+  return point;
+}
+constexpr Point_id id_of(const Periodic_image& image) {
+  return image.id;
+}
+/// @}
+
 /// Sorts edges by the smaller id, the other one, the offset. O(k + n) for k edges, if they are more
 /// than n / 8 for ids less than n; else O(k log k).
 template <class Edge_name>
