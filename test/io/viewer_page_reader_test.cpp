@@ -305,7 +305,7 @@ Recording record_in_box(std::size_t most_rows) {
 }
 
 TEST(Viewer_page_reader, reads_runs_in_periodic_boxes) {
-  for (const std::size_t most_rows : {100'000, 60}) {
+  for (const std::size_t most_rows : {100'000U, 60U}) {
     const Recording recording = record_in_box(most_rows);
     EXPECT_EQ(recording.is_thinned, most_rows == 60);
     const std::string page = page_of(recording, {"periodic", {}});

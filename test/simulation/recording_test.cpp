@@ -544,7 +544,7 @@ std::size_t expect_plays_in_box(const std::vector<Linear_motion_2>& motions,
 
 TEST(Recording, plays_runs_in_periodic_boxes) {
   const Periodic_box_2 sheared({{10, 0}, {0, 0}}, {{3, 9}, {5, 0}});
-  for (const std::size_t points : {0, 1, 2, 3, 7, 40}) {
+  for (const std::size_t points : {0U, 1U, 2U, 3U, 7U, 40U}) {
     const auto motions = test::random_motions(points, 10, 3, 4);
     const std::size_t rows = expect_plays_in_box(motions, sheared, 4, 100'000);
     EXPECT_GT(rows + (points == 0 ? 1 : 0), points) << points;

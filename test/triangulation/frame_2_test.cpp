@@ -177,7 +177,7 @@ TEST(Frame, of_an_irrational_time_is_rounded) {
 // All numbers are multiples of 1/8, with which binary64 is exact.
 TEST(Frame, of_a_periodic_box_has_images_within_it) {
   const Periodic_box_2 box({{8, 0}, {0, 0}}, {{1, 8}, {2, 0}});
-  for (const std::size_t points : {1, 2, 5, 40}) {
+  for (const std::size_t points : {1U, 2U, 5U, 40U}) {
     std::vector<Linear_motion_2> motions;
     for (std::size_t i = 0; i < points; ++i) {
       const auto k = static_cast<double>(i);

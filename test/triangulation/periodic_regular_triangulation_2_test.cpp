@@ -210,7 +210,7 @@ TEST(Periodic_regular_triangulation_2, is_that_of_copies_in_the_plane) {
       for (Point_id id = 0; id < discs.size(); ++id) {
         const auto copy = static_cast<Point_id>(id * copies_of_each + middle);
         ASSERT_EQ(kinetic.is_hidden(id), plane.is_hidden(copy)) << "seed " << seed << ", " << id;
-        hidden += kinetic.is_hidden(id) ? 1 : 0;
+        if (kinetic.is_hidden(id)) ++hidden;
       }
     }
   }
