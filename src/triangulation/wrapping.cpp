@@ -12,7 +12,7 @@ namespace {
 
 constexpr double two_to_the_31 = 2147483648;
 
-double dot(const Vector_2& a, const Vector_2& b) {
+double scalar_product(const Vector_2& a, const Vector_2& b) {
   return a.x * b.x + a.y * b.y;
 }
 
@@ -25,7 +25,8 @@ Wrapping::Wrapping(const Periodic_box_2& box, double time)
 }
 
 Vector_2 Wrapping::heights() const {
-  return {area_ / std::sqrt(dot(second_, second_)), area_ / std::sqrt(dot(first_, first_))};
+  return {area_ / std::sqrt(scalar_product(second_, second_)),
+          area_ / std::sqrt(scalar_product(first_, first_))};
 }
 
 std::optional<Lattice_offset_2> Wrapping::moved(const Lattice_offset_2& offset,
@@ -65,18 +66,19 @@ Lattice_offset_2 Wrapping::offset(const Vector_2& whole, Point_id id) const {
 // rounding, or the range of offsets, allows no further step.
 void Wrapping::reduce() {
   for (;;) {
-    if (dot(second_, second_) < dot(first_, first_)) {
+    if (scalar_product(second_, second_) < scalar_product(first_, first_)) {
       first_ = std::exchange(second_, {-first_.x, -first_.y});
       basis_[0] = std::exchange(basis_[1], {-basis_[0].x, -basis_[0].y});
     }
-    const double k = std::nearbyint(dot(first_, second_) / dot(first_, first_));
+    const double k =
+        std::nearbyint(scalar_product(first_, second_) / scalar_product(first_, first_));
     if (k == 0 || !(std::abs(k) < two_to_the_31)) return;
     const auto number = static_cast<std::int64_t>(k);
     const std::int64_t x = basis_[1].x - number * basis_[0].x;
     const std::int64_t y = basis_[1].y - number * basis_[0].y;
     const Vector_2 shorter = {second_.x - k * first_.x, second_.y - k * first_.y};
     const auto offset = to_offset(x, y);
-    if (!offset || !(dot(shorter, shorter) < dot(second_, second_))) return;
+    if (!offset || !(scalar_product(shorter, shorter) < scalar_product(second_, second_))) return;
     second_ = shorter;
     basis_[1] = *offset;
   }

@@ -560,8 +560,8 @@ TEST(Periodic_queries_2, are_those_of_an_oracle_at_rational_times) {
       if (kinetic.step(end) == 0) break;
     }
   }
-  EXPECT_GT(seen.sides_without_length, 50);
-  EXPECT_GT(seen.coincidences, 10);
+  EXPECT_GT(seen.sides_without_length, 20);
+  EXPECT_GT(seen.coincidences, 3);
   EXPECT_GT(irrational, 5);
   for (const int number : seen.locations) EXPECT_GT(number, 50);
 }

@@ -95,8 +95,8 @@ struct Changed_edges {
 /// point_b of `hide` or `reveal`. It may be erased at that time.
 ///
 /// In a periodic box several edges may have the same ends. `removed` and `removed_offset` together
-/// are a Periodic_edge, as are `added` and `added_offset`. A `collision` is one of point_a and of the
-/// image of point_b with `added_offset`.
+/// are a Periodic_edge, as are `added` and `added_offset`. A `collision` is one of point_a and of
+/// the image of point_b with `added_offset`.
 template <class Time>
 struct Basic_event {
   std::uint64_t number = 0;            ///< 0 for the first event of a run, then one more each
