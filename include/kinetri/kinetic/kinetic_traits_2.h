@@ -201,9 +201,9 @@ concept WeightedKineticTraits_2 = KineticTraits_2<Traits> &&
 /// lattice of the box. Certificates and predicates are about *images* of points, of type Image_2,
 /// whose offsets are against the point as it was given; they depend on differences of offsets only.
 /// The Instantaneous_traits have `Point_2`, `Image_2`, `image`, and of CGAL's predicates
-/// Orientation_2 and Side_of_oriented_circle_2, on images. Orientation and flatness certificates
-/// are not used: there is no hull. The triangulation accepts no other models than
-/// Periodic_kinetic_traits_2 and Periodic_disc_kinetic_traits_2, for which it is compiled.
+/// Orientation_2 and Side_of_oriented_circle_2, on images. There is no hull: so flatness
+/// certificates are not used, and orientation certificates of hidden points only. The triangulation
+/// accepts Periodic_kinetic_traits_2 and Periodic_disc_kinetic_traits_2, as compiled, and no others.
 ///
 /// | Function | Result |
 /// |---|---|

@@ -26,7 +26,7 @@ using Edge_name = std::conditional_t<PeriodicKineticTraits_2<Traits>, Periodic_e
 template <class Traits>
 using Neighbor_name = std::conditional_t<PeriodicKineticTraits_2<Traits>, Periodic_image, Point_id>;
 
-/// The simulation of points with these traits, for constructors. There is none in a periodic box.
+/// The simulation that constructors of observers take; none if points are in a periodic box.
 template <class Traits>
 struct Simulation_type {
   struct None;

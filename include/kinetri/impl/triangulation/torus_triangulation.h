@@ -160,8 +160,8 @@ class Offset_overflow : public Error {
 /// corner 0.
 ///
 /// An Offset_overflow says that an edge would get a greater offset; the triangulation then keeps
-/// its invariants, but may not be Delaunay (see also remove_from_faces). If memory is missing, it
-/// can only be destroyed.
+/// its invariants, but may not be Delaunay (except in remove_from_faces, restore_regular, replace).
+/// If memory is missing, it can only be destroyed.
 template <TorusTraits_2 Traits>
 class Torus_triangulation {
  public:
@@ -375,7 +375,7 @@ class Torus_triangulation {
   /// corner is above the lifted triangle of the three others. Returns false if the last of these
   /// could not be taken out, as remove_from_faces says.
   bool restore_regular(std::vector<Edge> edges, std::vector<Vertex_handle>& hidden);
-  /// Replaces the point of a vertex, which is at the location, by another one there.
+  /// Replaces the point of a vertex at the location, whose faces hide none, by another one there.
   void replace(const Location& location, const Point_2& point);
   /// Hides a vertex that has no faces, or that is hidden and in no list, at the location.
   void hide(Vertex_handle v, const Location& location) requires is_weighted {
