@@ -202,8 +202,8 @@ concept WeightedKineticTraits_2 = KineticTraits_2<Traits> &&
 /// whose offsets are against the point as it was given; they depend on differences of offsets only.
 /// The Instantaneous_traits have `Point_2`, `Image_2`, `image`, and of CGAL's predicates
 /// Orientation_2 and Side_of_oriented_circle_2, on images. There is no hull: so flatness
-/// certificates are not used, and orientation certificates of hidden points only. The triangulation
-/// accepts Periodic_kinetic_traits_2 and Periodic_disc_kinetic_traits_2, as compiled, and no others.
+/// certificates are not used, and those of orientation for hidden points only. The triangulation is
+/// compiled for Periodic_kinetic_traits_2 and Periodic_disc_kinetic_traits_2: it accepts no others.
 ///
 /// | Function | Result |
 /// |---|---|
