@@ -287,6 +287,21 @@ TEST(Image_traits, have_failure_times_that_outlive_the_box_and_the_points) {
   EXPECT_EQ(turn, Time(2.0));
 }
 
+TEST(Image_traits, of_the_offset_zero_need_no_box_beside_one_that_grows) {
+  // The images p and q are 1 + t apart, r and s are 3 apart.
+  const Periodic_box_2 box({{1, 0}, {1, 0}}, {{0, 1}, {0, 0}});
+  const Moving_image_2 p({{{0, 0}, {0, 0}}, {}, nullptr});
+  const Moving_image_2 q({{{0, 0}, {0, 0}}, {1, 0}, &box});
+  const Moving_image_2 s({{{3, 0}, {0, 0}}, {}, nullptr});
+  for (const Arithmetic arithmetic : {Arithmetic::filtered, Arithmetic::exact_only}) {
+    const Traits traits(arithmetic);
+    const Certificate closer = traits.closer_certificate(p, q, p, s, Time(0));
+    ASSERT_EQ(closer.kind, Kind::fails);
+    EXPECT_EQ(closer.failure ? *closer.failure : traits.closer_failure(p, q, p, s, closer.bounds),
+              Time(2));
+  }
+}
+
 TEST(Image_traits, refuse_images_of_different_boxes) {
   const Periodic_box_2 box({{3, 0}, {0, 0}, 0}, {{0, 3}, {0, 0}, 0});
   const Periodic_box_2 other({{3, 0}, {0, 0}, 0}, {{0, 4}, {0, 0}, 0});

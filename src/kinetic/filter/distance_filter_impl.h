@@ -74,9 +74,11 @@ inline bool have_equal_speeds(const Image_motion_2& p, const Image_motion_2& q,
                               const Image_motion_2& r, const Image_motion_2& s) {
   const Offset_difference first(p, q);
   const Offset_difference second(r, s);
-  const Periodic_box_2* const box = p.box != nullptr ? p.box : r.box != nullptr ? r.box : s.box;
+  // Images with the offset zero may have no box.
   const bool is_box_at_rest =
-      box == nullptr || (is_at_rest(box->first()) && is_at_rest(box->second()));
+      std::ranges::all_of(std::array{p.box, q.box, r.box, s.box}, [](auto box) {
+        return box == nullptr || (is_at_rest(box->first()) && is_at_rest(box->second()));
+      });
   const auto are_equal = [&](double sign) {
     return is_box_at_rest ||
            (first.first == sign * second.first && first.second == sign * second.second);
