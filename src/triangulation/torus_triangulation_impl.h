@@ -143,7 +143,10 @@ void Torus_triangulation<Traits>::for_each_near(const Point_2& point, const Loca
   visit(location, face->vertex(index), offset(face, index));
   const Lattice_offset_2 against_vertex = offset_against(point, location, index);
   detail::for_each_face_at(*this, face->vertex(index), [&](Face_handle at, int i) {
-    if (at != location.face) visit_hidden(location_near(point, at, i, against_vertex));
+    // The face of the location may have other corners at the vertex.
+    if (at != location.face || i != location.index) {
+      visit_hidden(location_near(point, at, i, against_vertex));
+    }
   });
 }
 

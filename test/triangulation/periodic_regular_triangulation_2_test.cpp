@@ -512,5 +512,36 @@ TEST(Periodic_regular_triangulation_2, hides_discs_that_are_images_of_others) {
   EXPECT_THROW(refused(), Coincident_trajectories_error);
 }
 
+// Faces have several corners at one vertex, and a hidden disc may be at any of them.
+TEST(Periodic_regular_triangulation_2, finds_discs_that_coincide_with_hidden_ones_at_a_vertex) {
+  const Periodic_box_2 box = {{{1, 0}, {0, 0}, 0}, {{0, 1}, {1, 0}, 0}};
+  Random random(5);
+  for (unsigned run = 0; run < times(40); ++run) {
+    std::vector<Disc_motion_2> discs;
+    for (int i = 0; i < 2; ++i) {
+      const double x = random(0, 7) / 8.0;
+      const double y = random(0, 7) / 8.0;
+      const double vx = random(-2, 2) / 4.0;
+      discs.push_back({{{x, y}, {vx, random(-2, 2) / 4.0}, 0}, 1, 0, 0});
+    }
+    // At the center of a large disc.
+    const Disc_motion_2 small = {center(discs[0]), 0.25, 0, 0};
+    discs.push_back(small);
+    Kinetic kinetic = kinetic_of(box, discs);
+    for (int k = 1; k < 6; ++k) {
+      kinetic.advance_to(Time(Rational(13 * k, 10)));
+      Disc_motion_2 image = small;
+      const int l = random(-1, 1);
+      image.position.x += random(-3, 3);
+      image.position.y += l;
+      image.velocity.x += l;
+      const Point_id id = kinetic.insert(image);
+      ASSERT_EQ(kinetic.coincident_points(id).size(), static_cast<std::size_t>(k)) << run;
+    }
+    kinetic.erase(0);
+    ASSERT_EQ(audit(kinetic), "") << run;
+  }
+}
+
 }  // namespace
 }  // namespace kinetri::periodic_regular_triangulation_2_test
