@@ -416,6 +416,10 @@ template <class Traits>
 void Simulation_types<Traits>::Contact_loop::refuse_overlaps() const {
   std::vector<Edge_ids> pairs;
   for (const Point_id id : geometry_.present_points()) {
+    if constexpr (is_periodic) {  // links of points that coincide have no names
+      const Point_id shown = geometry_.shown(id);
+      if (shown != id && setup_.diameter() > 0) pairs.push_back(edge_ids(shown, id));
+    }
     for (const Disc_overlap& overlap : records_.overlaps(id)) {
       if (is_first(id, overlap.disc) &&
           geometry_.do_overlap(geometry_.point_of(geometry_.itself(id)),

@@ -446,6 +446,11 @@ TEST(Periodic_simulation, refuses_walls_and_discs_that_coincide) {
                Coincident_trajectories_error);
   Simulation without(twice, discs(0, nullptr), 0, traits);
   EXPECT_EQ(without.triangulation().number_of_hidden_points(), 1U);
+  Simulation_options strict = discs(0.5, nullptr);
+  strict.refuses_overlaps = true;
+  EXPECT_THROW(Simulation(twice, strict, 0, traits), Overlapping_discs_error);
+  strict.radius = 0;
+  EXPECT_NO_THROW(Simulation(twice, strict, 0, traits));
 }
 
 TEST(Periodic_simulation, has_the_other_responses) {
