@@ -92,7 +92,7 @@ struct Contact_root : Root_source {
     return precise_contact(p, q, diameter, high, low);
   }
   std::optional<Rounding> rounded(const Double_interval& bracket) const override {
-    if constexpr (is_linear<Motion> && !std::same_as<Motion, Image_motion_2>) {
+    if constexpr (is_linear<Motion>) {
       return rounded_contact(p, q, diameter, bracket);
     } else {
       return std::nullopt;
