@@ -48,6 +48,9 @@ class Basic_periodic_instantaneous_traits_2
   using Base::side_of_oriented_circle_2_object;
   using typename Base::Orientation_2;
   using typename Base::Side_of_oriented_circle_2;
+  /// @}
+  /// @{
+  /// The same of images of discs.
   auto power_side_of_oriented_power_circle_2_object() const requires HasWeight<Motion> {
     return Base::power_side_of_oriented_power_circle_2_object();
   }
