@@ -83,7 +83,7 @@ MUTATIONS = (
     ("new epoch: one ulp later", KINETIC + "linear_motion_2.cpp", "velocity,\n          t};", f"velocity,\n          std::nextafter(t, {INFINITY})}};"),
     ("new place: one ulp to the right", KINETIC + "linear_motion_2.cpp", "{{place_rounded_correctly(position.x, old_velocity.x, epoch, t)",
      f"{{{{std::nextafter(place_rounded_correctly(position.x, old_velocity.x, epoch, t), {INFINITY})"),
-    ("growth ignored in exact weights", KINETIC + "scaled_coordinates.h", "radius(disc.radius, disc.growth, disc.epoch)", "radius(disc.radius, 0.0, disc.epoch)"),
+    ("growth ignored in exact weights", KINETIC + "scaled_coordinates.h", "radius(disc.radius, disc.growth, epoch_of(disc))", "radius(disc.radius, 0.0, epoch_of(disc))"),
     ("every 50th row of the log left out", "src/io/event_log.cpp", "  out_ << line;", "  if (event.number % 50 != 49) out_ << line;"),
     ("wall: velocity not turned around", "src/simulation/contact_outcomes.h", "component = -component;", "component = +component;"),
     ("every 50th event left out", DETAIL + "event_loop_impl.h", "      return updates_.flip(edge, event_kind_of(failure.kind));",
