@@ -261,7 +261,7 @@ class Component_tracker final : private Edge_follower<Traits> {
     for (const auto& point : points) {
       if (!this->graph().contains(point.id)) continue;
       for (const Neighbor& other : this->graph().neighbors(point.id)) {
-        edges.push_back(edge_to(point.id, other));
+        edges.push_back(pair_of(point.id, other));
       }
     }
     return edges;

@@ -26,7 +26,7 @@ auto Neighbor_graph<Traits>::edges() const -> std::vector<Edge_name> {
   std::vector<Edge_name> result;
   for (Point_id id = 0; id < next_id(); ++id) {
     for (const Neighbor& other : nodes_[id].neighbors) {
-      if (detail::is_first_end(id, other)) result.push_back(detail::edge_to(id, other));
+      if (detail::is_first(id, other)) result.push_back(detail::pair_of(id, other));
     }
   }
   std::ranges::sort(result);

@@ -27,31 +27,11 @@
 #include "kinetri/impl/base/compiler.h"
 #include "kinetri/impl/observers/neighbor_names.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "triangulation/image_names.h"
 #include "triangulation/whole_vectors.h"
 
 namespace kinetri {
 namespace detail {
-
-/// @{
-/// `second`, a neighbor of `first`, as seen from where `first` is a neighbor. In a periodic box
-/// throws Periodic_box_error if its offset is 2^31 or more there.
-inline Point_id beyond(Point_id /*first*/, Point_id second) {
-  return second;
-}
-inline Periodic_image beyond(const Periodic_image& first, const Periodic_image& second) {
-  return {second.id, sum(first.offset, second.offset)};
-}
-/// @}
-
-/// @{
-/// The point, as its neighbor sees it.
-inline Point_id seen_from(Point_id /*neighbor*/, Point_id id) {
-  return id;
-}
-inline Periodic_image seen_from(const Periodic_image& neighbor, Point_id id) {
-  return {id, reversed(neighbor.offset)};
-}
-/// @}
 
 /// What is observed: the triangulation, or that of a simulation.
 template <class Traits>
@@ -63,10 +43,6 @@ template <class Traits>
 const Kinetic_triangulation_2<Traits>& triangulation_of(const Simulation_2<Traits>& simulation) {
   return simulation.triangulation();
 }
-
-}  // namespace detail
-
-namespace detail {
 
 /// Prefetches all cache lines of an object.
 template <class Object>

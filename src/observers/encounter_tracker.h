@@ -63,7 +63,7 @@ class Encounter_tracker final : private Edge_follower<Traits> {
       for (Point_id id = 0; id < partners_.size(); ++id) {
         if (!graph.contains(id)) continue;
         for (const Neighbor& other : graph.neighbors(id)) {
-          if (is_first_end(id, other)) examine(id, other, now);
+          if (is_first(id, other)) examine(id, other, now);
         }
       }
     }
@@ -186,7 +186,7 @@ class Encounter_tracker final : private Edge_follower<Traits> {
   // Precondition: `after` is not before the last change of a motion of the two.
   void examine(Point_id a, const Neighbor& b, const Time& after) {
     if (is_near(a, b) || is_among(partners_[a].waiting, b)) return;
-    const Edge_name pair = edge_to(a, b);
+    const Edge_name pair = pair_of(a, b);
     Certificate certificate =
         with_discs(pair, [&](const auto& traits, const auto& p, const auto& q) {
           return traits.apart_certificate(p, q, range_, after);
@@ -200,15 +200,15 @@ class Encounter_tracker final : private Edge_follower<Traits> {
   void examine_from(Point_id p, const Neighbor& w, const Time& after) {
     for (const Neighbor& next : this->graph().neighbors(id_of(w))) {
       const Neighbor q = beyond(w, next);
-      if (is_first_end(p, q) && is_near(id_of(w), next)) examine(p, q, after);
+      if (is_first(p, q) && is_near(id_of(w), next)) examine(p, q, after);
     }
   }
 
   // The same; w is in range of q, its neighbor, and p any point in range of w.
   void examine_to(Point_id w, const Neighbor& q, const Time& after) {
     for (const Near& near : partners_[w].near) {
-      const Neighbor p = beyond(seen_from(q, w), near.id);
-      if (is_first_end(id_of(p), seen_from(p, id_of(q)))) examine(id_of(q), p, after);
+      const Neighbor p = beyond(back_from(q, w), near.id);
+      if (is_first(id_of(p), back_from(p, id_of(q)))) examine(id_of(q), p, after);
     }
   }
 
@@ -233,7 +233,7 @@ class Encounter_tracker final : private Edge_follower<Traits> {
     } else {
       for (const Neighbor& other : this->graph().neighbors(id)) {
         examine(id, other, after);
-        if (is_near(id, other)) examine_to(id_of(other), seen_from(other, id), after);
+        if (is_near(id, other)) examine_to(id_of(other), back_from(other, id), after);
       }
       for (const Near& near : partners_[id].near) examine_from(id, near.id, after);
     }
@@ -278,8 +278,8 @@ class Encounter_tracker final : private Edge_follower<Traits> {
   void discard_entries(Point_id id) {
     for (const auto& [other, event] : partners_[id].waiting) {
       if (id_of(other) != id) {
-        remove_from(partners_[id_of(other)].waiting, seen_from(other, id));
-      } else if (!is_first_end(id, other)) {
+        remove_from(partners_[id_of(other)].waiting, back_from(other, id));
+      } else if (!is_first(id, other)) {
         continue;  // its own image, which is there twice
       }
       queue_.erase(event);
@@ -386,7 +386,7 @@ class Encounter_tracker final : private Edge_follower<Traits> {
     };
     const std::vector<Near> partners(partners_[id].near.begin(), partners_[id].near.end());
     for (const auto& [other, index] : partners) {
-      if (!is_first_end(id, other) && before(id_of(other)) != nullptr) continue;  // done before
+      if (!is_first(id, other) && before(id_of(other)) != nullptr) continue;  // done before
       Record& record = records_[index];
       const auto [p, q] = motions_of(record.points, point_before);
       const bool goes_on =

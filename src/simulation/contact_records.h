@@ -46,7 +46,7 @@ struct Basic_contact_record {
 ///
 /// Invariant: pairs are in both records, with the same values. Several threads may call functions
 /// for different points after make_room. A disc is named by `Disc`, a pair by `Pair`
-/// (disc_names.h); the discs of a pair may be in any order.
+/// (image_names.h); the discs of a pair may be in any order.
 template <class Disc>
 class Basic_contact_records {
  public:

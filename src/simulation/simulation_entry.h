@@ -9,7 +9,7 @@
 
 #include "kinetri/base/ids.h"
 #include "kinetri/impl/events/event_scheduler.h"
-#include "simulation/disc_names.h"
+#include "triangulation/image_names.h"
 
 namespace kinetri::detail {
 
@@ -28,7 +28,7 @@ struct No_offset {
   friend bool operator<(const No_offset&, const No_offset&) { return false; }
 };
 
-/// The subject of an entry. A disc is named by `Disc` (disc_names.h).
+/// The subject of an entry. A disc is named by `Disc` (image_names.h).
 template <class Disc>
 struct Basic_contact_subject {
   using Offset =

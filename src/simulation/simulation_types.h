@@ -31,7 +31,7 @@ struct Simulation_types {
   /// Whether points are in a periodic box.
   static constexpr bool is_periodic = PeriodicKineticTraits_2<Traits>;
 
-  /// How one disc names another, and what names two (disc_names.h).
+  /// How one disc names another, and what names two (image_names.h).
   using Disc = std::conditional_t<is_periodic, Periodic_image, Point_id>;
   using Pair = typename Kinetic_types<Traits>::Edge_name;
   /// What certificates of contacts take: in the plane, the point.

@@ -17,7 +17,7 @@
 #include "kinetri/observers/connected_components.h"
 #include "observers/dynamic_connectivity.h"
 #include "observers/random_runs.h"
-#include "support/periodic_run.h"
+#include "support/observed_periodic_run.h"
 
 namespace kinetri::periodic_components_test {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "kinetri/observers/encounters.h"
 #include "observers/random_runs.h"
-#include "support/periodic_run.h"
+#include "support/observed_periodic_run.h"
 #include "support/precondition_error.h"
 
 namespace kinetri::periodic_encounters_test {

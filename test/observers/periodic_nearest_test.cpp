@@ -13,7 +13,7 @@
 
 #include "kinetri/observers/nearest_neighbors.h"
 #include "observers/random_runs.h"
-#include "support/periodic_run.h"
+#include "support/observed_periodic_run.h"
 
 namespace kinetri::periodic_nearest_test {
 namespace {

@@ -51,27 +51,6 @@ inline std::array<std::pair<Point_id, Periodic_image>, 2> ends_of(const Periodic
 }
 /// @}
 
-/// @{
-/// The edge from a point to a neighbor. In a periodic box they differ, or the offset is not zero.
-inline Edge_ids edge_to(Point_id id, Point_id neighbor) {
-  return edge_ids(id, neighbor);
-}
-inline Periodic_edge edge_to(Point_id id, const Periodic_image& neighbor) {
-  return periodic_edge(id, neighbor.id, neighbor.offset);
-}
-/// @}
-
-/// @{
-/// Whether edge_to(id, neighbor) has the point as its first end, with the neighbor as seen from
-/// there. Of the two ends of an edge one is first. False if they are one.
-inline bool is_first_end(Point_id id, Point_id neighbor) {
-  return id < neighbor;
-}
-inline bool is_first_end(Point_id id, const Periodic_image& neighbor) {
-  return id != neighbor.id ? id < neighbor.id : Lattice_offset_2() < neighbor.offset;
-}
-/// @}
-
 /// Names no neighbor.
 template <class Traits>
 constexpr Neighbor_name<Traits> no_neighbor() {

@@ -2,8 +2,8 @@
 //
 // Runs of a few points in periodic boxes of small integers, for tests of observers against brute
 // force over pairs and offsets.
-#ifndef KINETRI_TEST_SUPPORT_PERIODIC_RUN_H
-#define KINETRI_TEST_SUPPORT_PERIODIC_RUN_H
+#ifndef KINETRI_TEST_SUPPORT_OBSERVED_PERIODIC_RUN_H
+#define KINETRI_TEST_SUPPORT_OBSERVED_PERIODIC_RUN_H
 
 #include <algorithm>
 #include <array>
@@ -292,4 +292,4 @@ class Periodic_run {
 
 }  // namespace kinetri::test
 
-#endif  // KINETRI_TEST_SUPPORT_PERIODIC_RUN_H
+#endif  // KINETRI_TEST_SUPPORT_OBSERVED_PERIODIC_RUN_H
