@@ -11,7 +11,7 @@ usage() {
 usage: scripts/test.sh [--preset PRESET] [--compiler CXX] [--browser] [--python] [--video]
                        [CTEST_OPTION...]
 
-Installs what is missing (with apt-get, as root), builds everything, and runs every test: about an hour
+Installs what is missing (with apt-get, as root), builds everything, and runs every test: about 45 minutes
 of processor time, half an hour on two cores. The last line reads "N passed, N failed"; the
 exit code is 0 if none failed.
 
@@ -70,9 +70,9 @@ log=$build_dir/test.log results=$build_dir/Testing/Temporary/LastTest.log
 rm -f "$results"
 kinetri_show_progress "$log" &
 watcher=$!
-# Shows the tests that fail, with their output, and those that are skipped. One test more than processors at a time:
-# those of pages wait for the browser to draw.
-ctest --test-dir "$build_dir" --parallel "$(($(kinetri_jobs) + 1))" --timeout 900 --no-tests=error \
+# Shows the tests that fail, with their output, and those that are skipped. Two tests more than processors at a time:
+# those of pages wait for the browser to draw, most of their time.
+ctest --test-dir "$build_dir" --parallel "$(($(kinetri_jobs) + 2))" --timeout 900 --no-tests=error \
   --output-on-failure "${options[@]}" </dev/null 2>&1 | tee "$log" |
   grep -vE '^ +Start +[0-9]+: |^ *[0-9]+/[0-9]+ Test .* Passed |^\[( RUN  |       OK |-----)' || true
 kill "$watcher"
