@@ -393,6 +393,36 @@ TEST(Kinetic_regular_triangulation, gives_a_hidden_point_the_motion_of_one_that_
   EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
 }
 
+// One weight that all have becomes another while points jump, one after the other: then some would
+// hide others.
+TEST(Kinetic_regular_triangulation, takes_another_weight_of_all_while_points_jump) {
+  for (unsigned seed = 0; seed < static_cast<unsigned>(100 * multiplier()); ++seed) {
+    std::mt19937 random(seed);
+    const auto number = [&](unsigned most) { return static_cast<double>(random() % (most + 1)); };
+    std::vector<Disc_motion_2> before;
+    std::vector<Disc_motion_2> after;
+    std::vector<Point_id> ids;
+    const double radius = number(3);
+    for (Point_id id = 0; id < 3 + seed % 6; ++id) {
+      const auto any_disc = [&](double r) {
+        const double x = number(5);
+        const double y = number(5);
+        const double vx = number(2) - 1;
+        return disc(x, y, vx, number(2) - 1, r);
+      };
+      ids.push_back(id);
+      before.push_back(any_disc(0));
+      after.push_back(any_disc(radius));
+      if (number(2) > 0) after.back().position = before.back().position;
+    }
+    Kinetic kinetic(before);
+    kinetic.set_motions(ids, after);
+    ASSERT_TRUE(kinetic.audit(Audit_level::certificates).passed()) << "seed " << seed;
+    ASSERT_EQ(kinetic.finite_edge_ids(), Kinetic(after).finite_edge_ids()) << "seed " << seed;
+    ASSERT_EQ(kinetic.number_of_hidden_points(), Kinetic(after).number_of_hidden_points());
+  }
+}
+
 TEST(Kinetic_regular_triangulation, goes_on_from_a_snapshot_as_it_would_have) {
   std::mt19937_64 random(5);
   for (int run = 0; run < 10 * multiplier(); ++run) {

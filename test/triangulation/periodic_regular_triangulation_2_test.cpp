@@ -447,6 +447,21 @@ TEST(Periodic_regular_triangulation_2, follows_discs_that_are_moved_step_by_step
   }
 }
 
+// One weight that both have becomes another while one disc jumps, when the other one would hide it.
+TEST(Periodic_regular_triangulation_2, takes_another_weight_of_all_while_a_disc_jumps) {
+  const Periodic_box_2 box = {{{2, 0}, {-1, 1}, 0}, {{0, 2}, {0, 0}, 0}};
+  const auto disc = [](double x, double y, double radius) {
+    return Disc_motion_2{{{x, y}, {0, 0}, 0}, radius, 0, 0};
+  };
+  Kinetic kinetic(std::vector{disc(2.01953125, 2, 1), disc(-4.22417, 3.54752, 1)}, Time(0.09375),
+                  Traits(box));
+  const std::vector<Point_id> ids = {0, 1};
+  const std::vector<Disc_motion_2> after = {disc(-2.98438, -3, 2), disc(-4, -1, 2)};
+  kinetic.set_motions(ids, after);
+  EXPECT_EQ(audit(kinetic), "");
+  EXPECT_EQ(faces_of(kinetic), faces_of(Kinetic(after, Time(0.09375), Traits(box))));
+}
+
 // ---- hidden points ----
 
 // A disc is hidden by images of others, and never by its own.

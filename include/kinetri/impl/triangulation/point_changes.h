@@ -90,7 +90,7 @@ class Kinetic_types<Traits>::Point_changes {
   bool should_schedule_all(std::size_t points) const;
   bool is_embedded_around(Vertex_handle v) const;
 
-  void note_weights(std::span<const Change> changes);
+  void note_weights(const Vertex_changes& planned);
   void note_separated(const Vertex_changes& planned);
   Changed_edges set_twins(const Vertex_changes& planned);
   void make(Vertex_changes& planned);

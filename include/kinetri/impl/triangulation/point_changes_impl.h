@@ -42,7 +42,7 @@ Changed_edges Kinetic_types<Traits>::Point_changes::perform(std::span<const Even
   Changed_edges links;
   schedule_.with_time_of_errors([&] {
     Vertex_changes planned = plan(changes);
-    if constexpr (is_weighted) note_weights(planned.changes);
+    if constexpr (is_weighted) note_weights(planned);
     reporter_.report(events.front(), [&] {
       reporter_.start_noting();
       note_separated(planned);
@@ -365,21 +365,26 @@ auto Kinetic_types<Traits>::Point_changes::points_after(std::span<const Change> 
 
 // ---- the changes ----
 
-// Notes whether all weights are still equal after the changes.
+// Notes whether all weights are still equal: after the changes, and while these are made one after
+// the other, when some points have weights from before.
 template <class Traits>
-void Kinetic_types<Traits>::Point_changes::note_weights(std::span<const Change> changes) {
+void Kinetic_types<Traits>::Point_changes::note_weights(const Vertex_changes& planned) {
   if (!topology_.are_weights_equal()) return;
+  const std::span<const Change> changes = planned.changes;
+  const Plan& plan = planned.plan;
+  const bool are_at_once = plan.rebuilt || (plan.jumps.empty() && !plan.moves);
   std::vector<Point_2> points;
   for (const Change& change : changes) {
     if (change.motion) points.emplace_back(*change.motion, change.point);
   }
-  // One unchanged point, if any.
-  const auto stays = [&](Vertex_handle v) {
+  // One of the points whose weight counts besides, if any.
+  const auto counts = [&](Vertex_handle v) {
     return v != Vertex_handle() &&
-           std::ranges::find(changes, v->point().id(), &Change::point) == changes.end();
+           (!are_at_once ||
+            std::ranges::find(changes, v->point().id(), &Change::point) == changes.end());
   };
-  const auto stayer = std::ranges::find_if(topology_.vertices(), stays);
-  if (stayer != topology_.vertices().end()) points.push_back((*stayer)->point());
+  const auto other = std::ranges::find_if(topology_.vertices(), counts);
+  if (other != topology_.vertices().end()) points.push_back((*other)->point());
   topology_.set_weights_equal(Topology::have_equal_weights(points));
 }
 
