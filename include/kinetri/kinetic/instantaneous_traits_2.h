@@ -27,7 +27,7 @@ template <HasWeight Motion>
 class Basic_weighted_instantaneous_traits_2;
 
 /// The traits: a model of TriangulationTraits_2 and DelaunayTriangulationTraits_2, as CGAL 5.5 to
-/// 6.1 document and use them. Their instant is fixed, or that of a clock; copies, also those in a
+/// 6.2 document and use them. Their instant is fixed, or that of a clock; copies, also those in a
 /// triangulation, share it. Several threads may use the traits and their copies at once, but not
 /// while one sets the clock.
 ///
@@ -273,7 +273,7 @@ extern template class Basic_instantaneous_traits_2<Polynomial_disc_motion_2>;
 /// The traits at an instant of points in linear motion.
 using Instantaneous_traits_2 = Basic_instantaneous_traits_2<Linear_motion_2>;
 
-/// The traits: a model of RegularTriangulationTraits_2 too, as CGAL 5.5 to 6.1 document and use it.
+/// The traits: a model of RegularTriangulationTraits_2 too, as CGAL 5.5 to 6.2 document and use it.
 /// Weighted_point_2 and Point_2 are the same type; predicates of points without weights ignore the
 /// weights. All predicates are exact, with CGAL's signs.
 template <HasWeight Motion>

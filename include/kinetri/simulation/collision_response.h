@@ -16,7 +16,8 @@
 namespace kinetri {
 
 /// Two discs that touch while they approach each other: the argument of a response. All numbers are
-/// rounded to binary64; the contact itself was decided exactly.
+/// rounded to binary64; the contact itself was decided exactly. In a periodic box, center and
+/// velocity of b are those of the image that touches a.
 struct Contact_2 {
   double time = 0;              ///< time of the contact
   Point_id point_a = no_point;  ///< the smaller id

@@ -113,10 +113,11 @@ class Overlap_observer {
 /// point_b by the rates of the lattice vectors, and a new velocity is one of the image. So elastic
 /// collisions conserve momentum, and in a box at rest energy, up to rounding. In a box that moves,
 /// images of a disc that is stopped go on: discs that are stopped already pass through each other.
-/// An own image stops the run: Own_image_error is thrown if a disc overlaps one at the start or
-/// when it is inserted, and instead of the contact of a disc with one, at the exact time. With a
-/// response discs may not coincide for a while: Coincident_trajectories_error, whatever
-/// Simulation_options::coincident says. One thread executes the events.
+/// An own image stops the run: with a response, or if overlaps are refused, Own_image_error is
+/// thrown if a disc overlaps one at the start or when it is inserted; and instead of the contact of
+/// a disc with one, at the exact time. With a response discs may not coincide for a while:
+/// Coincident_trajectories_error, whatever Simulation_options::coincident says. One thread executes
+/// the events.
 ///
 /// Functions that are not const change the simulation, except set_threads and those that remove
 /// observers. They throw Precondition_error if called while another one of them runs: by an

@@ -3,7 +3,8 @@
 // The audits of Kinetic_triangulation_2. The geometric levels check exact positions at a rational
 // time with CGAL's static predicates, which share no formula with the certificates. The level
 // `reference`, which also checks the diagonals of cocircular points, compares with a triangulation
-// that CGAL builds just after the present time with the predicates of the traits.
+// that CGAL (in a periodic box Static_construction) builds just after the present time with the
+// predicates of the traits.
 #ifndef KINETRI_TRIANGULATION_AUDIT_IMPL_H
 #define KINETRI_TRIANGULATION_AUDIT_IMPL_H
 

@@ -87,7 +87,7 @@ class Kinetic_triangulation_2 {
   using Point_2 = typename Traits::Point_2;                            ///< of the traits
   using Time = Algebraic_number;                                       ///< of events
   using Instantaneous_traits = typename Traits::Instantaneous_traits;  ///< of the traits
-  /// CGAL's triangulation, whose points move.
+  /// CGAL's triangulation, whose points move; in a periodic box see triangulation().
   using Triangulation = typename detail::Kinetic_types<Traits>::Triangulation;
   using Vertex_handle = typename Triangulation::Vertex_handle;  ///< valid until its point is erased
   using Face_handle = typename Triangulation::Face_handle;      ///< valid until the next event
@@ -205,7 +205,7 @@ class Kinetic_triangulation_2 {
 
   /// Whether next_event_time() is before `time`, exactly; changes nothing. Cost: O(1) after
   /// next_event_time(), or if no certificate must be rechecked before `time`; else O(n), and each
-  /// call rechecks those certificates.
+  /// call computes those certificates again, or all if they are deferred (see set_motions).
   bool has_event_before(const Time& time) const;
 
   /// Advances to the time of the next event and executes all events of that time. Returns their
@@ -224,13 +224,14 @@ class Kinetic_triangulation_2 {
 
   /// How many threads advance_to may use from now on: at first 1; 0 means those of oneTBB's arena.
   /// Several threads execute events if there are some 50 000 points or more, of which at most one
-  /// in 1000 is hidden, the traits are those of this library, no observer reads the triangulation
-  /// (Event_observer::looks_at_triangulation), and many events are to come (docs/PARALLEL.md). The
-  /// result is the same, event by event; only counts of certificates, rechecks, discarded failures
-  /// and the queue differ. Memory: some 30 bytes a point more, and 60 to 110 in a simulation of
-  /// colliding discs. If an observer throws, the later events of the same time window have been
-  /// executed too, without calls of observers. If a window runs out of memory, the state is that
-  /// before or after its events, if there is memory to schedule all certificates anew.
+  /// in 1000 is hidden, the traits are the library's own for the plane, no observer reads the
+  /// triangulation (Event_observer::looks_at_triangulation), and many events are to come
+  /// (docs/PARALLEL.md). Events are the same, one by one; only counts of certificates, rechecks,
+  /// discarded failures and the queue differ. Memory: some 30 bytes a point more, and 60 to 110 in
+  /// a simulation of colliding discs. If an observer throws, the later events of the same time
+  /// window have been executed too, without calls of observers. If a window runs out of memory, the
+  /// state is that before or after its events, if there is memory to schedule all certificates
+  /// anew.
   void set_threads(std::size_t most) { core_.threads = most; }
 
   /// As step(), but does nothing if the next event is after `until`. Returns the number of events.
@@ -273,14 +274,15 @@ class Kinetic_triangulation_2 {
   // are many. What throws Coincident_trajectories_error or Precondition_error changes nothing.
   // There is one event for each point, in the order of the ids, then rebuild events for the edges
   // that have changed. Points whose triangles stay embedded cost O(1) certificates each, and O(n)
-  // together; if more than an eighth of the points jump, are inserted or erased, the triangulation
-  // is rebuilt, O(n log n).
+  // together; if more than an eighth of the points, and more than 8, jump, are inserted or erased,
+  // the triangulation is constructed again, O(n log n).
   //
-  // If more than a quarter of the points change, and these are more than 16, certificates are
-  // computed only when time is to go on: by next_event_time, step, advance_to, or another change.
-  // If none of these is inserted or erased, the triangulation is repaired as long as that costs
-  // less than a construction: if points move less than about half the distance of neighbors
-  // (detail::Repair).
+  // If more than a quarter of the points, and more than 16, get other motions, none is inserted or
+  // erased, and coincident points are not refused, then the triangulation is repaired
+  // (detail::Repair), or constructed again if many triangles have turned over; in a periodic box it
+  // is repaired only if all weights are equal. After a repair or construction certificates are
+  // *deferred*: computed only when time is to go on (next_event_time, step, advance_to), or at
+  // another change.
 
   /// Gives the points `ids` these motions from now on, as set_motion does: an event `trajectory`
   /// for each point. Throws Coincident_trajectories_error if two points have the same trajectory
@@ -373,7 +375,7 @@ class Kinetic_triangulation_2 {
   Queue_counters queue_counters() const { return core_.schedule.queue().counters(); }
   /// The present number of entries in the queue: failures, and times up to which a certificate
   /// certainly holds; at most one for each edge, infinite ones included, and each hidden point;
-  /// 0 while certificates are deferred (see the changes of many points). O(1).
+  /// 0 while certificates are deferred (see set_motions). O(1).
   std::size_t queue_size() const noexcept { return core_.schedule.queue().size(); }
   /// Counts of certificates since the start, those of the snapshot included.
   const Certificate_counters& certificate_counters() const {
