@@ -57,7 +57,7 @@ KINETRI_ALWAYS_INLINE void prefetch_object(const Object& object) {
 
 /// A copy of the moving points and finite edges of a triangulation, updated once for each instant.
 /// A point that coincides with others for a while has an edge, its *link*, with the one that hides
-/// it (docs/MATH.md, section 4). In a periodic box, with its image at the position of that one.
+/// it (docs/MATH.md, section 4); in a periodic box, with the image of that one at its position.
 template <class Traits>
 class Neighbor_graph {
  public:

@@ -77,11 +77,11 @@ class Simulation_types<Traits>::Overlap_tracker {
 
   /// Two discs in contact overlap from now on, and have no contact until they have separated.
   void let_pass(Point_id a, const Disc& b, bool is_edge);
-  /// All contacts of one time must be found before the first of them is executed, since pairs are
-  /// watched because of overlaps that begin with contacts (docs/MATH.md, section 8). Records the
-  /// overlap of a contact of the present time that has left the queue, and returns the contact to
-  /// the queue behind those that are not noted. Returns false, and does nothing, if no other
-  /// contact happens now and the two overlap no others.
+  /// Records the overlap of a contact of the present time that has left the queue, and returns the
+  /// contact to the queue, behind those that are not noted. Returns false, and does nothing, if no
+  /// other contact happens now and the two overlap no others. An overlap that begins with a contact
+  /// may show further contacts of the same time: so all of them are noted before the first one is
+  /// executed (docs/MATH.md, section 8).
   bool note_contact(const Contact_entry& contact);
   /// Records that a pair overlaps, and watches the pairs of the two with others.
   void start_overlap(Point_id a, const Disc& b, bool is_edge);

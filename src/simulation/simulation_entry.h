@@ -13,7 +13,7 @@
 
 namespace kinetri::detail {
 
-/// In the order of execution at one time. Contacts of discs that are noted come after the others.
+/// In the order of execution at one time. Of collisions, those that are noted come last.
 enum class Contact_kind : std::uint8_t { wall, collision, erase, trajectory, insert, vanish };
 
 inline bool is_contact(Contact_kind kind) {

@@ -17,7 +17,7 @@ namespace kinetri::detail {
 struct Window_work {
   double reported = 0;  ///< events of the run
   double executed = 0;  ///< by all nodes, including those rolled back
-  /// The least number that one thread executes if all threads are used as well as possible.
+  /// The number that one thread executes if the threads share the events as well as possible.
   double in_turn = 0;
   double rolled_back = 0;  ///< rolled back: executed too early, or the window was truncated
   double serial = 0;       ///< other work of one thread

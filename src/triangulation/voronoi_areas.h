@@ -255,8 +255,8 @@ class Voronoi_areas {
   }
 
   // The positions, relative to the origin, that are at least as near to `v` as to `u`; with
-  // weights, that have at most as much power. None if the two are alike. Both points have the same
-  // line.
+  // weights, whose power to `v` is at most that to `u`. None if the two have the same position and
+  // weight. The half planes of v and of u have the same boundary line.
   std::optional<Half_plane> nearer_half_plane(Vertex_handle v, Vertex_handle u,
                                               const Vector_2& origin) const {
     const Ball_2& here = positions_[at_.id(v)];

@@ -22,7 +22,7 @@ using Point_id = std::uint32_t;
 /// vertex.
 inline constexpr Point_id no_point = std::numeric_limits<Point_id>::max();
 
-/// Which image of a point in a periodic box: how often each lattice vector is added to a position.
+/// The offset of an image in a periodic box: how often each lattice vector is added to a position.
 struct Lattice_offset_2 {
   std::int32_t x = 0;  ///< how often the first lattice vector
   std::int32_t y = 0;  ///< how often the second
@@ -57,8 +57,9 @@ constexpr Triangle_ids triangle_ids(Point_id a, Point_id b, Point_id c) {
   return b < c ? Triangle_ids{b, c, a} : Triangle_ids{c, a, b};
 }
 
-/// A triangle in a periodic box, counterclockwise: from a point corners[0] to images of the other
-/// two points; and all images of that. Of its three names, the least one.
+/// A triangle in a periodic box, counterclockwise, which stands for all its images: the one with
+/// the point corners[0], as given, and images of the other two points. Each corner could be the
+/// first one; of these three names it is the least.
 struct Periodic_triangle {
   Triangle_ids corners = {};                     ///< the points, the least id first
   std::array<Lattice_offset_2, 2> offsets = {};  ///< of the corners 1 and 2 against corner 0

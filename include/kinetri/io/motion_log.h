@@ -44,8 +44,8 @@ class Motion_log_writer : public Event_observer {
   /// not reversed while it is observed.
   Motion_log_writer(std::ostream& out, const Triangulation& triangulation, double radius = 0);
 
-  /// False: it reads only the motions of points that an event names, as contacts do, at which they
-  /// are current.
+  /// False: it reads only the motions of the points that an event names, and these are current when
+  /// observers are called.
   bool looks_at_triangulation() const override { return false; }
   /// Stores the motions that a collision may change.
   void before_event(const Event& event) override;

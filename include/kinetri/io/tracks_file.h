@@ -8,8 +8,8 @@
 //            without commas; quotation marks belong to it; all rows of an id have the same radius
 //   frames   no header; four fields `frame id x y` separated by tabs or blanks, the form of some
 //            public data sets of pedestrians; a frame is a finite number, an id any text
-// ids      no header; fields `id frame x y`, and further ones that are ignored (z),
-//            separated by tabs or blanks, the form of other public data sets of pedestrians
+//   ids      no header; fields `id frame x y`, and further ones that are ignored (z), separated by
+//            tabs or blanks, the form of other public data sets of pedestrians
 //   table    any table whose columns Track_columns names, by their names in its header or, if it
 //            has none, by their numbers; separated by commas, semicolons, tabs or blanks; fields
 //            may be quoted (RFC 4180)
@@ -18,7 +18,7 @@
 //   gpx      XML with tracks of GPS receivers: gpx
 //   trackmate XML with tracks of TrackMate: Tracks
 //   lammps   a text dump of LAMMPS with the columns id and x y, xu yu, xs ys or xsu ysu
-// xyz      XYZ, plain or extended, with several frames
+//   xyz      XYZ, plain or extended, with several frames
 //   geojson  GeoJSON: points with properties for id and time, lines with a time for each position
 //
 // In rows, frames, ids and table, blank lines and lines that begin with # are skipped; but a line

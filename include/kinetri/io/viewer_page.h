@@ -14,19 +14,18 @@
 //   points        the number of point ids: these are 0 ... points - 1
 //   names         the points' names by id; absent: their ids
 //   box           [xmin, ymin, xmax, ymax], or null
-//   periodic      absent, or of a periodic box ten numbers, five of each of its two vectors: e, x,
-//   y,
-//                 vx, vy: the vector is (x, y) + (vx, vy) (t - e). The members `offsets` below and
-//                 initial_offsets are there only then: base64 of int32, two an offset
+//   periodic      absent, or of a periodic box ten numbers, five of each of its two vectors:
+//                 e, x, y, vx, vy: the vector is (x, y) + (vx, vy) (t - e). Only then there are
+//                 the members `offsets` below and initial_offsets: base64 of int32, two an offset
 //   radius        of the discs if all are equal and none grows; else 0
 //   thinned       null, or {"events": number of events of the run} if some are left out (Recording)
 //   wave          null, or {"height": h, "width": w}: the page begins with the wave. Its height is
 //                 h exp(-d^2 / (2 w^2)), d the distance in y to the mean of the moving points
 //   encounters    absent, or the encounters: {range, in_all, count, ids, begin, end}: ids: base64
-//   of the ids, two an encounter; begin and end: base64 of
-//                 binary64, the first and the last number among the times of the encounter (begin >
-//                 end if no number is); in_all: the number of encounters, count: that of those in
-//                 the page, which is 0 if there are too many
+//                 of the ids, two an encounter; begin and end: base64 of binary64, the first and
+//                 the last number among the times of the encounter (begin > end if no number is);
+//                 in_all: the number of encounters, count: that of those in the page, which is 0
+//                 if there are too many
 //   initial_edges base64 of the ids of the ends, two an edge: the edges at the start that are sides
 //                 of no triangle, sorted. There are such edges only if all points are collinear,
 //                 and none in a periodic box

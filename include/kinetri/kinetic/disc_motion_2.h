@@ -148,9 +148,9 @@ double weight_error(const Basic_disc_motion_2<CenterMotion>& disc, double t,
 /// The disc with the epoch `t` and the given velocity that starts from the position of `disc` at t,
 /// with its radius there and its growth; the position is rounded as for a point. A radius that does
 /// not change is not rounded. One that does is rounded down, by at least the error of the position,
-/// but not below zero, so that at times within half a unit in the last place of t the new disc is
-/// inside the old one. So two growing discs that touch at such a time do not overlap after both
-/// have been continued, unless one is as small as the rounding.
+/// but not below zero: then the new disc is inside the old one at all times within half a unit in
+/// the last place of t. So two growing discs that touch at such a time do not overlap when both
+/// have new motions, unless one is as small as the rounding.
 Disc_motion_2 with_velocity_at(const Disc_motion_2& disc, const Vector_2& velocity, double t);
 Polynomial_disc_motion_2 with_velocity_at(const Polynomial_disc_motion_2& disc,
                                           const Vector_2& velocity, double t);

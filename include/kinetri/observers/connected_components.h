@@ -39,8 +39,8 @@ struct Component_event {
   Component_event_kind kind = Component_event_kind::start;  ///< what happens
   /// Of a merge or split, the ends of the link that joins, or joined, the two components. Their
   /// distance is the range exactly, unless one of them is inserted, erased, or jumps at that time.
-  /// Of a wrap or unwrap, the ends of the link by which the component wraps, or did. Of an insert
-  /// or erase, the point and no_point. Of a start none.
+  /// Of a wrap or unwrap, the ends of the link that begins or ends. Of an insert or erase, the
+  /// point and no_point. Of a start none.
   Edge_ids points = {no_point, no_point};
   /// The sizes of the two components: before a merge, after a split. Of a wrap or unwrap, the size
   /// of the component, and 0.

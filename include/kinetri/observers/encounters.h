@@ -41,8 +41,8 @@ class Encounter_tracker;
 /// distance of two points less the radii of their discs, which are those of the motions (HasWeight)
 /// or the radius of the options. A gap of just `range` counts, so an encounter may be one moment.
 ///
-/// Encounters begin at the earliest at the start of the observation or when a point is inserted,
-/// and end at the latest now or when a point is erased. An encounter continues through a change of
+/// No encounter begins before the observation or before both points exist, and none ends after the
+/// current time or after one of the two is erased. An encounter continues through a change of
 /// motion if the two are in range at that time under the motions before and after it; of several
 /// changes of a point at one time only the last counts, unless this object is called in between. A
 /// point that is erased and one that is inserted at the same time may have an encounter at that

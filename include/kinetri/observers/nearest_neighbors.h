@@ -48,9 +48,9 @@ class Nearest_tracker;
 /// motion, and each removed edge to the next candidate, as many as the point has neighbors. Memory:
 /// O(n), and the list of changes.
 ///
-/// In a periodic box it is the nearest image, of another point or of the point itself, as that of
-/// Periodic_queries_2: so a point alone has one. Of equally near images, which the two at opposite
-/// offsets of the point itself always are, it is the smallest Periodic_image.
+/// In a periodic box it is the nearest image, of another point or of the point itself, as in
+/// Periodic_queries_2: so a point alone has one. Of equally near images it is the smallest
+/// Periodic_image; two own images at opposite offsets are always equally near.
 ///
 /// There is no such observer of points with weights: the nearest center or boundary circle need not
 /// be a neighbor in the regular triangulation (docs/MATH.md, section 10).
@@ -65,8 +65,8 @@ class Nearest_neighbors {
 
   /// @{
   /// Observes from the current time on. The first changes are those of the start: each point that
-  /// is not alone gets its nearest neighbor. Changes are passed to `on_change`, or kept for
-  /// changes() if it is empty. It may be called late: it must neither change nor read the
+  /// is not alone gets its nearest neighbor. Changes are passed to `on_change` or, if that is
+  /// empty, kept for changes(). `on_change` may be called late: it must neither change nor read the
   /// triangulation.
   explicit Nearest_neighbors(detail::Simulation_of<Traits>& simulation,
                              On_change on_change = {}) requires ContactKineticTraits_2<Traits>;

@@ -76,9 +76,9 @@ class Life_recorder;
 /// time, of degrees 10 and 8 for linear motion, whose common divisor is divided out. For a present
 /// edge it is decided up to the present time. The ridge of a hull edge is unbounded, and not short.
 /// If an exchange is reversed before the new ridge has reached the threshold, the lifetime between
-/// is short, and so are both exchanges. (Which pair replaces which is known only if the exchange is
-/// alone in its quadrilateral; otherwise it is short only for the two points of the short
-/// lifetime.) The two lifetimes before and after it are not joined.
+/// is short, and so are both exchanges. (If several exchanges at one time concern the
+/// quadrilateral, it is not known which pair replaces which: the exchange is then short only for
+/// the two points of the short lifetime.) The two lifetimes before and after it are not joined.
 ///
 /// Cost: O(log n) for each edge that changes, and O(degree) for each new motion. With a threshold,
 /// also predicates for the five edges around it, and until the ridge of an edge has reached the

@@ -49,11 +49,11 @@ template <class Traits>
 class Certificate_finder;
 }  // namespace detail
 
-/// An observer that certifies events. A certificate begins at the last time at which the edge got
-/// its two triangles, the hidden point came into its triangle, or one of the points got its motion,
-/// or else at the start of the observation. That of a contact begins at the last time at which a
-/// disc got its motion, or the two discs touched or separated. So certificates depend only on the
-/// events of the run, not on how it was computed.
+/// An observer that certifies events. A certificate begins at the last change of its subject, or
+/// else at the start of the observation. Changes are: the edge gets its two triangles; the hidden
+/// point comes into its triangle; one of the points gets its motion; of a contact, a disc gets its
+/// motion, or the two discs touch or separate. So certificates depend on the events of the run, not
+/// on how it was computed.
 ///
 /// Cost: for each event the roots of a polynomial and a Sturm sequence; for each change other than
 /// a flip, the degrees of the points whose edges have changed. Memory: a record for each edge. Runs

@@ -101,9 +101,8 @@ struct Recording {
 };
 
 /// Observes a run and records it. Cost of an event: the degrees of the ends of its edges; also
-/// O(rows log rows) at most once in `most_rows` / 2 events. Memory: O(points + rows). It looks at
-/// the triangulation only if points change or at changes other than flips, so flips may be reported
-/// late.
+/// O(rows log rows) at most once in `most_rows` / 2 events. Memory: O(points + rows). It does not
+/// read the triangulation at flips, so these may be reported late.
 template <class Traits = Linear_kinetic_traits_2>
 class Recorder : public Event_observer {
  public:
@@ -130,9 +129,9 @@ class Recorder : public Event_observer {
   /// event.
   Recording recording() const;
 
-  /// What has been recorded since the start, or since the last call, up to the current time of the
-  /// triangulation. It is forgotten. A part that is not the first goes on where the one before
-  /// ends: it has no edges, triangles, motions and coincidences of the start. Preconditions: not
+  /// The part recorded since the last call, or since the start, up to the current time of the
+  /// triangulation; it is removed from this object. A later part continues the one before: only the
+  /// first part has edges, triangles, motions and coincidences of the start. Preconditions: not
   /// called during an event; the recording is not thinned (`most_rows`).
   Recording take();
 

@@ -34,8 +34,7 @@ enum class Scenario {
   /// points meet.
   lattice,
   /// Like `lattice`, each coordinate shifted by a random offset in [-jitter, jitter); random
-  /// velocity
-  /// components in [-speed, speed).
+  /// velocity components in [-speed, speed).
   lattice_jitter,
 };
 

@@ -280,7 +280,7 @@ class Simulation_2 {
   /// @}
 
   /// The points whose discs overlap that of the point just after the current time, exactly; sorted.
-  /// In a periodic box a point comes as often as images of it overlap. Precondition: there is a
+  /// In a periodic box a point occurs once for each image that overlaps. Precondition: there is a
   /// response, since overlaps are not tracked without one; triangulation().contains(id). Cost: an
   /// exact predicate for each disc that overlaps or almost does.
   std::vector<Point_id> overlapping_discs(Point_id id) const;

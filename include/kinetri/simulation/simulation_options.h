@@ -52,7 +52,7 @@ struct Simulation_options {
   std::uint64_t max_contacts_per_instant = 1'000'000;
 };
 
-/// Counters of contacts. Events count the contacts that happened.
+/// Counters of contacts. Those that happened are counted as events (Triangulation_counters).
 struct Contact_counters {
   Queue_counters queue;                    ///< of contacts and scheduled changes
   std::uint64_t discarded_walls = 0;       ///< discarded because the point got a new motion

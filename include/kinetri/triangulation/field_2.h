@@ -74,8 +74,8 @@ struct Grid_2 {
 /// and h the least height of the triangle. A value of `smooth` is rounded in the same way, without
 /// such a bound near the hull and near flat triangles.
 ///
-/// Points that coincide for a while (Coincident_points) share their weight equally: they are like
-/// one point that has the mean of their values. The mean of n values is off by at most 2^-52 n
+/// Points that coincide for a while (Coincident_points) are like one point that has the mean of
+/// their values. The mean of n values is off by at most 2^-52 n
 /// times the greatest of their absolute values.
 ///
 /// The field refers to the triangulation; values belong to ids. Only for points without weights.

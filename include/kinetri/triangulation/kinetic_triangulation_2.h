@@ -185,8 +185,8 @@ class Kinetic_triangulation_2 {
   /// The motion of the point `id`. Precondition: contains(id).
   const Motion& motion(Point_id id) const { return point(id).motion(); }
 
-  /// The ids of the ends of all finite edges, sorted. In a periodic box a pair comes as often as it
-  /// has edges. O(n log n).
+  /// The ids of the ends of all finite edges, sorted. In a periodic box a pair of ids occurs once
+  /// for each of its edges. O(n log n).
   std::vector<Edge_ids> finite_edge_ids() const;
 
   /// In a periodic box, all 3n edges of the n visible points, sorted. O(n log n).
@@ -312,11 +312,11 @@ class Kinetic_triangulation_2 {
 
   /// Moves the points `ids` on straight lines to these positions, which they reach in the time
   /// `duration`, and executes the events on the way; the other points go on. Returns the number of
-  /// these events. The line begins at the position at the binary64 number nearest to
-  /// current_time(), rounded as by set_velocities, and ends at that nearest to the sum with
-  /// `duration`. Since velocities are rounded, the positions are set in the end (set_positions): a
-  /// point jumps to its position, as far as rounding has missed it. In a periodic box positions are
-  /// as given, in the box or not, and the line to them is the one in the plane.
+  /// these events. Let `now` be the binary64 number nearest to current_time(). The line begins at
+  /// the position at `now`, rounded as by set_velocities; the end is the rounded sum of `now` and
+  /// `duration`. Velocities are rounded, so a point may miss its position a little; in the end it
+  /// jumps there (set_positions). In a periodic box positions may be outside of the box, and lines
+  /// are those of the plane.
   ///
   /// It is set_motions, advance_to and set_positions, and throws what these throw. A broken
   /// precondition, coincident points on the way that are refused, and a periodic box without an

@@ -96,10 +96,9 @@ class Periodic_queries_2 {
   /// faces that contain the position.
   Periodic_location_2 locate(const Vector_2& place) const;
 
-  /// The images with an edge to the point `id` at its position, counterclockwise, the smallest one
-  /// first: as often as it has edges, own images too. At a degenerate time there are several
-  /// Delaunay triangulations; voronoi_cell gives the neighbors that all of them have. Cost:
-  /// O(degree).
+  /// The images with an edge to the point `id` at its position, own images included,
+  /// counterclockwise, the smallest one first. At a degenerate time there are several Delaunay
+  /// triangulations; voronoi_cell gives the neighbors that all of them have. Cost: O(degree).
   ///
   /// Then, in ascending order, the images that the point hides since they coincide with it for a
   /// while. The only neighbor of such a hidden point is the image that hides it.
@@ -135,15 +134,15 @@ class Periodic_queries_2 {
   /// and exact comparisons if these do not decide.
   Periodic_image nearest_neighbor(Point_id id) const;
 
-  /// The nearest_neighbor of each point, by id; one with the id no_point if there is no point `id`.
-  /// next_id() images.
+  /// The nearest_neighbor of each point, by id: next_id() images. The image has the id no_point if
+  /// there is no point `id`.
   std::vector<Periodic_image> nearest_neighbors() const;
 
-  /// The k images nearest to each point, of other points or of itself, but for itself, in the order
-  /// of distance, then of name. Those of the point `id` are the k images from k * id on; images
-  /// with the id no_point if there is no point `id`. k * next_id() images. Precondition: k is less
-  /// than 2^32. Cost: as Kinetic_queries_2::nearest_neighbors(k), and a look into a set of names
-  /// for each image that is compared.
+  /// The k images nearest to each point, its own ones included but not the point itself, in the
+  /// order of distance, then of Periodic_image: k * next_id() images. Those of the point `id` begin
+  /// at k * id; they have the id no_point if there is no such point. Precondition: k is less than
+  /// 2^32. Cost: as Kinetic_queries_2::nearest_neighbors(k), and for each image that is compared a
+  /// search in a set of images.
   std::vector<Periodic_image> nearest_neighbors(std::size_t k) const;
 
   /// The two images nearest to each other, of two points or of one, as the edge between them is

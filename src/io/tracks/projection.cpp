@@ -67,8 +67,8 @@ Extent extent_of(Tracks_file& file, const std::string& name) {
   return result;
 }
 
-// Bound of the relative error of distances in the equirectangular projection about the center of
-// the extent: that of lengths along the meridians and parallels that shortest paths reach.
+// Bounds the relative error of distances in the equirectangular projection about the center of the
+// extent, by the errors of lengths along all meridians and parallels that shortest paths meet.
 double error_of_local(const Extent& extent) {
   if (extent.longitudes.size() > widest) return std::numeric_limits<double>::infinity();
   // A shortest path between positions of one latitude is nearer to the pole than they are. By

@@ -72,7 +72,7 @@ class Linear_sizes {
   double extent() const { return greatest(extent_); }
   // The sum of all numbers that the positions were computed from.
   double terms() const { return sum(terms_); }
-  // Bounds the slopes, their errors included unless these are those of one rounding.
+  // Bounds the slopes and, if they have more than one rounding, their errors too.
   double speed() const {
     if constexpr (has_slope_terms) {
       return greatest(slope_) + 0x1p-49 * sum(slope_terms_);

@@ -54,9 +54,9 @@ constexpr Edge_ids edge_ids(Point_id a, Point_id b) {
   return a < b ? Edge_ids{a, b} : Edge_ids{b, a};
 }
 
-/// An edge in a periodic box: from a point ids[0] to the image of the point ids[1] that the lattice
-/// moves by `offset` against ids[1]; and all images of that. An edge with two different points has
-/// ids[0] < ids[1]; one from a point to its own image has the greater of the two offsets.
+/// An edge in a periodic box, which stands for all its images: the one from the point ids[0] to the
+/// image of the point ids[1] with `offset`. An edge of two points has ids[0] < ids[1]. One from a
+/// point to its own image could have this offset or the negative; it has the greater one.
 struct Periodic_edge {
   Edge_ids ids = {};             ///< the ends, the smaller id first
   Lattice_offset_2 offset = {};  ///< of the second end against the first
@@ -71,8 +71,8 @@ constexpr Periodic_edge periodic_edge(Point_id a, Point_id b, Lattice_offset_2 o
   return {{b, a}, reverse};
 }
 
-/// The edges that a change has removed and added in the end, both sorted. In a periodic box a pair
-/// comes as often as such an edge, without offsets.
+/// The edges that a change has removed and added in the end, both sorted. In a periodic box without
+/// offsets: a pair of ids occurs once for each such edge.
 struct Changed_edges {
   std::vector<Edge_ids> removed;  ///< that were there before
   std::vector<Edge_ids> added;    ///< that are there now
