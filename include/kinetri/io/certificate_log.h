@@ -20,7 +20,7 @@ namespace kinetri {
 std::string certificate_line(const Event_certificate& certificate);
 
 /// An observer that writes the certificate of each event as a line, after the event. Errors are
-/// those of the stream. Cost: that of Event_certificates.
+/// those of the stream. Cost, and traits: those of Event_certificates.
 template <class Traits = Linear_kinetic_traits_2>
 class Certificate_log_writer : public Event_certificates<Traits> {
  public:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Checkpoint files: the whole state of a simulation, from which it can be resumed. A text file of
-// three parts: a first line with format and version, the state as JSON, and a last line with the
-// CRC-32 checksum of all before it. The state includes the names, sizes and checksums of the files
-// that the run has written.
+// Checkpoint files: the whole state of a simulation in the plane, from which it can be resumed. A
+// text file of three parts: a first line with format and version, the state as JSON, and a last
+// line with the CRC-32 checksum of all before it. The state includes the names, sizes and checksums
+// of the files that the run has written.
 #ifndef KINETRI_IO_CHECKPOINT_FILE_H
 #define KINETRI_IO_CHECKPOINT_FILE_H
 

@@ -58,7 +58,7 @@ template <class MotionType>
 class Basic_moving_point_2 {
  public:
   using Motion =
-      MotionType;  ///< Linear_motion_2, Polynomial_motion_2, or a disc with such a center
+      MotionType;  ///< Linear_motion_2, Polynomial_motion_2, a disc about such, or an image
 
   /// A point at rest at the origin.
   Basic_moving_point_2() = default;

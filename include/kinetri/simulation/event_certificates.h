@@ -57,7 +57,8 @@ class Certificate_finder;
 ///
 /// Cost: for each event the roots of a polynomial and a Sturm sequence; for each change other than
 /// a flip, the degrees of the points whose edges have changed. Memory: a record for each edge. Runs
-/// with such an observer use one thread, since it looks at the triangulation.
+/// with such an observer use one thread, since it looks at the triangulation. Compiled for the
+/// library's traits of the plane.
 template <class Traits = Linear_kinetic_traits_2>
 class Event_certificates : public Event_observer {
  public:

@@ -78,7 +78,8 @@ struct Grid_2 {
 /// their values. The mean of n values is off by at most 2^-52 n
 /// times the greatest of their absolute values.
 ///
-/// The field refers to the triangulation; values belong to ids. Only for points without weights.
+/// The field refers to the triangulation; values belong to ids. Only for points without weights, in
+/// the plane.
 /// Several threads may call const functions at once, if none changes the triangulation. Coordinates
 /// beyond 1e300 throw Precondition_error.
 template <KineticTraits_2 Traits = Linear_kinetic_traits_2>

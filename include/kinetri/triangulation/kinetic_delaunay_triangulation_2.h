@@ -10,7 +10,8 @@
 namespace kinetri {
 
 /// The Delaunay triangulation of moving points, exact at every time: a
-/// CGAL::Delaunay_triangulation_2 of points that move. Kinetic_triangulation_2 has the interface.
+/// CGAL::Delaunay_triangulation_2 of points that move, in a periodic box one of the flat torus.
+/// Kinetic_triangulation_2 has the interface.
 template <KineticTraits_2 Traits = Linear_kinetic_traits_2>
 using Kinetic_delaunay_triangulation_2 = Kinetic_triangulation_2<Traits>;
 
