@@ -260,7 +260,7 @@ class Position_run {
       case 10: {
         const std::size_t k = any(2);
         what_ << (k == 0 ? "to the next" : "in the opposite order");
-        if (k == 0) std::ranges::rotate(places, places.begin() + 1);
+        if (k == 0) std::rotate(places.begin(), places.begin() + 1, places.end());
         if (k == 1) std::ranges::reverse(places);
         break;
       }

@@ -33,7 +33,7 @@ using Places = std::vector<Vector_2>;
 using Triangles = std::set<std::array<Point_id, 3>>;
 
 void insert(Triangles& triangles, std::array<Point_id, 3> corners) {
-  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
   EXPECT_TRUE(triangles.insert(corners).second) << "a triangle that is there twice";
 }
 
