@@ -16,10 +16,9 @@ void append_edge(std::string& line, const std::optional<Edge_ids>& edge) {
   }
 }
 
-void append_offset(std::string& line, const std::optional<Edge_ids>& edge,
-                   const Lattice_offset_2& offset) {
+void append_offset(std::string& line, bool has_offset, const Lattice_offset_2& offset) {
   line += ',';
-  if (edge) line += offset_field(offset);
+  if (has_offset) line += offset_field(offset);
 }
 
 void append_point(std::string& line, const std::optional<Point_id>& point) {
@@ -60,8 +59,9 @@ void Event_log_writer::after_event(const Event& event) {
   append_point(line, event.point_b);
   append(line, ',', instant_);
   if (columns_ == Event_columns::periodic) {
-    append_offset(line, event.removed, event.removed_offset);
-    append_offset(line, event.added, event.added_offset);
+    const bool is_contact = event.kind == Event_kind::collision;
+    append_offset(line, event.removed.has_value(), event.removed_offset);
+    append_offset(line, event.added.has_value() || is_contact, event.added_offset);
   }
   line += '\n';
   out_ << line;

@@ -90,6 +90,14 @@ std::unique_ptr<Simulation_2<>> simulate_tracks(std::span<const std::vector<Obse
   });
 }
 
+std::unique_ptr<Simulation_2<Periodic_kinetic_traits_2>> simulate_tracks(
+    std::span<const std::vector<Observation_2>> tracks, std::span<const Stay> stays, double start,
+    const Simulation_options& options, const Periodic_kinetic_traits_2& traits) {
+  return simulate(tracks, stays, start, options, traits, [&](const Stay& stay, std::size_t i) {
+    return motion_after(tracks[stay.track], i);
+  });
+}
+
 std::unique_ptr<Simulation_2<Disc_kinetic_traits_2>> simulate_tracks(
     std::span<const std::vector<Observation_2>> tracks, std::span<const double> radii,
     std::span<const Stay> stays, double start, const Simulation_options& options,

@@ -165,7 +165,7 @@ class Periodic(In_folder):
         points = HEADER + "0,0,0,0\n6,8,1,0\n1,1,0,0\n"  # 1 is 0, moved by (1, 2) of (4, 0) and (1 + t/2, 4)
         box = "--until 2 --periodic 4,4,1 --shear 0.125 --edges f.csv --verify"
         done = self.run_program(f"simulate p.csv {box}", points)
-        self.assertIn("coincident   1 point at all times, the first is 1, with 0\n", done.stderr)
+        self.assertIn("coincident   1 point at the start, the first is 1, with 0\n", done.stderr)
         self.assertIn("verified: 3 points", done.stdout)
         self.assertEqual({a for a, b, _ in edges_in(self.read("f.csv"))}, {0, 2})
         refused = self.run_program(f"simulate p.csv {box} --coincident refuse", code=2)

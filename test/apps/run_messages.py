@@ -160,6 +160,8 @@ def run_cases():
     at_wall = "x,y,vx,vy,ax,ay,jx,jy\n2,1,0,-3,0,6,0,-6\n"
     yield case("simulate d.csv --until 2 --box 0,0,9,9 --edges old.csv --quiet", files={"d.csv": at_wall},
                file="d.csv", line=2, a=0, side="lower", time=1, until=2, writes=True)
+    yield case("simulate d.csv --until 2 --periodic 16,3,7 --shear=-1 --collisions elastic --radius 2.5",
+               files={"d.csv": "x,y,vx,vy\n0,0,0,0\n"}, file="d.csv", line=2, id=0, x=0, y=1, time=1, until=2, writes=True)
     yield case("simulate d.csv --until 2 --box 0,0,9,9 --verify --quiet", files={"d.csv": at_wall}, writes=True)
     at_disc = "x,y,vx,vy,ax,ay\n0,0,0,0,1,0\n2,0,0,0,-1,0\n"
     for response in ("swap", "elastic"):

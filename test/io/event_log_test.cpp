@@ -65,12 +65,16 @@ TEST(Event_log, has_offsets_in_a_periodic_box) {
   writer.after_event(flip);
   writer.after_event({1, Event_kind::rebuild, Algebraic_number(2), {}, Edge_ids{1, 2}});
   writer.after_event({2, Event_kind::insert, Algebraic_number(3), {}, {}, 4});
+  Log_event collision = {3, Event_kind::collision, Algebraic_number(3), {}, {}, 4, 5};
+  collision.added_offset = {0, -1};
+  writer.after_event(collision);
   EXPECT_EQ(out.str(),
             "event,kind,time,time_lo,time_hi,removed_a,removed_b,added_a,added_b,point_a,point_b,"
             "instant,removed_offset,added_offset\n"
             "0,flip,2,2,2,0,0,1,3,,,0,0 1,-2 7\n"
             "1,rebuild,2,2,2,,,1,2,,,0,,0 0\n"
-            "2,insert,3,3,3,,,,,4,,2,,\n");
+            "2,insert,3,3,3,,,,,4,,2,,\n"
+            "3,collision,3,3,3,,,,,4,5,2,,0 -1\n");
 }
 
 TEST(Event_log, begins_with_its_header) {

@@ -39,13 +39,14 @@ class Closest_answer : public Answer {
 // Only for recorded tracks, which do not accelerate.
 std::unique_ptr<Answer> closest_answer(const Answer_settings& settings,
                                        const Any_simulation& simulation, const Run_source& source) {
-  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
-    if constexpr (HasLinearMotion<Traits>) {
-      return std::make_unique<Closest_answer<Traits>>(s, settings.closest, source);
-    } else {
-      throw Usage_error("--closest: the points accelerate; expected constant velocities");
-    }
-  });
+  return simulation.visit_plane(
+      [&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
+        if constexpr (HasLinearMotion<Traits>) {
+          return std::make_unique<Closest_answer<Traits>>(s, settings.closest, source);
+        } else {
+          throw Usage_error("--closest: the points accelerate; expected constant velocities");
+        }
+      });
 }
 
 }  // namespace kinetri::app

@@ -14,13 +14,14 @@ namespace {
 template <class Follow>
 std::unique_ptr<Answer> of_points(const char* option, const Any_simulation& simulation,
                                   const Follow& follow) {
-  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
-    if constexpr (!HasWeight<typename Traits::Motion>) {
-      if (s.options().radius == 0) return follow(s);
-    }
-    throw Usage_error(joined(
-        option, ": distances between discs are not supported; expected points without radii"));
-  });
+  return simulation.visit_plane(
+      [&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
+        if constexpr (!HasWeight<typename Traits::Motion>) {
+          if (s.options().radius == 0) return follow(s);
+        }
+        throw Usage_error(joined(
+            option, ": distances between discs are not supported; expected points without radii"));
+      });
 }
 
 // The points with this name in the input.

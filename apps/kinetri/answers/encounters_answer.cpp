@@ -56,19 +56,21 @@ class Contact_plan : public Answer {
 std::unique_ptr<Answer> encounters_answer(const Answer_settings& settings,
                                           const Any_simulation& simulation,
                                           const Run_source& source) {
-  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
-    const bool has_discs = HasWeight<typename Traits::Motion> || s.options().radius != 0;
-    return table_answer<Encounters<Traits>>(source, detail::Encounter_columns{has_discs}, s,
-                                            settings.range);
-  });
+  return simulation.visit_plane(
+      [&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
+        const bool has_discs = HasWeight<typename Traits::Motion> || s.options().radius != 0;
+        return table_answer<Encounters<Traits>>(source, detail::Encounter_columns{has_discs}, s,
+                                                settings.range);
+      });
 }
 
 std::unique_ptr<Answer> contact_plan_answer(const Answer_settings& settings,
                                             const Any_simulation& simulation,
                                             const Run_source& /*source*/) {
-  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
-    return std::make_unique<Contact_plan<Traits>>(s, settings.range);
-  });
+  return simulation.visit_plane(
+      [&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
+        return std::make_unique<Contact_plan<Traits>>(s, settings.range);
+      });
 }
 
 }  // namespace kinetri::app

@@ -6,7 +6,8 @@ namespace kinetri::app {
 
 std::unique_ptr<Answer> nearest_answer(const Answer_settings& /*settings*/,
                                        const Any_simulation& simulation, const Run_source& source) {
-  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
+  return simulation.visit_plane([&]<class Traits>(
+                                    Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
     if constexpr (HasNearestNeighbors<Traits>) {
       return table_answer<Nearest_neighbors<Traits>>(source, detail::Nearest_neighbor_columns(), s);
     } else {

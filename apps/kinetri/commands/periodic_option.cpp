@@ -9,6 +9,17 @@
 #include "kinetri/impl/io/text.h"
 
 namespace kinetri::app {
+namespace {
+
+// Whether a run in a periodic box has this output.
+constexpr bool is_for_periodic_boxes(Output output) {
+  return output == Output::events || output == Output::motions || output == Output::initial_edges ||
+         output == Output::edges || output == Output::stats || output == Output::frames ||
+         output == Output::vtu || output == Output::html || output == Output::ids ||
+         output == Output::plot;
+}
+
+}  // namespace
 
 void add_periodic_options(Command& command, Periodic_options& options) {
   command.add("--periodic", &options.periodic, "LX,LY[,XY]",
@@ -21,7 +32,7 @@ void add_periodic_options(Command& command, Periodic_options& options) {
       "in a unit of time (default 0)");
 }
 
-Box_of_options periodic_box(const Periodic_options& options) {
+Periodic_settings periodic_settings(const Periodic_options& options) {
   const std::string& text = *options.periodic;
   const std::vector<double> numbers =
       numbers_argument("--periodic", text, 2, 3, "two or three, LX,LY or LX,LY,XY");

@@ -6,11 +6,11 @@
 
 #include <optional>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "cli/command.h"
 #include "commands/run_options.h"
-#include "runs/periodic_run.h"
+#include "sources/points_source.h"
 
 namespace kinetri::app {
 
@@ -23,14 +23,8 @@ struct Periodic_options {
 /// Declares both. `options` must outlive the command.
 void add_periodic_options(Command& command, Periodic_options& options);
 
-/// The box of --periodic and --shear.
-struct Box_of_options {
-  Periodic_box_2 box;
-  std::vector<std::string> options;  ///< the same for kinetri-verify
-};
-
-/// Throws Usage_error. Precondition: --periodic is given.
-Box_of_options periodic_box(const Periodic_options& options);
+/// The box of both. Throws Usage_error. Precondition: --periodic is given.
+Periodic_settings periodic_settings(const Periodic_options& options);
 
 /// Throws Usage_error if --shear is given without --periodic.
 void expect_no_shear(const Periodic_options& options);

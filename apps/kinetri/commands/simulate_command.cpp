@@ -12,7 +12,6 @@
 #include "commands/periodic_option.h"
 #include "commands/run_options.h"
 #include "kinetri/impl/io/text.h"
-#include "runs/periodic_run.h"
 #include "runs/simulation_run.h"
 #include "sources/points_source.h"
 #include "sources/replay_source.h"
@@ -47,8 +46,27 @@ void expect_in_order(double from, double until, const Simulate_options& options)
                            ", which is --from"));
 }
 
+// Throws if an option is given that does not go with --periodic.
+void expect_periodic_options(const Simulate_options& options) {
+  expect_periodic(options.run);
+  if (options.box) refuse_with_periodic("--box");
+  if (options.rim) refuse_with_periodic("--rim");
+  if (options.growth) refuse_with_periodic("--growth");
+  if (options.regular) refuse_with_periodic("--regular");
+  if (options.replay) refuse_with_periodic("--replay");
+  const bool collide = collisions_argument(options.collisions, named_responses).response != nullptr;
+  if (!collide || !options.run.verify) return;
+  throw Usage_error(
+      "--verify: kinetri-verify does not verify contacts in periodic boxes; expected no --verify, "
+      "or no --collisions");
+}
+
 Points_settings points_settings(const Simulate_options& options) {
   Points_settings result;
+  if (options.periodic.periodic) {
+    expect_periodic_options(options);
+    result.periodic = periodic_settings(options.periodic);
+  }
   result.points = options.points;
   result.from = number_argument("--from", options.from);
   result.until = until_argument(options.run);
@@ -64,9 +82,9 @@ Points_settings points_settings(const Simulate_options& options) {
   const bool has_discs = result.collisions.response != nullptr || options.rim || options.regular;
   const auto expect_discs = [&](std::string_view option) {
     if (has_discs) return;
-    throw Usage_error(joined("--", option,
-                             ": nothing touches a disc; expected --collisions, --rim ",
-                             "or --regular as well, or no ", option));
+    throw Usage_error(joined("--", option, ": nothing touches a disc; expected --collisions",
+                             result.periodic ? "" : ", --rim or --regular", " as well, or no ",
+                             option));
   };
   if (options.radius) {
     result.radius = radius_argument("--radius", *options.radius);
@@ -95,31 +113,6 @@ void expect_replay_options(const Simulate_options& options) {
   for (const auto& [option, is_given] : excluded) {
     if (is_given) throw Usage_error(joined("--replay excludes ", option, "; expected one of them"));
   }
-}
-
-// Of a run with --periodic.
-Periodic_settings periodic_run_settings(const Simulate_options& options) {
-  expect_periodic(options.run);
-  if (options.box) refuse_with_periodic("--box");
-  if (options.rim) refuse_with_periodic("--rim");
-  if (collisions_argument(options.collisions, named_responses).response != nullptr) {
-    refuse_with_periodic("--collisions");
-  }
-  if (options.radius) refuse_with_periodic("--radius");
-  if (options.growth) refuse_with_periodic("--growth");
-  if (choice_argument("--mass", options.mass, masses) != 0) refuse_with_periodic("--mass");
-  if (options.regular) refuse_with_periodic("--regular");
-  if (options.replay) refuse_with_periodic("--replay");
-  Box_of_options box = periodic_box(options.periodic);
-  const double from = number_argument("--from", options.from);
-  const double until = *until_argument(options.run);
-  expect_in_order(from, until, options);
-  Periodic_settings result;
-  result.path = options.points;
-  result.read = [=, path = options.points] { return points_in_box(path, box.box, from, until); };
-  result.box_options = std::move(box.options);
-  result.coincident = coincident_argument(options.coincident);
-  return result;
 }
 
 }  // namespace
@@ -171,7 +164,8 @@ Command simulate_command() {
       "touch are neighbors. Else it is the Delaunay triangulation of the centers.",
       "In a periodic box (--periodic) the triangulation is that of all images of the points: one "
       "of the torus, without a hull. Edges have offsets: how often the two vectors of the box are "
-      "added to the position of the second end. Such a run has no walls and no discs.",
+      "added to the position of the second end. Such a run has no walls, and its discs have one "
+      "radius: they collide with images of others, whose offsets are in the log.",
       "Discs that grow may become jammed, with any response: they have no free area left between "
       "one another or between walls. The run then ends, and the outputs hold what happened until "
       "then. It ends in the same way if points are accelerated against a wall or each other, and "
@@ -195,6 +189,8 @@ Command simulate_command() {
                      "kinetri simulate points.csv --until 10 --periodic 100,100 --shear 0.1 \\",
                      "    --events events.csv --edges edges.csv --verify",
                      "kinetri simulate points.csv --until 10 --periodic 100,100 --html run.html",
+                     "kinetri simulate points.csv --until 10 --periodic 100,100 \\",
+                     "    --collisions elastic --radius 0.5 --events events.csv",
                      "kinetri simulate points.csv --until 10 --box 0,0,100,100 \\",
                      "    --collisions elastic --radius 0.5 --events -",
                      "kinetri simulate discs.csv --until 10 --box 0,0,100,100 --rim \\",
@@ -205,10 +201,6 @@ Command simulate_command() {
                      "kinetri simulate motions.csv --replay events.csv --until 10 --html run.html"};
   result.run = [options](const Command& /*program*/) {
     expect_no_shear(options->periodic);
-    if (options->periodic.periodic) {
-      const Periodic_settings periodic = periodic_run_settings(*options);
-      return run_periodic(run_settings(options->run), periodic);
-    }
     const Points_settings settings = points_settings(*options);
     if (options->replay) expect_replay_options(*options);
     const auto source =

@@ -15,7 +15,6 @@
 #include "commands/periodic_option.h"
 #include "commands/run_options.h"
 #include "kinetri/impl/io/text.h"
-#include "runs/periodic_run.h"
 #include "runs/simulation_run.h"
 #include "sources/tracks_source.h"
 
@@ -154,20 +153,15 @@ Run_settings settings_of_run(const Tracks_options& options) {
   return result;
 }
 
-// Of a run with --periodic.
-Periodic_settings periodic_run_settings(const Tracks_options& options) {
+// Throws if an option is given that does not go with --periodic.
+void expect_periodic_options(const Tracks_options& options) {
   expect_periodic(options.run);
   if (options.unwrap) refuse_with_periodic("--unwrap");
   if (options.closest) refuse_with_periodic("--closest");
   if (options.run.verify) refuse_with_periodic("--verify");
-  Tracks_settings settings = tracks_settings(options);
-  if (settings.logs_contacts) refuse_with_periodic("--collisions");
-  settings.reading.unwrap = Tracks_unwrap::periodic;
-  Periodic_settings result;
-  result.path = options.tracks;
-  result.read = [settings] { return tracks_in_box(settings); };
-  result.coincident = settings.coincident;
-  return result;
+  if (collisions_argument(options.collisions, none_and_log).response != nullptr) {
+    refuse_with_periodic("--collisions");
+  }
 }
 
 }  // namespace
@@ -241,11 +235,10 @@ Command tracks_command() {
                      "kinetri tracks walks.csv --coincident refuse",
                      "kinetri tracks dump.lammpstrj --periodic --html run.html"};
   result.run = [options](const Command& /*program*/) {
-    if (options->periodic) {
-      const Periodic_settings periodic = periodic_run_settings(*options);
-      return run_periodic(run_settings(options->run), periodic);
-    }
-    const auto source = tracks_source(tracks_settings(*options));
+    if (options->periodic) expect_periodic_options(*options);
+    Tracks_settings settings = tracks_settings(*options);
+    if (options->periodic) settings.reading.unwrap = Tracks_unwrap::periodic;
+    const auto source = tracks_source(settings);
     return run_simulation(settings_of_run(*options), *source);
   };
   return result;

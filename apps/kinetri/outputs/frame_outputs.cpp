@@ -70,28 +70,20 @@ std::string frame_name(std::size_t number, const char* extension) {
 
 void Frame_outputs::start(const Run_source& source, const Any_simulation& simulation,
                           double until) {
-  simulation.visit([&](const auto& s) {
-    const double from = set_times(s.triangulation(), until);
-    const std::optional<Box_2>& box = s.options().box;
-    const std::optional<Box_2> known = box ? box : source.extent();
-    view_.extent = known ? *known : extent_of(s.triangulation(), from, until);
-    view_.box = box;
+  simulation.visit([&]<class Traits>(const Simulation_2<Traits>& s) {
+    const double from = s.current_time().tight_interval().upper;
+    times_ = frame_times(from, until, rate_);
+    view_.points = s.triangulation().number_of_points();
     view_.radius = greatest_radius_of(s, from, until);
+    if constexpr (PeriodicKineticTraits_2<Traits>) {
+      view_.extent = extent_of_box(s.triangulation().traits().box(), from, until, view_.points);
+    } else {
+      const std::optional<Box_2>& box = s.options().box;
+      const std::optional<Box_2> known = box ? box : source.extent();
+      view_.extent = known ? *known : extent_of(s.triangulation(), from, until);
+      view_.box = box;
+    }
   });
-}
-
-void Frame_outputs::start(const Periodic_triangulation& triangulation, double until) {
-  const double from = set_times(triangulation, until);
-  view_.extent = extent_of_box(triangulation.traits().box(), from, until, view_.points);
-}
-
-// Chooses the times, and returns the first one that is possible.
-template <class Triangulation>
-double Frame_outputs::set_times(const Triangulation& triangulation, double until) {
-  const double from = triangulation.current_time().tight_interval().upper;
-  times_ = frame_times(from, until, rate_);
-  view_.points = triangulation.number_of_points();
-  return from;
 }
 
 std::optional<double> Frame_outputs::next_time() const {
@@ -100,10 +92,7 @@ std::optional<double> Frame_outputs::next_time() const {
 }
 
 void Frame_outputs::write(const Any_simulation& simulation) {
-  write_frame(simulation.visit([](const auto& s) { return frame_of_simulation(s); }));
-}
-
-void Frame_outputs::write_frame(const Frame_2& frame) {
+  const Frame_2 frame = simulation.visit([](const auto& s) { return frame_of_simulation(s); });
   if (svg_ != nullptr) {
     std::ostringstream picture;
     write_svg_frame(picture, frame, view_);

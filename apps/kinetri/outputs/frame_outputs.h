@@ -15,7 +15,6 @@
 #include "outputs/run_outputs.h"
 #include "runs/run_settings.h"
 #include "sources/any_simulation.h"
-#include "sources/periodic_triangulation.h"
 #include "sources/run_source.h"
 
 namespace kinetri::app {
@@ -33,27 +32,17 @@ class Frame_outputs {
   /// the pictures show. Throws Usage_error if there are too many frames.
   void start(const Run_source& source, const Any_simulation& simulation, double until);
 
-  /// The same of a run in a periodic box.
-  void start(const Periodic_triangulation& triangulation, double until);
-
   /// The time of the next frame; none after the last.
   std::optional<double> next_time() const;
 
-  /// @{
   /// Writes the next frame. Throws Output_error. Precondition: next_time() is the time of the
   /// simulation.
   void write(const Any_simulation& simulation);
-  void write(const Periodic_triangulation& triangulation) { write_frame(frame_of(triangulation)); }
-  /// @}
 
   /// Writes frames.pvd, the list of all frames so far.
   void finish();
 
  private:
-  template <class Triangulation>
-  double set_times(const Triangulation& triangulation, double until);
-  void write_frame(const Frame_2& frame);
-
   Output_directory* svg_;
   Output_directory* vtu_;
   std::optional<Frame_rate> rate_;

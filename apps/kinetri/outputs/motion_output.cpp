@@ -15,11 +15,4 @@ std::unique_ptr<Event_observer> follow_motions(std::ostream& out,
   });
 }
 
-std::unique_ptr<Event_observer> follow_motions(std::ostream& out,
-                                               Periodic_triangulation& triangulation) {
-  auto log = std::make_unique<Motion_log_writer<Periodic_kinetic_traits_2>>(out, triangulation);
-  triangulation.add_observer(*log);
-  return log;
-}
-
 }  // namespace kinetri::app

@@ -9,17 +9,12 @@
 
 #include "kinetri/events/event.h"
 #include "sources/any_simulation.h"
-#include "sources/periodic_triangulation.h"
 
 namespace kinetri::app {
 
-/// @{
 /// Writes the present motions, and from now on each change; see Motion_log_writer. `out` and the
 /// result must exist as long as the simulation runs.
 std::unique_ptr<Event_observer> follow_motions(std::ostream& out, const Any_simulation& simulation);
-std::unique_ptr<Event_observer> follow_motions(std::ostream& out,
-                                               Periodic_triangulation& triangulation);
-/// @}
 
 }  // namespace kinetri::app
 

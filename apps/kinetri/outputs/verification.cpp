@@ -13,7 +13,7 @@
 #include "cli/arguments.h"
 #include "kinetri/base/error.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/io/edges_file.h"
+#include "outputs/edge_output.h"
 #include "outputs/motion_output.h"
 #include "sources/run_source.h"
 
@@ -41,23 +41,6 @@ bool is_lasting(const std::string& path) {
   return path != "-" && (!fs::exists(status) || fs::is_regular_file(status));
 }
 
-void write_edges_now(std::ostream& out, const Any_simulation& simulation) {
-  write_edges(out,
-              simulation.visit([](const auto& s) { return s.triangulation().finite_edge_ids(); }));
-}
-
-void write_edges_now(std::ostream& out, const Periodic_triangulation& triangulation) {
-  write_periodic_edges(out, triangulation.periodic_edges());
-}
-
-void add_observer(const Any_simulation& simulation, Event_observer& observer) {
-  simulation.visit([&](auto& s) { s.add_observer(observer); });
-}
-
-void add_observer(Periodic_triangulation& triangulation, Event_observer& observer) {
-  triangulation.add_observer(observer);
-}
-
 // Whether the points move linearly and have no contacts.
 bool is_plain(const Any_simulation& simulation) {
   return simulation.visit([]<class Traits>(const Simulation_2<Traits>& s) {
@@ -72,8 +55,18 @@ double upper_bound_of_now(const Any_simulation& simulation) {
   return simulation.visit([](const auto& s) { return s.current_time().tight_interval().upper; });
 }
 
-double upper_bound_of_now(const Periodic_triangulation& triangulation) {
-  return triangulation.current_time().tight_interval().upper;
+// The options of the box and of the discs. A run in a periodic box that is verified has no discs.
+std::vector<std::string> options_of(const Any_simulation& simulation, const Run_source& source) {
+  if (simulation.is_periodic()) return source.periodic_options();
+  std::vector<std::string> result;
+  simulation.visit([&](const auto& s) {
+    if (!s.options().box) return;
+    const auto& [xmin, ymin, xmax, ymax] = *s.options().box;
+    result = {"--box", joined(xmin, ',', ymin, ',', xmax, ',', ymax)};
+    if (s.options().rim_touches) result.emplace_back("--rim");
+  });
+  result.insert(result.end(), {"--collisions", source.response()});
+  return result;
 }
 
 }  // namespace
@@ -94,36 +87,18 @@ Verification::Verification(const Output_paths& outputs) : program_(path_of_verif
   }
 }
 
-template <class Run>
-void Verification::start_with(Run& run, Event_columns columns) {
-  from_ = upper_bound_of_now(run);
-  if (files_[initial_edges].own) write_edges_now(files_[initial_edges].stream, run);
-  if (files_[events].own) {
-    event_log_.emplace(files_[events].stream, columns);
-    add_observer(run, *event_log_);
-  }
-  if (files_[motions].own) motion_log_ = follow_motions(files_[motions].stream, run);
-}
-
 void Verification::start(const Any_simulation& simulation) {
-  start_with(simulation, Event_columns::planar);
-}
-
-void Verification::start(Periodic_triangulation& triangulation) {
-  start_with(triangulation, Event_columns::periodic);
+  from_ = upper_bound_of_now(simulation);
+  if (files_[initial_edges].own) write_present_edges(files_[initial_edges].stream, simulation);
+  if (files_[events].own) {
+    event_log_.emplace(files_[events].stream, simulation.event_columns());
+    simulation.visit([this](auto& s) { s.add_observer(*event_log_); });
+  }
+  if (files_[motions].own) motion_log_ = follow_motions(files_[motions].stream, simulation);
 }
 
 void Verification::finish(const Any_simulation& simulation) {
-  finish_with(simulation);
-}
-
-void Verification::finish(const Periodic_triangulation& triangulation) {
-  finish_with(triangulation);
-}
-
-template <class Run>
-void Verification::finish_with(Run& run) {
-  if (files_[edges].own) write_edges_now(files_[edges].stream, run);
+  if (files_[edges].own) write_present_edges(files_[edges].stream, simulation);
   for (File& file : files_) {
     if (!file.own) continue;
     errno = 0;
@@ -138,41 +113,23 @@ void Verification::finish_with(Run& run) {
 
 Exit_code Verification::run(const Any_simulation& simulation, const Run_source& source,
                             Stream answer) const {
-  std::vector<std::string> options;
-  simulation.visit([&](const auto& s) {
-    if (!s.options().box) return;
-    const auto& [xmin, ymin, xmax, ymax] = *s.options().box;
-    options = {"--box", joined(xmin, ',', ymin, ',', xmax, ',', ymax)};
-    if (s.options().rim_touches) options.emplace_back("--rim");
-  });
-  options.insert(options.end(), {"--collisions", source.response()});
-  return run(source.points_file(), !is_plain(simulation), upper_bound_of_now(simulation), options,
-             answer);
-}
-
-Exit_code Verification::run(const Periodic_triangulation& triangulation,
-                            const std::string& points_file, const std::vector<std::string>& options,
-                            Stream answer) const {
-  return run(points_file, false, upper_bound_of_now(triangulation), options, answer);
-}
-
-Exit_code Verification::run(const std::string& points_file, bool needs_motions, double until,
-                            const std::vector<std::string>& options, Stream answer) const {
+  const std::string points_file = source.points_file();
   const bool has_points = !points_file.empty() && is_lasting(points_file);
   std::vector<std::string> arguments = {has_points ? points_file : files_[motions].path,
                                         files_[events].path,
                                         "--from",
                                         joined(from_),
                                         "--until",
-                                        joined(until),
+                                        joined(upper_bound_of_now(simulation)),
                                         "--initial-edges",
                                         files_[initial_edges].path,
                                         "--edges",
                                         files_[edges].path};
   // Else the points file contains all motions.
-  if (!has_points || needs_motions) {
+  if (!has_points || !is_plain(simulation)) {
     arguments.insert(arguments.end(), {"--motions", files_[motions].path});
   }
+  const std::vector<std::string> options = options_of(simulation, source);
   arguments.insert(arguments.end(), options.begin(), options.end());
   const auto status = run_child(
       program_, arguments,

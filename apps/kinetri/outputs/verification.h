@@ -11,7 +11,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "cli/exit_code.h"
 #include "cli/terminal.h"
@@ -19,7 +18,6 @@
 #include "outputs/child_process.h"
 #include "outputs/output_table.h"
 #include "sources/any_simulation.h"
-#include "sources/periodic_triangulation.h"
 
 namespace kinetri::app {
 
@@ -32,27 +30,16 @@ class Verification {
   /// Throws Usage_error if kinetri-verify is not beside this program; Output_error.
   explicit Verification(const Output_paths& outputs);
 
-  /// @{
   /// Observes the run from its start on. Throws Output_error.
   void start(const Any_simulation& simulation);
-  void start(Periodic_triangulation& triangulation);
-  /// @}
 
-  /// @{
   /// Must be called at the end of the run. Throws Output_error if its own files cannot be
   /// completed.
   void finish(const Any_simulation& simulation);
-  void finish(const Periodic_triangulation& triangulation);
-  /// @}
 
   /// Runs kinetri-verify, which writes its answer to the stream. Precondition: finish() and
   /// Run_outputs::commit have been called.
   Exit_code run(const Any_simulation& simulation, const Run_source& source, Stream answer) const;
-
-  /// The same of a run in a periodic box. `points_file`: the path, if it is a points file that
-  /// kinetri-verify can read; else empty. `options`: those of the box.
-  Exit_code run(const Periodic_triangulation& triangulation, const std::string& points_file,
-                const std::vector<std::string>& options, Stream answer) const;
 
  private:
   enum File_kind : std::size_t { events, motions, initial_edges, edges, number_of_files };
@@ -63,14 +50,6 @@ class Verification {
     Nameless_file own;     // null if the file is an output
     std::ofstream stream;  // of its own file
   };
-
-  template <class Run>
-  void start_with(Run& run, Event_columns columns);
-  template <class Run>
-  void finish_with(Run& run);
-  // Runs kinetri-verify with these files of points and motions, and more options.
-  Exit_code run(const std::string& points_file, bool needs_motions, double until,
-                const std::vector<std::string>& options, Stream answer) const;
 
   std::string program_;
   std::array<File, number_of_files> files_;

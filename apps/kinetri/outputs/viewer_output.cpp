@@ -41,28 +41,14 @@ Viewer_output::Viewer_output(const Any_simulation& simulation, const Run_source&
   simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) {
     settings_.box = s.options().box;
     settings_.radius = s.options().radius;
-    s.add_observer(record(s.triangulation(), until));
-    if (range) follow_encounters(s, *range);
+    const std::size_t rows = most_rows(s.triangulation().number_of_points());
+    auto recorder = std::make_unique<Recorder<Traits>>(s.triangulation(), until, rows);
+    s.add_observer(*recorder);
+    recorder_ = std::move(recorder);
   });
-}
-
-Viewer_output::Viewer_output(Periodic_triangulation& triangulation, std::string title,
-                             std::vector<std::string> labels, double until,
-                             const std::string& view) {
-  settings_.title = std::move(title);
-  settings_.names = std::move(labels);
-  settings_.view = view;
-  triangulation.add_observer(record(triangulation, until));
-}
-
-template <class Traits>
-Recorder<Traits>& Viewer_output::record(const Kinetic_triangulation_2<Traits>& triangulation,
-                                        double until) {
-  const std::size_t rows = most_rows(triangulation.number_of_points());
-  auto recorder = std::make_unique<Recorder<Traits>>(triangulation, until, rows);
-  Recorder<Traits>& result = *recorder;
-  recorder_ = std::move(recorder);
-  return result;
+  if (range) {
+    simulation.visit_plane([&](auto& s) { follow_encounters(s, *range); });
+  }
 }
 
 template <class Traits>

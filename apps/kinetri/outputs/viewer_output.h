@@ -10,12 +10,10 @@
 #include <optional>
 #include <string>
 #include <variant>
-#include <vector>
 
 #include "kinetri/io/viewer_page.h"
 #include "kinetri/simulation/recording.h"
 #include "sources/any_simulation.h"
-#include "sources/periodic_triangulation.h"
 #include "sources/run_source.h"
 
 namespace kinetri::app {
@@ -28,10 +26,6 @@ class Viewer_output {
   Viewer_output(const Any_simulation& simulation, const Run_source& source, double until,
                 const std::string& view, std::optional<double> range);
 
-  /// The same of a run in a periodic box, with the labels of the points in the file.
-  Viewer_output(Periodic_triangulation& triangulation, std::string title,
-                std::vector<std::string> labels, double until, const std::string& view);
-
   /// Writes the page of the run up to now.
   void write(std::ostream& out);
 
@@ -39,8 +33,6 @@ class Viewer_output {
   template <class Traits>
   using Recorder_of = std::unique_ptr<Recorder<Traits>>;
 
-  template <class Traits>
-  Recorder<Traits>& record(const Kinetic_triangulation_2<Traits>& triangulation, double until);
   template <class Traits>
   void follow_encounters(Simulation_2<Traits>& simulation, double range);
 

@@ -21,11 +21,11 @@
 #include "kinetri/impl/io/stats_file.h"
 #include "kinetri/impl/io/text.h"
 #include "kinetri/io/checkpoint_file.h"
-#include "kinetri/io/edges_file.h"
 #include "kinetri/io/event_log.h"
 #include "kinetri/simulation/growth.h"
 #include "outputs/area_output.h"
 #include "outputs/certificate_output.h"
+#include "outputs/edge_output.h"
 #include "outputs/frame_outputs.h"
 #include "outputs/motion_output.h"
 #include "outputs/run_outputs.h"
@@ -133,7 +133,8 @@ class Simulation_run {
   std::string coincident_;              // points that coincide at the start, for the summary
   std::optional<Jam_watch> jam_watch_;  // if growing discs may jam
   bool jammed_ = false;
-  std::optional<Endless_contacts_error> endless_;  // what has ended the run
+  std::optional<Contact_error> contact_;  // what has ended the run, before this contact
+  std::string end_at_contact_;            // for the summary, as in ", in contacts without end"
   std::uint64_t executed_ = 0;
   std::uint64_t events_before_ = 0;  // of the run that this one continues
   Audits audits_;
@@ -194,11 +195,11 @@ void Simulation_run::build() {
   statistics_.seconds.initialize = construction.initialize;
   statistics_.seconds.build = stopwatch_.lap() - construction.initialize;
   if (outputs_.has(Output::initial_edges)) {
-    write_edges_now(outputs_.stream(Output::initial_edges));
+    write_present_edges(outputs_.stream(Output::initial_edges), simulation_);
     outputs_.finish(Output::initial_edges);
   }
   if (outputs_.has(Output::events)) {
-    log_.emplace(outputs_.stream(Output::events));
+    log_.emplace(outputs_.stream(Output::events), simulation_.event_columns());
     simulation_.visit([this](auto& s) { s.add_observer(*log_); });
   }
   if (outputs_.has(Output::motions)) {
@@ -313,10 +314,14 @@ std::size_t Simulation_run::execute(const Run& run) {
     return events;
   } catch (const Coincident_trajectories_error& error) {
     throw source_.coincidence(error, time());
-  } catch (const Endless_contacts_error& error) {  // the state is that before the contact
-    endless_ = error;
-    return 0;
+  } catch (const Endless_contacts_error& error) {
+    contact_ = error;
+    end_at_contact_ = ", in contacts without end";
+  } catch (const Own_image_error& error) {
+    contact_ = error;
+    end_at_contact_ = ", at a disc that meets its own image";
   }
+  return 0;  // the state is that before the contact
 }
 
 // The next time of a change, a frame or a sample; none after the last.
@@ -377,13 +382,13 @@ void Simulation_run::advance() {
 // before.
 bool Simulation_run::go_to(double end) {
   const Algebraic_number until(end);
-  while (!interrupted() && !jammed_ && !endless_ && executed_ <= settings_.max_events) {
+  while (!interrupted() && !jammed_ && !contact_ && executed_ <= settings_.max_events) {
     if (may_run_ahead()) {
       if (run_ahead(until)) return true;
       continue;
     }
     const std::size_t events = execute([&](auto& s) { return s.step(until); });
-    if (endless_) return false;
+    if (contact_) return false;
     if (events == 0) {
       simulation_.visit([&](auto& s) { s.advance_to(until); });
       return true;
@@ -423,7 +428,7 @@ bool Simulation_run::run_ahead(const Algebraic_number& until) {
   };
   execute([&](auto& s) { return s.advance_to(until, may_go_on); });
   expect_logs_are_written();
-  return goes_on && !endless_;
+  return goes_on && !contact_;
 }
 
 // Throws if a log cannot be written. A closed pipe is not an error while there are other outputs.
@@ -459,8 +464,8 @@ void Simulation_run::report_early_end() const {
     report("kinetri", joined("the discs are jammed (", jammed_discs(), "), and ", where,
                              "expected an earlier end or a smaller share, slower growth, faster or "
                              "fewer discs, or a larger box"));
-  } else if (endless_) {
-    report(place_of(source_, endless_->point()), joined(where, endless_->what()));
+  } else if (contact_) {
+    report(place_of(source_, contact_->point()), joined(where, contact_->what()));
   } else if (executed_ > settings_.max_events) {
     report("kinetri", joined("more than ", settings_.max_events, " events, and ", where,
                              "expected fewer events, or a greater --max-events"));
@@ -468,8 +473,7 @@ void Simulation_run::report_early_end() const {
 }
 
 void Simulation_run::write_edges_now(std::ostream& out) {
-  write_edges(out,
-              simulation_.visit([](const auto& s) { return s.triangulation().finite_edge_ids(); }));
+  write_present_edges(out, simulation_);
 }
 
 void Simulation_run::write_ids(std::ostream& out) {
@@ -478,7 +482,7 @@ void Simulation_run::write_ids(std::ostream& out) {
 
 void Simulation_run::write_state(std::ostream& out) {
   const std::vector<Checkpoint_log> logs = outputs_.finish_logs();
-  simulation_.visit([&](const auto& s) {
+  simulation_.visit_plane([&](const auto& s) {
     write_checkpoint(out, {s.snapshot(), source_.response(), logs});
   });
 }
@@ -530,7 +534,7 @@ void Simulation_run::write_outputs() {
 // within an instant, since the triangulation need only be correct after all events of a time.
 Exit_code Simulation_run::verify() const {
   if (!verification_ || interrupted()) return Exit_code::done;
-  if (endless_) {
+  if (contact_) {
     report("kinetri", "the run is not verified, as not all events of its last time have happened");
     return Exit_code::done;
   }
@@ -542,7 +546,7 @@ void Simulation_run::summarize() const {
   Run_summary summary;
   summary.events_before = events_before_;
   summary.end = jammed_                   ? ", jammed"
-                : endless_                ? ", in contacts without end"
+                : contact_                ? end_at_contact_
                 : statistics_.interrupted ? ", interrupted"
                                           : "";
   summary.remarks = source_.remarks();
@@ -564,6 +568,8 @@ Exit_code run_simulation(const Run_settings& settings, Run_source& source) {
     fail(source, error.point(), error.what());
   } catch (const Negative_radius_error& error) {
     fail(source, error.point(), error.what());
+  } catch (const Periodic_offset_error& error) {
+    throw Run_error(joined("at t = ", error.time().to_double(), " ", error.what()));
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A simulation whose kind of motion depends on the input. Includes CGAL: headers that only name the
-// class should declare it.
+// A simulation whose kind of motion depends on the input, or one in a periodic box. Includes CGAL:
+// headers that only name the class should declare it.
 #ifndef KINETRI_APPS_ANY_SIMULATION_H
 #define KINETRI_APPS_ANY_SIMULATION_H
 
@@ -10,6 +10,8 @@
 #include <utility>
 #include <variant>
 
+#include "kinetri/base/error.h"
+#include "kinetri/io/event_log.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri::app {
@@ -20,6 +22,7 @@ class Any_simulation {
   using Polynomial = Simulation_2<Polynomial_kinetic_traits_2>;
   using Discs = Simulation_2<Disc_kinetic_traits_2>;
   using Polynomial_discs = Simulation_2<Polynomial_disc_kinetic_traits_2>;
+  using Periodic = Simulation_2<Periodic_kinetic_traits_2>;
 
   /// Holds no simulation until one is assigned.
   Any_simulation() = default;
@@ -33,7 +36,18 @@ class Any_simulation {
   /// NOLINTNEXTLINE(google-explicit-constructor)
   Any_simulation(std::unique_ptr<Polynomial_discs> simulation)
       : simulation_(std::move(simulation)) {}
+  /// NOLINTNEXTLINE(google-explicit-constructor)
+  Any_simulation(std::unique_ptr<Periodic> simulation) : simulation_(std::move(simulation)) {}
   /// @}
+
+  /// Whether the box is periodic.
+  bool is_periodic() const {
+    return std::holds_alternative<std::unique_ptr<Periodic>>(simulation_);
+  }
+  /// Those of its event log.
+  Event_columns event_columns() const {
+    return is_periodic() ? Event_columns::periodic : Event_columns::planar;
+  }
 
   /// Calls `function` with the simulation.
   template <class Function>
@@ -47,9 +61,25 @@ class Any_simulation {
         simulation_);
   }
 
+  /// Calls `function`, which is for the plane, with the simulation. Precondition: the box is not
+  /// periodic.
+  template <class Function>
+  std::invoke_result_t<Function, Linear&> visit_plane(Function function) const {
+    return std::visit(
+        [&]<class Simulation>(
+            const std::unique_ptr<Simulation>& s) -> std::invoke_result_t<Function, Linear&> {
+          if constexpr (std::is_same_v<Simulation, Periodic>) {
+            throw Internal_error("an output for the plane in a periodic box");
+          } else {
+            return function(*s);
+          }
+        },
+        simulation_);
+  }
+
  private:
   std::variant<std::unique_ptr<Linear>, std::unique_ptr<Polynomial>, std::unique_ptr<Discs>,
-               std::unique_ptr<Polynomial_discs>>
+               std::unique_ptr<Polynomial_discs>, std::unique_ptr<Periodic>>
       simulation_;
 };
 

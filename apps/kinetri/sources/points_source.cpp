@@ -28,6 +28,9 @@ class Points_source final : public Run_source {
   std::size_t number_of_points() const override { return points_.number_of_points(); }
   double from() const override { return settings_.from; }
   std::optional<double> until() const override { return settings_.until; }
+  std::vector<std::string> periodic_options() const override {
+    return settings_.periodic ? settings_.periodic->options : std::vector<std::string>();
+  }
   std::string response() const override { return std::string(settings_.collisions.name); }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
   std::vector<std::string> labels() const override { return points_.labels; }
@@ -40,6 +43,8 @@ class Points_source final : public Run_source {
   Any_simulation simulation(const Point_discs* discs, const Simulation_options& simulation_options,
                             Arithmetic arithmetic) const;
   Input_error overlap(const Overlapping_discs_error& error) const;
+  Input_error coincident(const Coincident_trajectories_error& error) const;
+  void expect_equal(const Point_discs& discs) const;
   double equal_radius(const Point_discs& discs) const;
   std::string equal_numbers() const;
 
@@ -50,16 +55,21 @@ class Points_source final : public Run_source {
 void Points_source::read() {
   if (!settings_.text) {
     points_ = read_points_file(settings_.points);
-    return;
+  } else {
+    std::istringstream in(*settings_.text);
+    points_ = read_points(in, settings_.points);
   }
-  std::istringstream in(*settings_.text);
-  points_ = read_points(in, settings_.points);
+  if (!settings_.periodic || !points_.is_polynomial) return;
+  throw Input_error(input_name(path()), 0,
+                    "the points accelerate, but those in a periodic box move on straight lines; "
+                    "expected no columns ax, ay, jx and jy, or no --periodic");
 }
 
 Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
   try {
     if (!has_discs()) return simulation(nullptr, options(), arithmetic);
     const Point_discs discs = point_discs(points_, settings_);
+    if (settings_.periodic) expect_equal(discs);
     Simulation_options with_discs = options();
     with_discs.masses = point_masses(points_, discs, settings_);
     if (!discs.are_equal() || settings_.is_regular) {
@@ -77,11 +87,44 @@ Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
   } catch (const Overlapping_discs_error& error) {
     throw overlap(error);
   } catch (const Coincident_trajectories_error& error) {
-    const auto [first, second] = std::minmax({error.first(), error.second()});
-    throw Input_error(input_name(path()), points_.lines[second],
-                      joined("the point has the same ", equal_numbers(), " as the one in line ",
-                             points_.lines[first],
-                             "; expected points that differ in one of them, or --coincident hide"));
+    throw coincident(error);
+  } catch (const Periodic_box_error& error) {  // a point is too far away
+    throw Input_error(input_name(path()), 0, error.what());
+  }
+}
+
+Input_error Points_source::coincident(const Coincident_trajectories_error& error) const {
+  const auto [first, second] = std::minmax({error.first(), error.second()});
+  const auto about = [&](const std::string& problem) {
+    return Input_error(input_name(path()), points_.lines[second], problem);
+  };
+  const std::size_t line = points_.lines[first];
+  if (!settings_.periodic) {
+    return about(joined("the point has the same ", equal_numbers(), " as the one in line ", line,
+                        "; expected points that differ in one of them, or --coincident hide"));
+  }
+  return about(joined("the point is an image of the one in line ", line,
+                      " at all times; expected points that differ by more than vectors of the "
+                      "periodic box",
+                      settings_.collisions.response == nullptr ? ", or --coincident hide" : ""));
+}
+
+// Discs in a periodic box have one radius, which is constant.
+void Points_source::expect_equal(const Point_discs& discs) const {
+  for (std::size_t id = 0; id < discs.radii.size(); ++id) {
+    const auto fail = [&](const std::string& problem) {
+      throw Input_error(input_name(path()), points_.lines[id], problem);
+    };
+    if (discs.growths[id] != 0) {
+      fail(joined("disc ", id, " has the growth ", discs.growths[id],
+                  ", but discs in a periodic box neither grow nor shrink; expected no column "
+                  "growth, or no --periodic"));
+    }
+    if (discs.radii[id] == discs.radii[0]) continue;
+    fail(joined("disc ", id, " has the radius ", discs.radii[id], ", and disc 0 in line ",
+                points_.lines[0], " the radius ", discs.radii[0],
+                ", but discs in a periodic box have one radius; expected equal radii, or no "
+                "--periodic"));
   }
 }
 
@@ -134,6 +177,11 @@ Simulation_options Points_source::options() const {
 Any_simulation Points_source::simulation(const Point_discs* discs,
                                          const Simulation_options& simulation_options,
                                          Arithmetic arithmetic) const {
+  if (settings_.periodic) {
+    return std::make_unique<Any_simulation::Periodic>(
+        points_.motions, simulation_options, settings_.from,
+        Periodic_kinetic_traits_2(settings_.periodic->box, arithmetic));
+  }
   const auto of = [&]<class Motion>(const std::vector<Motion>& motions) -> Any_simulation {
     using Traits = Basic_kinetic_traits_2<Motion>;
     return std::make_unique<Simulation_2<Traits>>(motions, simulation_options, settings_.from,

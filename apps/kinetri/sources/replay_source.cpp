@@ -247,7 +247,7 @@ std::optional<double> Replay_source::next_change() const {
 
 void Replay_source::make_change(const Any_simulation& simulation) {
   const Change& change = changes_[next_change_++];
-  simulation.visit([&](auto& s) { make(s, change); });
+  simulation.visit_plane([&](auto& s) { make(s, change); });
 }
 
 template <class Simulation>

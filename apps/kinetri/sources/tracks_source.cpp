@@ -18,7 +18,6 @@
 #include "kinetri/simulation/simulation_options.h"
 #include "kinetri/simulation/tracks.h"
 #include "sources/any_simulation.h"
-#include "sources/periodic_points.h"
 
 namespace kinetri::app {
 namespace {
@@ -53,9 +52,6 @@ class Tracks_source final : public Run_source {
   std::vector<std::string> remarks() const override;
   void write_points(std::ostream& out) const override;
 
-  /// In the box of the file.
-  Periodic_points in_box() const;
-
  private:
   Input_error error(std::size_t line, const std::string& message) const {
     return tracks_error(input_name(path()), file_.place_name, line, message);
@@ -63,6 +59,7 @@ class Tracks_source final : public Run_source {
   void check_frame_rate() const;
   void check_velocities() const;
   void check_radii() const;
+  Periodic_box_2 periodic_box() const;
   std::vector<double> disc_radii() const;
 
   Tracks_settings settings_;
@@ -141,39 +138,24 @@ Any_simulation Tracks_source::make_simulation(Arithmetic arithmetic) const {
       }
       options.radius = radii.front();
     }
+    if (settings_.reading.unwrap == Tracks_unwrap::periodic) {
+      return simulate_tracks(observations_, stays_, from_, options,
+                             Periodic_kinetic_traits_2(periodic_box(), arithmetic));
+    }
     return simulate_tracks(observations_, stays_, from_, options,
                            Linear_kinetic_traits_2(arithmetic));
   } catch (const Coincident_trajectories_error& coincident) {
     throw coincidence(coincident, from_);
+  } catch (const Periodic_box_error& too_far) {
+    throw Input_error(input_name(path()), 0, too_far.what());
   }
 }
 
-Periodic_points Tracks_source::in_box() const {
-  // Without observations there is none.
+// That of the file, which has none if there are no observations.
+Periodic_box_2 Tracks_source::periodic_box() const {
   const auto [first, second] =
       file_.periodic_box.value_or(std::array{Vector_2{1, 0}, Vector_2{0, 1}});
-  Periodic_points result = {
-      .box = {{first, {}, 0}, {second, {}, 0}}, .from = from_, .until = until_, .motions = {}};
-  for (Point_id id = 0; id < stays_.size(); ++id) {
-    const Stay& stay = stays_[id];
-    const std::vector<Observation_2>& track = observations_[stay.track];
-    for (std::size_t i = stay.first; i <= stay.last; ++i) {
-      const bool is_last = i == stay.last;
-      if (track[i].time > from_) {
-        result.changes.push_back({track[i].time, id, std::nullopt});
-        if (!is_last) result.changes.back().motion = motion_after(track, i);
-      } else if (!is_last && track[i + 1].time > from_) {
-        result.motions.push_back(motion_after(track, i));
-      }
-    }
-  }
-  std::ranges::sort(result.changes, {}, [](const Periodic_change& change) {
-    return std::pair(change.time, change.id);
-  });
-  result.number_of_points = stays_.size();
-  result.labels = labels();
-  result.remarks = remarks();
-  return result;
+  return {{first, {}, 0}, {second, {}, 0}};
 }
 
 // By track.
@@ -295,17 +277,6 @@ std::vector<std::string> Tracks_source::remarks() const {
 }
 
 }  // namespace
-
-Periodic_points tracks_in_box(const Tracks_settings& settings) {
-  const auto source = std::make_shared<Tracks_source>(settings);
-  source->read();
-  Periodic_points result = source->in_box();
-  result.coincidence = [source](const Coincident_trajectories_error& error, double time) {
-    return source->coincidence(error, time);
-  };
-  result.write_ids = [source](std::ostream& out) { source->write_points(out); };
-  return result;
-}
 
 std::unique_ptr<Run_source> tracks_source(const Tracks_settings& settings) {
   return std::make_unique<Tracks_source>(settings);

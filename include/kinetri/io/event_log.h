@@ -42,7 +42,8 @@ std::string offset_field(const Lattice_offset_2& offset);
 /// fields. Unused fields are empty.
 ///
 /// In a periodic box each line ends with `,removed_offset,added_offset`: the offset_field of the
-/// second end of the edge against the first (Periodic_edge).
+/// second end of the edge against the first (Periodic_edge). A collision has in added_offset that
+/// of the image of point_b which point_a touches.
 ///
 /// Errors are those of the stream. Cost: the times are rounded once for each instant.
 class Event_log_writer : public Event_observer {

@@ -66,6 +66,11 @@ std::unique_ptr<Simulation_2<>> simulate_tracks(std::span<const std::vector<Obse
                                                 const Simulation_options& options = {},
                                                 const Linear_kinetic_traits_2& traits = {});
 
+/// The same in the periodic box of the traits.
+std::unique_ptr<Simulation_2<Periodic_kinetic_traits_2>> simulate_tracks(
+    std::span<const std::vector<Observation_2>> tracks, std::span<const Stay> stays, double start,
+    const Simulation_options& options, const Periodic_kinetic_traits_2& traits);
+
 /// The same of discs: radii[i] is the radius of the thing of track i, which is at least 0 and
 /// finite. options.radius is 0.
 std::unique_ptr<Simulation_2<Disc_kinetic_traits_2>> simulate_tracks(

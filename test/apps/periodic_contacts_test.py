@@ -1,0 +1,272 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Discs that collide in periodic boxes: each contact of the log, and that there is no other one, from the motions
+that the program has written, by all pairs of images in rational numbers; the velocities after each contact; that
+runs give the same bytes; and what ends a run.
+
+usage: periodic_contacts_test.py PROGRAM
+"""
+import csv
+import fractions
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import unittest
+
+sys.dont_write_bytecode = True
+from in_folder import In_folder  # noqa: E402
+
+PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
+
+Fraction = fractions.Fraction
+
+
+class Box:
+    """Its vectors are (width, 0) and (tilt + rate t, height)."""
+
+    def __init__(self, width, height, tilt=0, shear=0):
+        self.options = f"--periodic {width},{height},{tilt} --shear={shear}"
+        self.width, self.height, self.tilt = Fraction(width), Fraction(height), Fraction(tilt)
+        self.rate = Fraction(shear) * self.height
+
+    def places(self, motion, time):
+        x, y, vx, vy, epoch = motion
+        return x + vx * (time - epoch), y + vy * (time - epoch)
+
+
+class Approach:
+    """The squared distance of a disc and an image of another one, less that at which they touch: a t^2 + 2 b t + c."""
+
+    def __init__(self, box, first, second, offset, diameter):
+        k, l = offset
+        x, y = (Fraction(there - here) for here, there in zip(box.places(first, 0), box.places(second, 0)))
+        x, y = x + k * box.width + l * box.tilt, y + l * box.height
+        vx, vy = second[2] + l * box.rate - first[2], second[3] - first[3]
+        self.a, self.b, self.c = vx * vx + vy * vy, x * vx + y * vy, x * x + y * y - diameter * diameter
+
+    def at(self, time):
+        return self.a * time * time + 2 * self.b * time + self.c
+
+    def is_before(self, time):
+        """Whether the two come into contact before the time."""
+        if self.b * self.b <= self.a * self.c:
+            return False
+        return self.at(time) < 0 or self.a * time + self.b >= 0
+
+    def is_reached(self, time):
+        """Whether they come into contact before or at the time."""
+        return self.is_before(time) or (self.at(time) == 0 and self.a * time + self.b < 0)
+
+
+class All_pairs:
+    """The contacts to come of all images, up to a time."""
+
+    def __init__(self, box, motions, diameter, start, until):
+        self.box, self.motions, self.diameter, self.until = box, motions, diameter, until
+        self.contacts = {}
+        for a in motions:
+            for b in motions:
+                if a < b:
+                    self.add(a, b, start)
+
+    def add(self, a, b, now):
+        box, d = self.box, self.diameter
+        first, second = self.motions[a], self.motions[b]
+        # Between the two times, x and y of the vector from one disc to an image of the other are linear.
+        ends = []
+        for time in (now, self.until):
+            (x, y), (to_x, to_y) = box.places(first, time), box.places(second, time)
+            ends.append((to_x - x, to_y - y, box.tilt + box.rate * time))
+        ys = [y for _, y, _ in ends]
+        for l in range(math.ceil((-d - max(ys)) / box.height), math.floor((d - min(ys)) / box.height) + 1):
+            xs = [x + l * tilt for x, _, tilt in ends]
+            for k in range(math.ceil((-d - max(xs)) / box.width), math.floor((d - min(xs)) / box.width) + 1):
+                approach = Approach(box, first, second, (k, l), d)
+                if not approach.is_before(now) and approach.is_reached(self.until):
+                    self.contacts[a, b, (k, l)] = approach
+
+    def change(self, changed, now):
+        """Gives points other motions (None: no point) from now on."""
+        for point, motion in changed.items():
+            if motion is None:
+                del self.motions[point]
+            else:
+                self.motions[point] = motion
+        for key in [key for key in self.contacts if key[0] in changed or key[1] in changed]:
+            del self.contacts[key]
+        for a in sorted(changed):
+            for b in self.motions:
+                if a in self.motions and a != b and not (b in changed and b < a):
+                    self.add(min(a, b), max(a, b), now)
+
+
+class Periodic_contacts(In_folder):
+    def run_program(self, command, points=None, code=0):
+        if points is not None:
+            self.write("p.csv", points)
+        done = subprocess.run([PROGRAM, *command.split()], cwd=self.folder, text=True, capture_output=True,
+                              stdin=subprocess.DEVNULL, timeout=300, check=False)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def read(self, name):
+        return (self.folder / name).read_text(encoding="utf-8")
+
+    def rows(self, name):
+        return list(csv.DictReader(self.read(name).splitlines()))
+
+    def discs(self, generator, side, masses=False):
+        """A disc for each unit square of a lattice, in it or an image of it; numbers are multiples of 1/64."""
+        def number(least, most):
+            return generator.randint(64 * least, 64 * most) / 64
+
+        rows = ["x,y,vx,vy" + (",mass" if masses else "")]
+        for i in range(side):
+            for j in range(side):
+                x = i + number(0, 1) / 8 + side * generator.randint(-1, 1)
+                row = [x, j + number(0, 1) / 8, number(-2, 2), number(-2, 2)]
+                rows.append(",".join(map(repr, row + [number(1, 3)] * masses)))
+        return "\n".join(rows) + "\n"
+
+    def motions(self):
+        """Those at the start, and those that each event changes: {event: {id: motion}}."""
+        changes = {}
+        for row in self.rows("m.csv"):
+            motion = row["x"] and tuple(Fraction(float(row[name])) for name in ("x", "y", "vx", "vy", "epoch"))
+            changes.setdefault(row["event"], {})[int(row["id"])] = motion or None
+        return changes.pop(""), changes
+
+    def check_response(self, response, box, before, after, event, masses):
+        """That the motions from the contact on are those of the response, up to rounding."""
+        a, b, (_, l) = event["pair"]
+        time = Fraction(event["time"])
+        if response == "remove":
+            return self.assertEqual(after, {a: None, b: None})
+        for point, motion in after.items():
+            self.assertEqual(motion[4], time)
+            for place, expected in zip(motion[:2], box.places(before[point], time)):
+                self.assertLessEqual(abs(place - expected), 2 * math.ulp(float(expected)))
+        if response == "stop":
+            return self.assertEqual([motion[2:4] for motion in after.values()], [(0, 0)] * len(after))
+        drift = l * box.rate
+        v, w = before[a][2:4], (before[b][2] + drift, before[b][3])
+        if response == "swap":
+            expected = {a: w, b: v}
+        else:
+            (x, y), (to_x, to_y) = box.places(before[a], time), box.places(before[b], time)
+            k = event["pair"][2][0]
+            x = to_x + k * box.width + l * (box.tilt + box.rate * time) - x
+            y = to_y + l * box.height - y
+            push = 2 * ((w[0] - v[0]) * x + (w[1] - v[1]) * y) / ((x * x + y * y) * (masses[a] + masses[b]))
+            expected = {a: (v[0] + push * masses[b] * x, v[1] + push * masses[b] * y),
+                        b: (w[0] - push * masses[a] * x, w[1] - push * masses[a] * y)}
+        expected[b] = expected[b][0] - drift, expected[b][1]
+        for point in (a, b):
+            for found, wanted in zip(after.get(point, before[point])[2:4], expected[point]):
+                self.assertLessEqual(abs(found - wanted), 1e-12)
+
+    def check_run(self, response, box, points, radius, until, masses=None):
+        """Compares a run with all pairs of images; the offsets of its contacts."""
+        self.run_program(f"simulate p.csv --until {until} {box.options} --radius {radius} --collisions {response} "
+                         "--events e.csv --motions m.csv --edges f.csv --audit end --quiet", points)
+        start, changes = self.motions()
+        pairs = All_pairs(box, start, 2 * Fraction(radius), Fraction(0), Fraction(until))
+        offsets = []
+        for row in self.rows("e.csv"):
+            if row["kind"] != "collision":
+                self.assertNotIn(row["event"], changes)
+                continue
+            self.assertEqual(row["removed_offset"], "")
+            a, b = int(row["point_a"]), int(row["point_b"])
+            self.assertLess(a, b)
+            key = a, b, tuple(map(int, row["added_offset"].split(" ")))
+            lower, upper = Fraction(float(row["time_lo"])), Fraction(float(row["time_hi"]))
+            self.assertIn(key, pairs.contacts, row)
+            self.assertTrue(pairs.contacts[key].is_reached(upper), row)
+            early = [other for other, approach in pairs.contacts.items() if approach.is_before(lower)]
+            self.assertEqual(early, [], row)
+            del pairs.contacts[key]
+            after = changes.get(row["event"], {})
+            self.assertEqual(after == {}, response == "log", row)
+            if after:
+                event = {"pair": key, "time": float(row["time"])}
+                before = dict(pairs.motions)
+                self.check_response(response, box, before, after, event, masses or dict.fromkeys(before, 1))
+                pairs.change(after, upper)
+            offsets.append(key[2])
+        self.assertEqual(list(pairs.contacts), [])
+        return offsets
+
+    def test_contacts_are_those_of_all_pairs_of_images(self):
+        found = {}
+        for response in ("log", "swap", "elastic", "stop", "remove"):
+            for seed, shear in enumerate((0, 0.25, -0.5)):
+                if response == "stop" and shear != 0:
+                    continue  # images of discs that are stopped go on
+                generator = random.Random(f"{response} {seed}")
+                box = Box(5, 5, generator.choice([0, 1, -2]), shear)
+                offsets = self.check_run(response, box, self.discs(generator, 5), 0.25, 2)
+                found.setdefault(response, []).extend(offsets)
+        for response, offsets in found.items():
+            self.assertGreater(len(offsets), 15, response)
+            self.assertGreater(sum(offset != (0, 0) for offset in offsets), 5, response)
+        self.assertGreater(len(found["elastic"]), 60)
+
+    def test_elastic_collisions_have_masses(self):
+        generator = random.Random(5)
+        points = self.discs(generator, 4, masses=True)
+        masses = {i: Fraction(line.split(",")[4]) for i, line in enumerate(points.splitlines()[1:])}
+        self.assertGreater(len(set(masses.values())), 5)
+        self.assertGreater(len(self.check_run("elastic", Box(4, 4), points, 0.25, 2, masses)), 15)
+
+    def test_large_discs_meet_several_images_of_one(self):
+        """Two discs in a thin box."""
+        points = "x,y,vx,vy\n0,0,0,0\n4,0.5,1,0\n"
+        offsets = self.check_run("log", Box(8, 1), points, 0.4375, 12)
+        self.assertEqual(len(offsets), len(set(offsets)))
+        self.assertGreater(len(offsets), 3)
+
+    def test_radii_may_be_a_column(self):
+        generator = random.Random(3)
+        points = self.discs(generator, 4)
+        run = "simulate p.csv --until 1 --periodic 4,4 --collisions elastic --events - --quiet "
+        expected = self.run_program(run + "--radius 0.25", points).stdout
+        self.assertIn(",collision,", expected)
+        lines = points.splitlines()
+        self.write("p.csv", "\n".join([lines[0] + ",radius", *(line + ",0.25" for line in lines[1:])]) + "\n")
+        self.assertEqual(self.run_program(run).stdout, expected)
+        # All masses are the same, too.
+        self.assertEqual(self.run_program(run + "--mass area").stdout, expected)
+
+    def test_same_run_gives_the_same_bytes(self):
+        points = self.discs(random.Random(9), 6)
+        names = ("e.csv", "m.csv", "i.csv", "f.csv", "r.html")
+        run = ("simulate p.csv --until 2 --periodic 6,6,1 --shear 0.25 --collisions elastic --radius 0.25 --quiet "
+               "--events e.csv --motions m.csv --initial-edges i.csv --edges f.csv --html r.html")
+        self.run_program(run, points)
+        expected = [self.read(name) for name in names]
+        self.assertGreater(expected[0].count(",collision,"), 50)
+        for more in ("", " --threads 2", " --exact-only", " --audit events"):
+            self.run_program(run + more)
+            self.assertEqual([self.read(name) for name in names], expected, more)
+
+    def test_what_a_run_says(self):
+        done = self.run_program("simulate p.csv --until 1 --periodic 4,4 --collisions log --radius 0.25 --stats s.json",
+                                self.discs(random.Random(1), 4))
+        self.assertRegex(done.stderr, r"events +\d+ at \d+ instants \(.*\d+ collision\)\n")
+        self.assertRegex(self.read("s.json"), r'"collision": [1-9]')
+
+    def test_disc_that_meets_its_own_image_ends_the_run(self):
+        """The upper vector is (7 - 3 t, 3), and the diameter 5."""
+        run = ("simulate p.csv --until 2 --periodic 16,3,7 --shear=-1 --collisions elastic --radius 2.5 "
+               "--events e.csv --edges f.csv")
+        done = self.run_program(run, "x,y,vx,vy\n0,0,0,0\n", code=130)
+        self.assertIn("from t = 0 to 1, at a disc that meets its own image\n", done.stderr)
+        self.assertEqual(self.read("f.csv").count("\n"), 4)
+        self.assertNotIn("collision", self.read("e.csv"))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
