@@ -34,7 +34,7 @@ from ._snapshot import Snapshot
 from ._types import ResponseName
 from .errors import (CoincidentTrajectoriesError, ContactError, ContactOverflowError, EndlessContactsError,
                      Error, InputError, InternalError, NegativeRadiusError, OutputError,
-                     OutsideBoxError, OverlappingDiscsError, PackingError, PeriodicBoxError,
+                     OutsideBoxError, OverlappingDiscsError, OwnImageError, PackingError, PeriodicBoxError,
                      PeriodicOffsetError, PreconditionError, SnapshotError, WorkerError)
 from .events import event_colors, event_dtype, event_kinds, periodic_event_dtype, to_dataframe
 from .pieces import run_in_pieces
@@ -47,7 +47,7 @@ __all__ = [
     "AuditReport", "Box", "CoincidentTrajectoriesError", "Contact", "ContactError", "ContactOverflowError",
     "EndlessContactsError", "Error", "Event", "InputError", "InternalError", "KineticDelaunay",
     "KineticRegular", "Location", "MovingPoints", "NO_POINT", "NearestNeighbors", "NegativeRadiusError", "OutputError",
-    "OutsideBoxError", "OverlappingDiscsError", "PackingError", "Page", "PeriodicBoxError",
+    "OutsideBoxError", "OverlappingDiscsError", "OwnImageError", "PackingError", "Page", "PeriodicBoxError",
     "PeriodicOffsetError", "PreconditionError", "RealRoot", "Response",
     "ResponseName", "Simulation", "Snapshot", "SnapshotError", "SturmSequence", "Time", "Tracks", "VoronoiCell",
     "Watch", "WorkerError", "__version__", "event_colors", "event_dtype", "event_kinds", "packing", "parameter_list",

@@ -216,7 +216,8 @@ def box_tuple(name: str, value: ArrayLike | None) -> Walls | None:
     if value is None:
         return None
     if hasattr(value, "collapse_time"):
-        raise PreconditionError(f"{name} is {value!r}, a periodic box, which is for a KineticDelaunay; expected walls: "
+        raise PreconditionError(f"{name} is {value!r}, a periodic box, which is for a KineticDelaunay "
+                                "or a Simulation; expected walls: "
                                 "(xmin, ymin, xmax, ymax)")
     xmin, ymin, xmax, ymax = float_array(name, value, (4,)).tolist()
     if not (xmin < xmax and ymin < ymax):

@@ -210,6 +210,11 @@ def box_of(value: Any) -> Box:
     return value if isinstance(value, Box) else Box(value)
 
 
+def is_walls(value: Any) -> bool:
+    """Whether the argument `box` of a simulation is None or numbers, and not a periodic box."""
+    return not (isinstance(value, Box) or hasattr(value, "Lx") or hasattr(value, "cell"))
+
+
 def _lattice_of(value: Any) -> Any:
     """An array of the lattice of an object of another library, or the argument itself."""
     if isinstance(value, Box):

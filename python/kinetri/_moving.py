@@ -12,7 +12,7 @@ import numpy.typing as npt
 from . import _arrays, _coincidence, _kinetri
 from ._answers import RunAnswers, cell_limits
 from ._arrays import NO_POINT
-from ._box import Box, box_of
+from ._box import Box, box_of, is_walls
 from ._kinetri import Time
 from ._page import Page
 from ._progress import progress_bar
@@ -234,15 +234,37 @@ class MovingPoints(RunAnswers):
         """array of uint32: the ids of all points, ascending."""
         return np.flatnonzero(self._is_there()).astype(np.uint32)
 
-    def positions(self) -> Floats:
-        """The positions now.
+    def positions(self, *, wrapped: bool = False) -> Floats:
+        """The positions now; in a periodic box also those of the images in the box.
+
+        Parameters
+        ----------
+        wrapped : bool
+            Whether to give, for each point, the position of its image in the parallelogram of the box: the sum of
+            multiples of the two lattice vectors of the present time, each from 0 to less than 1. Only in a box.
 
         Returns
         -------
         array of float64, shape (n, 2)
-            By id, each coordinate rounded to the nearest float64; NaN if there is no point.
+            By id, each coordinate rounded to the nearest float64; NaN if there is no point. Which image is in the
+            box is decided exactly, before rounding. By default points are where their motions have taken them:
+            offsets are against these positions.
+
+        Raises
+        ------
+        PreconditionError
+            If there is no box.
+        PeriodicBoxError
+            If a point is 2^31 or more lattice vectors away from the box.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kd = kinetri.KineticDelaunay([[9, 1], [2, -1]], [[0, 0], [0, 0]], box=(4, 4))
+        >>> kd.positions(wrapped=True).tolist()
+        [[1.0, 1.0], [2.0, 3.0]]
         """
-        return self._engine.positions()
+        return self._engine.wrapped_positions() if wrapped else self._engine.positions()
 
     def velocities(self) -> Floats:
         """The velocities now.
@@ -294,7 +316,7 @@ class MovingPoints(RunAnswers):
         -------
         array of uint32, shape (m, 2)
             The ids of the ends, the smaller first; sorted. In a periodic box a pair has a row for each of its edges,
-            and an edge may go from a point to its own image: see `KineticDelaunay.edge_offsets`.
+            and an edge may go from a point to its own image: see `edge_offsets`.
         """
         return self._engine.edges()
 
@@ -305,7 +327,7 @@ class MovingPoints(RunAnswers):
         -------
         array of uint32, shape (k, 3)
             The ids of the corners, counterclockwise, the least first; sorted. Empty if all points are
-            collinear. In a periodic box ids may repeat: see `KineticDelaunay.triangle_offsets`.
+            collinear. In a periodic box ids may repeat: see `triangle_offsets`.
         """
         return self._engine.triangles()
 
@@ -744,7 +766,7 @@ class MovingPoints(RunAnswers):
         array of uint32, shape (degree,)
             Counterclockwise: for an inner point from the smallest id on, for a hull point from one hull
             neighbor to the other. In a periodic box one for each end of an edge at the point: ids may repeat, and may
-            be that of the point itself (`KineticDelaunay.neighbor_offsets`). Of a point that coincides with others
+            be that of the point itself (`neighbor_offsets`). Of a point that coincides with others
             for a while: if it is hidden, the point that hides it; else at the end also those that it hides, ascending.
 
         Raises
@@ -1145,108 +1167,7 @@ class MovingPoints(RunAnswers):
 
         return draw(self, ax, ids, style)
 
-
-class KineticDelaunay(MovingPoints):
-    """The Delaunay triangulation of moving points, exact at every time.
-
-    Parameters
-    ----------
-    positions : array_like of float, shape (n, 2)
-        Positions at `start`, not rounded. Input may be degenerate: collinear, cocircular, or coinciding.
-    velocities : array_like of float, shape (n, 2)
-        Their velocities there.
-    acceleration, jerk : array_like of float, shape (n, 2), optional
-        The second and third derivatives at `start`.
-    start : float or Time
-        The time at which the run begins. Positions are those at `float(start)`.
-    coincident : {'hide', 'refuse'}
-        What happens to points that coincide for a while, now or after a change: the one with the least id hides the
-        others (see `MovingPoints`), or they are an error. Copies, snapshots and files keep it.
-    box : Box, optional
-        A periodic box; or what `Box` takes as its first argument: two lengths, two lattice vectors, a box of freud, a
-        cell or an Atoms of ASE. Points may be, and go, anywhere: only their positions modulo the lattice matter. There
-        is no hull, and n points have 3n edges and 2n triangles, from one point on. What is not possible in a
-        periodic box raises a PreconditionError that says so: acceleration, several threads, hulls, `cell_areas`,
-        proximity graphs, questions about runs, pages, checkpoint files.
-
-    Raises
-    ------
-    PreconditionError
-        If a number is not finite, a shape is wrong, `box` is something else, or `coincident` is another word.
-    PeriodicBoxError
-        If the area of the box is not positive at `start`. `advance_to` raises it, and nothing happens, if the area
-        would become zero before the time or at it; `step` executes only events before that.
-    CoincidentTrajectoriesError
-        If two points coincide for a while, and `coincident` is 'refuse'.
-
-    Examples
-    --------
-    >>> import numpy as np, kinetri
-    >>> rng = np.random.default_rng(1)
-    >>> kd = kinetri.KineticDelaunay(rng.uniform(0, 100, (1000, 2)), rng.uniform(-5, 5, (1000, 2)))
-    >>> events = kd.record(until=0.1)
-    >>> kd.time == 0.1, kd.positions().shape, kd.triangles().shape[1], bool(kd.audit("delaunay"))
-    (True, (1000, 2), 3, True)
-
-    One point in a periodic box under shear:
-
-    >>> kd = kinetri.KineticDelaunay([[0, 0]], [[0, 0]], box=kinetri.Box.shear(1, 1, 1))
-    >>> kd.edges().tolist(), kd.edge_offsets().tolist()
-    ([[0, 0], [0, 0], [0, 0]], [[0, 1], [1, -1], [1, 0]])
-    """
-
-    def __init__(self, positions: ArrayLike, velocities: ArrayLike, *, acceleration: ArrayLike | None = None,
-                 jerk: ArrayLike | None = None, start: TimeLike = 0.0, coincident: str = "hide",
-                 box: Any = None) -> None:
-        self._engine = _triangulation(positions, velocities, acceleration, jerk, start, coincident=coincident,
-                                      lattice=None if box is None else box_of(box)._numbers)
-
-    @classmethod
-    def _at(cls, positions: Floats, velocities: Floats, acceleration: Floats | None, jerk: Floats | None,
-            epoch: float, start: TimeLike, coincident: str) -> KineticDelaunay:
-        """A triangulation of the points at the time `start`, with motions of another epoch."""
-        return cls._around(
-            _triangulation(positions, velocities, acceleration, jerk, start, epoch, coincident=coincident))
-
     # ---- periodic boxes ----
-
-    @property
-    def box(self) -> Box | None:
-        """Box or None: the periodic box. After `reverse` it is the mirrored one."""
-        lattice = self._engine.box()
-        return None if lattice is None else Box._of(lattice)
-
-    def positions(self, *, wrapped: bool = False) -> Floats:
-        """The positions now; in a periodic box also those of the images in the box.
-
-        Parameters
-        ----------
-        wrapped : bool
-            Whether to give, for each point, the position of its image in the parallelogram of the box: the sum of
-            multiples of the two lattice vectors of the present time, each from 0 to less than 1. Only in a box.
-
-        Returns
-        -------
-        array of float64, shape (n, 2)
-            By id, each coordinate rounded to the nearest float64; NaN if there is no point. Which image is in the
-            box is decided exactly, before rounding. By default points are where their motions have taken them:
-            offsets are against these positions.
-
-        Raises
-        ------
-        PreconditionError
-            If there is no box.
-        PeriodicBoxError
-            If a point is 2^31 or more lattice vectors away from the box.
-
-        Examples
-        --------
-        >>> import kinetri
-        >>> kd = kinetri.KineticDelaunay([[9, 1], [2, -1]], [[0, 0], [0, 0]], box=(4, 4))
-        >>> kd.positions(wrapped=True).tolist()
-        [[1.0, 1.0], [2.0, 3.0]]
-        """
-        return self._engine.wrapped_positions() if wrapped else self._engine.positions()
 
     def edge_offsets(self) -> Offsets:
         """In a periodic box, which image of the second end of each edge is meant.
@@ -1366,6 +1287,75 @@ class KineticDelaunay(MovingPoints):
         [[-1, 0], [-1, -1], [0, 0]]
         """
         return self._engine.closest_pair_offset()
+
+
+class KineticDelaunay(MovingPoints):
+    """The Delaunay triangulation of moving points, exact at every time.
+
+    Parameters
+    ----------
+    positions : array_like of float, shape (n, 2)
+        Positions at `start`, not rounded. Input may be degenerate: collinear, cocircular, or coinciding.
+    velocities : array_like of float, shape (n, 2)
+        Their velocities there.
+    acceleration, jerk : array_like of float, shape (n, 2), optional
+        The second and third derivatives at `start`.
+    start : float or Time
+        The time at which the run begins. Positions are those at `float(start)`.
+    coincident : {'hide', 'refuse'}
+        What happens to points that coincide for a while, now or after a change: the one with the least id hides the
+        others (see `MovingPoints`), or they are an error. Copies, snapshots and files keep it.
+    box : Box, optional
+        A periodic box; or what `Box` takes as its first argument: two lengths, two lattice vectors, a box of freud, a
+        cell or an Atoms of ASE. Points may be, and go, anywhere: only their positions modulo the lattice matter. There
+        is no hull, and n points have 3n edges and 2n triangles, from one point on. What is not possible in a
+        periodic box raises a PreconditionError that says so: acceleration, several threads, hulls, `cell_areas`,
+        proximity graphs, questions about runs, pages, checkpoint files.
+
+    Raises
+    ------
+    PreconditionError
+        If a number is not finite, a shape is wrong, `box` is something else, or `coincident` is another word.
+    PeriodicBoxError
+        If the area of the box is not positive at `start`. `advance_to` raises it, and nothing happens, if the area
+        would become zero before the time or at it; `step` executes only events before that.
+    CoincidentTrajectoriesError
+        If two points coincide for a while, and `coincident` is 'refuse'.
+
+    Examples
+    --------
+    >>> import numpy as np, kinetri
+    >>> rng = np.random.default_rng(1)
+    >>> kd = kinetri.KineticDelaunay(rng.uniform(0, 100, (1000, 2)), rng.uniform(-5, 5, (1000, 2)))
+    >>> events = kd.record(until=0.1)
+    >>> kd.time == 0.1, kd.positions().shape, kd.triangles().shape[1], bool(kd.audit("delaunay"))
+    (True, (1000, 2), 3, True)
+
+    One point in a periodic box under shear:
+
+    >>> kd = kinetri.KineticDelaunay([[0, 0]], [[0, 0]], box=kinetri.Box.shear(1, 1, 1))
+    >>> kd.edges().tolist(), kd.edge_offsets().tolist()
+    ([[0, 0], [0, 0], [0, 0]], [[0, 1], [1, -1], [1, 0]])
+    """
+
+    def __init__(self, positions: ArrayLike, velocities: ArrayLike, *, acceleration: ArrayLike | None = None,
+                 jerk: ArrayLike | None = None, start: TimeLike = 0.0, coincident: str = "hide",
+                 box: Any = None) -> None:
+        self._engine = _triangulation(positions, velocities, acceleration, jerk, start, coincident=coincident,
+                                      lattice=None if box is None else box_of(box)._numbers)
+
+    @classmethod
+    def _at(cls, positions: Floats, velocities: Floats, acceleration: Floats | None, jerk: Floats | None,
+            epoch: float, start: TimeLike, coincident: str) -> KineticDelaunay:
+        """A triangulation of the points at the time `start`, with motions of another epoch."""
+        return cls._around(
+            _triangulation(positions, velocities, acceleration, jerk, start, epoch, coincident=coincident))
+
+    @property
+    def box(self) -> Box | None:
+        """Box or None: the periodic box. After `reverse` it is the mirrored one."""
+        lattice = self._engine.box()
+        return None if lattice is None else Box._of(lattice)
 
     # ---- time ----
 
@@ -1525,6 +1515,20 @@ class KineticRegular(KineticDelaunay):
                             weight=weight)
 
 
+def _expect_equal_discs(radius: Floats | None, growth: Floats | None) -> None:
+    """Raises an error unless discs in a periodic box have one radius; the arguments are None if they have."""
+    if growth is not None and np.any(growth != 0):
+        raise PreconditionError(f"disc {int(np.flatnonzero(growth)[0])} grows or shrinks, which is not possible in a periodic "
+                                "box; expected no growth")
+    if radius is None or len(radius) == 0:
+        return
+    others = np.flatnonzero(radius != radius[0])
+    if len(others) > 0:
+        other = int(others[0])
+        raise PreconditionError(f"disc {other} has the radius {radius[other].item()!r}, and disc 0 {radius[0].item()!r}, but "
+                                "discs in a periodic box have one radius; expected equal radii")
+
+
 class Simulation(MovingPoints):
     """Moving points or discs in a box, with collisions; every contact is exact.
 
@@ -1538,13 +1542,17 @@ class Simulation(MovingPoints):
         Of the radii, per unit of time.
     mass : float, array_like of float, shape (n,), or 'area', optional
         Greater than 0; 1 by default; 'area' is the square of the radius.
-    box : (xmin, ymin, xmax, ymax), optional
-        Walls that reflect.
+    box : (xmin, ymin, xmax, ymax) or Box, optional
+        Walls that reflect; or a periodic box: a `Box`, a box of freud or an Atoms of ASE. In it discs have one radius, which
+        is constant, and collide with images of others: an event has the offset of the image of the second point in
+        `added_offset`. With collisions points must not coincide for a while, whatever `coincident` says. What is not
+        possible there raises a PreconditionError that says so: what `KineticDelaunay` lists, and snapshots.
     rim : bool
         Whether walls reflect the boundary of a disc, instead of its center.
     collisions : {None, 'log', 'swap', 'elastic', 'stop', 'remove'} or callable
         What happens when two discs touch. A function is called with a `Contact` and returns None (they pass
-        through each other), two velocities, or a `Response`. It must not use the simulation.
+        through each other), two velocities, or a `Response`. It must not use the simulation. In a periodic box the
+        contact has the velocity of the image, and the new velocity is one of the image.
     refuse_overlaps : bool, optional
         Whether discs that overlap at the start are an error; by default if radii differ or grow, and
         `collisions` is neither None nor 'log'.
@@ -1555,6 +1563,9 @@ class Simulation(MovingPoints):
         If a number is not finite or a size is not valid.
     OutsideBoxError, OverlappingDiscsError, NegativeRadiusError, CoincidentTrajectoriesError
         If the start is impossible.
+    OwnImageError
+        If a disc overlaps its own image; `advance_to` raises it when a disc would meet its own image, since the box
+        moves.
 
     Examples
     --------
@@ -1563,11 +1574,18 @@ class Simulation(MovingPoints):
     >>> events = sim.record(until=6.0)
     >>> events["kind"][-1], float(events["time"][-1]), sim.velocities().tolist(), sim.energy()
     ('collision', 4.0, [[-1.0, 0.0], [1.0, 0.0]], 1.0)
+
+    In a periodic box the second disc meets the image of the first one:
+
+    >>> sim = kinetri.Simulation([[0, 0], [4, 0]], [[0, 0], [1, 0]], radius=1, collisions="elastic", box=kinetri.Box((8, 8)))
+    >>> event = sim.record(until=3.0, kinds="collision")[0]
+    >>> float(event["time"]), event["points"].tolist(), event["added_offset"].tolist(), sim.velocities().tolist()
+    (2.0, [0, 1], [-1, 0], [[1.0, 0.0], [0.0, 0.0]])
     """
 
     def __init__(self, positions: ArrayLike, velocities: ArrayLike, *, radius: ArrayLike | None = None,
                  growth: ArrayLike | None = None, mass: ArrayLike | str | None = None,
-                 box: ArrayLike | None = None, rim: bool = False, collisions: Collisions = None,
+                 box: Any = None, rim: bool = False, collisions: Collisions = None,
                  refuse_overlaps: bool | None = None, acceleration: ArrayLike | None = None,
                  jerk: ArrayLike | None = None, start: TimeLike = 0.0, coincident: str = "hide") -> None:
         start = Time(start)
@@ -1592,6 +1610,12 @@ class Simulation(MovingPoints):
             radius = growth = None
         motions, _ = _motions(positions, velocities, acceleration, jerk,
                               radius if differs else None, growth, None, float(start))
+        walls = _arrays.box_tuple("box", box) if is_walls(box) else None
+        lattice = None if is_walls(box) else box_of(box)
+        if lattice is not None:
+            _expect_equal_discs(radius, growth)
+            if rim:
+                raise PreconditionError("rim is True, but a periodic box has no walls; expected rim=False")
         if differs and radius is None:
             raise PreconditionError("growth without radius; expected the radii at the start")
         if refuse_overlaps is None:
@@ -1599,8 +1623,8 @@ class Simulation(MovingPoints):
         self.collisions = collisions
         self._engine = _kinetri.make_simulation(
             motions, acceleration is not None or jerk is not None, differs, start,
-            _arrays.box_tuple("box", box), bool(rim), common_radius, engine_response(collisions),
-            bool(refuse_overlaps), refuses_coincident, masses)
+            walls, bool(rim), common_radius, engine_response(collisions), bool(refuse_overlaps),
+            refuses_coincident, masses, None if lattice is None else lattice._numbers)
 
     @staticmethod
     def _masses_by_name(mass: str, radius: Floats | None) -> Floats:
@@ -1611,9 +1635,10 @@ class Simulation(MovingPoints):
         return radius * radius
 
     @property
-    def box(self) -> Walls | None:
-        """(xmin, ymin, xmax, ymax) or None: the walls."""
-        return self._engine.box_and_radius()[0]
+    def box(self) -> Walls | Box | None:
+        """(xmin, ymin, xmax, ymax), Box or None: the walls, or the periodic box."""
+        lattice = self._engine.box()
+        return self._engine.box_and_radius()[0] if lattice is None else Box._of(lattice)
 
     def masses(self) -> Floats:
         """The masses.

@@ -7,7 +7,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from ._box import Box
-from ._moving import KineticDelaunay
+from ._moving import MovingPoints
 from ._types import Floats, Ids
 
 
@@ -20,7 +20,7 @@ class Drawn(Protocol):
     def coincident_points(self, id: int) -> Ids: ...
 
 
-def _in_box(points: KineticDelaunay, box: Box) -> tuple[Floats, Floats]:
+def _in_box(points: MovingPoints, box: Box) -> tuple[Floats, Floats]:
     """The positions of images in a periodic box, and the ends of edges: each begins at such an image."""
     places, wrapped = points.positions(), points.positions(wrapped=True)
     a, b = points.edges().T
@@ -36,8 +36,9 @@ def draw(points: Drawn, ax: Any, ids: bool, style: dict[str, Any]) -> Any:
     if ax is None:
         ax = plt.gca()
     style = {"color": "0.55", "linewidth": 0.8, "zorder": 1, **style}
-    if isinstance(points, KineticDelaunay) and points.box is not None:
-        places, lines = _in_box(points, points.box)
+    box = getattr(points, "box", None)
+    if isinstance(points, MovingPoints) and isinstance(box, Box):
+        places, lines = _in_box(points, box)
     else:
         places = points.positions()
         lines = places[points.edges()]

@@ -72,6 +72,26 @@ class EndlessContactsError(ContactError):
     events: Events
 
 
+class OwnImageError(ContactError):
+    """A disc in a periodic box overlaps an image of itself, or would meet one, since the box moves.
+
+    In the second case the simulation is in the state before that contact, which is still due.
+
+    Attributes
+    ----------
+    offset : tuple of two int
+        Of the image.
+    time : Time
+        When, exactly.
+    events : structured array of `periodic_event_dtype`
+        The events before the error, if `record` raised it.
+    """
+
+    offset: tuple[int, int]
+    time: Time
+    events: Events
+
+
 class ContactOverflowError(ContactError):
     """After a contact a position, velocity or acceleration is beyond the range of float64."""
 

@@ -39,7 +39,8 @@ event_dtype: np.dtype[np.void] = np.dtype(_kinetri.event_fields)
 #:
 #: removed_offset, added_offset : two int32
 #:     Which image of the second end of the removed edge, and of the added one, is meant: how often each lattice
-#:     vector is added to it; 0 if there is no edge.
+#:     vector is added to it; 0 if there is no edge. Of a collision `added_offset` is that of the image of the second
+#:     point which the first one touches.
 periodic_event_dtype: np.dtype[np.void] = np.dtype(_kinetri.periodic_event_fields)
 
 
@@ -100,7 +101,9 @@ def to_dataframe(events: Events) -> pd.DataFrame:
             columns[name] = pd.arrays.IntegerArray(ids.copy(), ids == NO_POINT)
     if events.dtype == periodic_event_dtype:
         for edge in ("removed", "added"):
+            has_none = events[edge][:, 0] == NO_POINT
+            if edge == "added":
+                has_none &= events["kind"] != "collision"
             for i, name in enumerate("kl"):
-                columns[f"{edge}_{name}"] = pd.arrays.IntegerArray(
-                    events[f"{edge}_offset"][:, i].copy(), events[edge][:, 0] == NO_POINT)
+                columns[f"{edge}_{name}"] = pd.arrays.IntegerArray(events[f"{edge}_offset"][:, i].copy(), has_none.copy())
     return pd.DataFrame(columns)

@@ -111,13 +111,15 @@ std::shared_ptr<Moving> make_moving_simulation(const Motions& motions, bool is_p
                                                const std::optional<Box>& box, bool rim,
                                                double radius, const py::object& collisions,
                                                bool refuses_overlaps, bool refuses_coincident,
-                                               const Numbers& masses) {
+                                               const Numbers& masses,
+                                               const std::optional<Lattice>& lattice) {
   const Interrupt_flag flag = new_flag();
   const Simulation_options options = simulation_options(
       box, rim, radius, collisions, refuses_overlaps, refuses_coincident, masses, flag);
   const Algebraic_number time = time_of(start);
   auto engine = without_gil([&] {
-    return make_simulation(motions.columns(), {is_polynomial, has_weight}, time, options);
+    return make_simulation(motions.columns(), {is_polynomial, has_weight}, time, options,
+                           periodic_box(lattice));
   });
   return std::make_shared<Moving>(std::move(engine), flag);
 }
@@ -290,8 +292,7 @@ Offsets array_of_offsets(std::optional<std::vector<Lattice_offset_2>> offsets) {
 
 void check_has_box(const Engine& engine) {
   if (engine.box()) return;
-  throw Precondition_error(
-      "offsets are of images in a periodic box; expected a KineticDelaunay with a box");
+  throw Precondition_error("offsets are of images; expected an object in a periodic box");
 }
 
 py::tuple cell_fields(Cell answer) {
@@ -628,8 +629,8 @@ void bind_answers(py::class_<Moving, std::shared_ptr<Moving>>& type) {
              moving.with_engine([&](Engine& e) {
                if (e.box()) {
                  throw Precondition_error(
-                     "files of states are not possible in a periodic box; expected a snapshot, "
-                     "which can be pickled");
+                     "files of states are not possible in a periodic box; expected a snapshot of a "
+                     "KineticDelaunay, which can be pickled");
                }
                Checkpoint checkpoint = e.snapshot();
                checkpoint.response = response;

@@ -60,6 +60,10 @@ void translate(std::exception_ptr thrown) {
           attribute("ids", std::pair(error.first(), error.second())));
   } catch (const Endless_contacts_error& error) {
     raise("EndlessContactsError", error, attribute("id", error.point()));
+  } catch (const Own_image_error& error) {
+    raise("OwnImageError", error, attribute("id", error.point()),
+          attribute("offset", std::pair(error.offset().x, error.offset().y)),
+          attribute("time", error.time()));
   } catch (const Contact_overflow_error& error) {
     raise("ContactOverflowError", error, attribute("id", error.point()));
   } catch (const Contact_error& error) {

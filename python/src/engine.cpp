@@ -21,6 +21,14 @@ double number_at(const double* column, std::size_t i) {
   return column == nullptr ? 0 : column[i];
 }
 
+// Throws if points of the kind cannot be in a periodic box.
+void check_in_box(const Motion_kind& kind) {
+  if (!kind.is_polynomial && !kind.has_weight) return;
+  throw Precondition_error(
+      "acceleration, jerk and radii that differ or grow are not possible in a periodic box; "
+      "expected points on straight lines, with one radius");
+}
+
 // Calls `function` with the traits of the kind of motion.
 template <class Function>
 auto with_traits(const Motion_kind& kind, const Function& function) {
@@ -47,11 +55,7 @@ std::unique_ptr<Engine> make_triangulation(const Motion_columns& motions, const 
                                            Coincident_points coincident,
                                            const std::optional<Periodic_box_2>& box) {
   if (box) {
-    if (kind.is_polynomial || kind.has_weight) {
-      throw Precondition_error(
-          "acceleration, jerk and radii are not possible in a periodic box; expected points on "
-          "straight lines");
-    }
+    check_in_box(kind);
     return make_engine(motions, start, coincident, Periodic_kinetic_traits_2(*box));
   }
   return with_traits(kind, [&]<class Traits>(std::type_identity<Traits>) {
@@ -61,9 +65,14 @@ std::unique_ptr<Engine> make_triangulation(const Motion_columns& motions, const 
 
 std::unique_ptr<Engine> make_simulation(const Motion_columns& motions, const Motion_kind& kind,
                                         const Algebraic_number& start,
-                                        const Simulation_options& options) {
+                                        const Simulation_options& options,
+                                        const std::optional<Periodic_box_2>& box) {
+  if (box) {
+    check_in_box(kind);
+    return make_engine(motions, start, options, Periodic_kinetic_traits_2(*box));
+  }
   return with_traits(kind, [&]<class Traits>(std::type_identity<Traits>) {
-    return make_engine<Traits>(motions, start, options);
+    return make_engine(motions, start, options, Traits());
   });
 }
 

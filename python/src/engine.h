@@ -187,7 +187,7 @@ class Engine {
   virtual Statistics statistics() const = 0;
   /// The default ones for a triangulation.
   virtual Simulation_options options() const = 0;
-  /// In a periodic box that of the points alone.
+  /// In a periodic box that of the points alone, and not of a simulation.
   virtual Checkpoint snapshot() const = 0;
 };
 
@@ -204,10 +204,12 @@ std::unique_ptr<Engine> make_triangulation(const Motion_columns& motions, const 
                                            Coincident_points coincident,
                                            const std::optional<Periodic_box_2>& box);
 
-/// A simulation of motions of that kind.
+/// A simulation of motions of that kind. In a periodic box points neither accelerate nor have radii
+/// of their own.
 std::unique_ptr<Engine> make_simulation(const Motion_columns& motions, const Motion_kind& kind,
                                         const Algebraic_number& start,
-                                        const Simulation_options& options);
+                                        const Simulation_options& options,
+                                        const std::optional<Periodic_box_2>& box);
 
 /// The triangulation or simulation of a checkpoint. Throws Snapshot_error if `kind` is a
 /// triangulation, but the state has a box, a response or scheduled changes. The checkpoint of a

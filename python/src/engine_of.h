@@ -300,7 +300,7 @@ class Engine_of final : public Engine {
                              " not possible in a periodic box");
   }
   [[noreturn]] static void refuse_without_box() {
-    refuse("offsets are of images in a periodic box; expected a KineticDelaunay with a box");
+    refuse("offsets are of images; expected an object in a periodic box");
   }
   [[noreturn]] static void refuse_schedule() {
     refuse("a triangulation has no scheduled changes; expected a Simulation");
@@ -625,7 +625,9 @@ Statistics Engine_of<Core, Traits>::statistics() const {
 template <template <class> class Core, class Traits>
 Checkpoint Engine_of<Core, Traits>::snapshot() const {
   Checkpoint result;
-  if constexpr (is_simulation) {
+  if constexpr (is_simulation && is_periodic) {
+    refuse_in_box("snapshots of simulations");
+  } else if constexpr (is_simulation) {
     result.simulation = core_->snapshot();
   } else if constexpr (is_periodic) {
     const auto [time, motions, counters, certificates] = core_->snapshot();

@@ -8,6 +8,9 @@ KINETRI_PYTHON_INSTANTIATE(Linear_kinetic_traits_2);
 KINETRI_PYTHON_INSTANTIATE(Polynomial_kinetic_traits_2);
 template std::unique_ptr<Engine> make_engine(const Motion_columns&, const Algebraic_number&,
                                              Coincident_points, const Periodic_kinetic_traits_2&);
+template std::unique_ptr<Engine> make_engine(const Motion_columns&, const Algebraic_number&,
+                                             const Simulation_options&,
+                                             const Periodic_kinetic_traits_2&);
 
 std::unique_ptr<Engine> make_periodic_engine(
     const Simulation_snapshot<Linear_kinetic_traits_2>& snapshot, const Periodic_box_2& box) {

@@ -19,7 +19,7 @@ std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebra
                                     Coincident_points coincident, const Traits& traits);
 template <class Traits>
 std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start,
-                                    const Simulation_options& options);
+                                    const Simulation_options& options, const Traits& traits);
 template <class Traits>
 std::unique_ptr<Engine> make_engine(const Simulation_snapshot<Traits>& snapshot, Engine_kind kind,
                                     Collision_response response);

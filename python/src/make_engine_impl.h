@@ -19,9 +19,9 @@ std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebra
 
 template <class Traits>
 std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebraic_number& start,
-                                    const Simulation_options& options) {
+                                    const Simulation_options& options, const Traits& traits) {
   return engine_of(std::make_unique<Simulation_2<Traits>>(
-      motions_of<typename Traits::Motion>(motions), options, start));
+      motions_of<typename Traits::Motion>(motions), options, start, traits));
 }
 
 template <class Traits>
@@ -52,13 +52,13 @@ std::unique_ptr<Engine> make_engine(std::unique_ptr<Simulation_2<Traits>> simula
   return engine_of(std::move(simulation));
 }
 
-#define KINETRI_PYTHON_INSTANTIATE(Traits)                                                 \
-  template std::unique_ptr<Engine> make_engine<Traits>(                                    \
-      const Motion_columns&, const Algebraic_number&, Coincident_points, const Traits&);   \
-  template std::unique_ptr<Engine> make_engine<Traits>(                                    \
-      const Motion_columns&, const Algebraic_number&, const Simulation_options&);          \
-  template std::unique_ptr<Engine> make_engine<Traits>(const Simulation_snapshot<Traits>&, \
-                                                       Engine_kind, Collision_response);   \
+#define KINETRI_PYTHON_INSTANTIATE(Traits)                                                       \
+  template std::unique_ptr<Engine> make_engine<Traits>(                                          \
+      const Motion_columns&, const Algebraic_number&, Coincident_points, const Traits&);         \
+  template std::unique_ptr<Engine> make_engine<Traits>(                                          \
+      const Motion_columns&, const Algebraic_number&, const Simulation_options&, const Traits&); \
+  template std::unique_ptr<Engine> make_engine<Traits>(const Simulation_snapshot<Traits>&,       \
+                                                       Engine_kind, Collision_response);         \
   template std::unique_ptr<Engine> make_engine<Traits>(std::unique_ptr<Simulation_2<Traits>>)
 
 }  // namespace kinetri::python

@@ -54,6 +54,8 @@ std::size_t Moving::guarded(const Run& run) {
     throw;
   } catch (const Endless_contacts_error&) {  // the state is that before the contact
     throw;
+  } catch (const Own_image_error&) {  // the same
+    throw;
   } catch (...) {
     is_within_instant_ = true;
     throw;

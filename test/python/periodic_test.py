@@ -381,7 +381,8 @@ def test_what_others_have_is_taken_as_it_is(given):
     (lambda: kinetri.Box(FreudBox(1, 1, periodic=(False, True, True))), "which is not periodic"),
     (lambda: kinetri.Box(FreudBox(1, 1, is2D=False)), "freud.box.Box(...), which is 3-dimensional; expected a box in"),
     (lambda: kinetri.Box(kinetri.Box.shear(1, 1, 1)), "box is a Box whose vectors change"),
-    (lambda: kinetri.Simulation([[0, 0]], [[0, 0]], box=kinetri.Box((1, 1))), "a periodic box, which is for a Kin"),
+    (lambda: kinetri.Tracks.from_arrays([0, 1], [0, 0], [0, 1], [0, 0]).simulation(box=kinetri.Box((1, 1))),
+     "a periodic box, which is for a KineticDelaunay or a Simulation"),
 ])
 def test_what_is_no_box_is_refused(make, message):
     with pytest.raises(kinetri.PreconditionError) as raised:
@@ -580,7 +581,7 @@ def test_answers_are_tuples_with_offsets_beside_them():
     for answer in (plane.locate([1, 2]), plane.nearest_neighbors(), plane.nearest_neighbors(2), plane.voronoi_cell(2)):
         assert answer.offsets is None
     for call in (lambda: plane.nearest_vertex_offset([0, 0]), plane.closest_pair_offset):
-        with pytest.raises(kinetri.PreconditionError, match="expected a KineticDelaunay with a box"):
+        with pytest.raises(kinetri.PreconditionError, match="expected an object in a periodic box"):
             call()
 
 
@@ -671,7 +672,7 @@ def test_what_is_not_possible_in_a_box_says_so(call):
 def test_without_a_box_there_are_no_offsets(call):
     kd = kinetri.KineticDelaunay([[0, 0], [1, 0], [0, 1]], [[0, 0]] * 3)
     assert kd.box is None and kd.record(until=1).dtype == kinetri.event_dtype
-    with pytest.raises(kinetri.PreconditionError, match="expected a KineticDelaunay with a box"):
+    with pytest.raises(kinetri.PreconditionError, match="expected an object in a periodic box"):
         call(kd)
 
 

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Discs that collide in periodic boxes: contacts compared with those of all pairs of images, in fractions."""
+import copy
+import itertools
+import math
+import pickle
+import types
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import kinetri
+
+BOXES = [kinetri.Box((6, 5)), kinetri.Box.shear(5, 6, 0.25), kinetri.Box((5, 5), rates=(0.25, 0.5))]
+RADIUS = 0.25
+UNTIL = 2.0
+
+
+def gas(box, seed, side=5, **options):
+    """A disc in each unit square; numbers are multiples of 1/64."""
+    rng = np.random.default_rng(seed)
+    places = np.array([(i, j) for i in range(side) for j in range(side)]) + rng.integers(0, 24, (side * side, 2)) / 64
+    velocities = rng.integers(-128, 128, (side * side, 2)) / 64
+    return kinetri.Simulation(places, velocities, radius=RADIUS, box=box, **options)
+
+
+def contacts_of_passing_discs(sim):
+    """The first contact of each pair and offset while discs move on straight lines: {(a, b, k, l): time}."""
+    box = sim.box
+    a_rate, b_rate = box.rates.tolist()
+    a_vector, b_vector = box.vectors.tolist()
+    places, velocities = sim.positions().tolist(), sim.velocities().tolist()
+    found = {}
+    for (a, b), k, l in itertools.product(itertools.combinations(range(len(places)), 2), range(-4, 5), range(-4, 5)):
+        p = [Fraction(q - p) + k * Fraction(x) + l * Fraction(y)
+             for p, q, x, y in zip(places[a], places[b], a_vector, b_vector)]
+        v = [Fraction(w - v) + k * Fraction(x) + l * Fraction(y)
+             for v, w, x, y in zip(velocities[a], velocities[b], a_rate, b_rate)]
+        square, half, rest = v[0]**2 + v[1]**2, p[0] * v[0] + p[1] * v[1], p[0]**2 + p[1]**2 - Fraction(2 * RADIUS)**2
+        if rest >= 0 > half and half * half > square * rest:
+            # One of the roots, without cancellation.
+            time = float(rest) / (-float(half) + math.sqrt(half * half - square * rest))
+            if time <= UNTIL:
+                assert max(abs(k), abs(l)) < 4
+                found[a, b, k, l] = time
+    return found
+
+
+@pytest.mark.parametrize("box", BOXES)
+def test_contacts_are_those_of_all_pairs_of_images(box):
+    sim = gas(box, 1, collisions="log")
+    expected = contacts_of_passing_discs(sim)
+    events = sim.record(until=UNTIL, kinds="collision")
+    assert events.dtype == kinetri.periodic_event_dtype
+    found = {(*event["points"].tolist(), *event["added_offset"].tolist()): event["time"].item() for event in events}
+    assert len(events) == len(found) and found.keys() == expected.keys()
+    assert [found[key] for key in found] == pytest.approx([expected[key] for key in found], rel=1e-12)
+    assert len(found) > 30 and sum(key[2:] != (0, 0) for key in found) > 10
+    assert sim.audit()
+
+
+def test_a_box_is_walls_or_periodic():
+    places, velocities = [[1, 1], [3, 3]], [[1, 0], [0, 1]]
+    freud = types.SimpleNamespace(Lx=8, Ly=8, xy=0, is2D=True)
+    for box in (kinetri.Box((8, 8)), freud, types.SimpleNamespace(cell=np.diag([8, 8, 1]), pbc=[True, True, False])):
+        sim = kinetri.Simulation(places, velocities, box=box)
+        assert sim.box == kinetri.Box((8, 8)) and len(sim.edges()) == 6 == len(sim.edge_offsets())
+    walls = kinetri.Simulation(places, velocities, box=(0, 0, 8, 8))
+    assert walls.box == (0.0, 0.0, 8.0, 8.0) and kinetri.Simulation(places, velocities).box is None
+    for sim in (walls, kinetri.Simulation(places, velocities)):
+        with pytest.raises(kinetri.PreconditionError, match="expected an object in a periodic box"):
+            sim.edge_offsets()
+    for box in ((8, 8), [[8, 0], [0, 8]], (1, 2, 3), "wide", [1, [2, 3]]):
+        with pytest.raises(kinetri.PreconditionError, match="box"):
+            kinetri.Simulation(places, velocities, box=box)
+
+
+def test_elastic_collisions_conserve_momentum_and_energy():
+    mass = np.arange(1, 26) / 8
+    sim = gas(BOXES[0], 2, collisions="elastic", mass=mass)
+    momentum, energy = mass @ sim.velocities(), sim.energy()
+    assert np.count_nonzero(sim.record(until=5.0)["kind"] == "collision") > 80
+    assert mass @ sim.velocities() == pytest.approx(momentum, abs=1e-12) and sim.energy() == pytest.approx(energy)
+    assert sim.audit() and sim.masses().tolist() == mass.tolist() and sim.radii().tolist() == [RADIUS] * 25
+
+
+@pytest.mark.parametrize("name", ["swap", "elastic", "stop"])
+def test_a_function_may_respond_as_the_named_responses_do(name):
+    box = BOXES[1] if name != "stop" else BOXES[0]
+    seen = []
+
+    def respond(contact):
+        seen.append(contact.ids)
+        return kinetri.respond(name, contact)
+
+    named, own = gas(box, 3, collisions=name), gas(box, 3, collisions=respond)
+    assert named.record(until=UNTIL).tobytes() == own.record(until=UNTIL).tobytes()
+    assert named.positions().tolist() == own.positions().tolist() and len(seen) > 15
+
+
+def test_changes_at_the_present_and_scheduled():
+    sim = kinetri.Simulation([[1, 1], [4, 1]], [[0, 0], [1, 0]], radius=0.5, collisions="elastic", box=kinetri.Box((8, 8)))
+    sim.schedule_insert(1.0, [1, 5], [0, -1])
+    sim.schedule_erase(4.5, 0)
+    contacts = sim.record(until=4.25, kinds="collision")
+    assert contacts["time"].tolist() == [4, 4] and contacts["points"].tolist() == [[0, 1], [0, 2]]
+    assert contacts["added_offset"].tolist() == [[-1, 0], [0, 0]]
+    assert sim.velocities().tolist() == [[1, -1], [0, 0], [0, 0]]
+    sim.advance_to(5)
+    assert 0 not in sim and len(sim) == 2
+    sim.set_velocities(1, [0, 0])
+    ids = sim.insert([5, 5], [0, 0])
+    assert ids.tolist() == [3] and sim.audit()
+    with pytest.raises(kinetri.PreconditionError, match="no radii of their own"):
+        sim.insert([6, 6], [0, 0], radius=1)
+
+
+def test_a_disc_that_meets_its_own_image_ends_the_run():
+    """The upper vector is (7 - 3 t, 3), and the diameter 5."""
+    box = kinetri.Box([[16, 0], [7, 3]], rates=[[0, 0], [-3, 0]])
+    sim = kinetri.Simulation([[0, 0]], [[0, 0]], radius=2.5, collisions="elastic", box=box)
+    message = r"disc 0 meets its own image \(0, 1\) at t = 1; expected lattice vectors that stay longer than the diameter"
+    with pytest.raises(kinetri.OwnImageError, match=message) as raised:
+        sim.record(until=2.0)
+    assert (raised.value.id, raised.value.offset, raised.value.time) == (0, (0, 1), 1)
+    assert raised.value.events.dtype == kinetri.periodic_event_dtype
+    assert sim.time == 1 and sim.audit()  # the state before the contact
+    sim.erase(0)
+    sim.advance_to(2.0)
+    with pytest.raises(kinetri.OwnImageError, match=r"disc 0 meets its own image \(1, 0\) at t = 0"):
+        kinetri.Simulation([[0, 0]], [[0, 0]], radius=2.5, collisions="log", box=kinetri.Box((4, 8)))
+
+
+@pytest.mark.parametrize("options, message", [
+    ({"radius": [1, 0.5]}, "disc 1 has the radius 0.5, and disc 0 1.0, but discs in a periodic box have one radius"),
+    ({"radius": 1, "growth": [0, 0.5]}, "disc 1 grows or shrinks, which is not possible in a periodic box"),
+    ({"radius": 1, "rim": True}, "a periodic box has no walls; expected rim=False"),
+    ({"radius": 1, "acceleration": [[0, 1], [0, 0]]}, "acceleration, jerk .* are not possible in a periodic box"),
+    ({}, "collisions of discs need a radius|radius"),
+])
+def test_what_is_refused(options, message):
+    with pytest.raises(kinetri.PreconditionError, match=message):
+        kinetri.Simulation([[0, 0], [4, 4]], [[0, 0]] * 2, collisions="elastic", box=kinetri.Box((8, 8)), **options)
+
+
+def test_points_that_coincide_are_refused_with_collisions():
+    places, velocities = [[0, 0], [8, 16]], [[1, 1]] * 2
+    with pytest.raises(kinetri.CoincidentTrajectoriesError):
+        kinetri.Simulation(places, velocities, radius=1, collisions="log", box=kinetri.Box((8, 8)))
+    assert kinetri.Simulation(places, velocities, box=kinetri.Box((8, 8))).hidden_points().tolist() == [1]
+
+
+@pytest.mark.parametrize("call", [
+    lambda sim: sim.snapshot(), pickle.dumps, copy.copy, lambda sim: sim.save("state.kinetri"),
+    lambda sim: sim.closest(until=1.0), lambda sim: sim.hull(), lambda sim: sim.play(1.0)])
+def test_what_is_not_possible_in_a_box_says_so(call):
+    sim = gas(BOXES[0], 4, collisions="elastic")
+    with pytest.raises(kinetri.PreconditionError, match="(is|are) not possible in a periodic box"):
+        call(sim)
+    sim.advance_to(1.0)
+    assert sim.audit()
+
+
+def test_tables_and_pictures_have_the_images():
+    sim = kinetri.Simulation([[0, 0], [4, 0]], [[0, 0], [1, 0]], radius=1, collisions="elastic", box=kinetri.Box((8, 8)))
+    row = kinetri.to_dataframe(sim.record(until=2.0, kinds="collision")).iloc[0]
+    assert row[["point_a", "point_b", "added_k", "added_l"]].tolist() == [0, 1, -1, 0]
+    assert row[["removed_k", "removed_l", "added_a"]].isna().all()
+    pytest.importorskip("matplotlib").use("Agg")
+    from matplotlib import pyplot
+
+    assert len(sim.plot(pyplot.figure().gca()).collections[0].get_segments()) == 6
