@@ -7,6 +7,7 @@
 #include "simulation/simulation_2_impl.h"
 #include "triangulation/torus_construction.h"
 #include "triangulation/torus_repair.h"
+#include "triangulation/torus_topology.h"
 
 namespace kinetri {
 

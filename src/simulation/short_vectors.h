@@ -8,10 +8,10 @@
 #include <string>
 
 #include "kinetri/impl/triangulation/torus_triangulation.h"
-#include "kinetri/impl/triangulation/wrapping.h"
 #include "kinetri/simulation/simulation_errors.h"
 #include "simulation/shortest_text.h"
 #include "triangulation/whole_vectors.h"
+#include "triangulation/wrapping.h"
 
 namespace kinetri::detail {
 

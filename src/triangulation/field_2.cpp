@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "kinetic/rounded_places.h"
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/kinetic/rounded_places.h"
 #include "kinetri/impl/triangulation/point_problems.h"
 #include "triangulation/field_present.h"
 #include "triangulation/field_raster.h"

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "algebra/rounded_quotient.h"
+#include "kinetic/rounded_places.h"
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/kinetic/rounded_places.h"
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/triangulation/queries_2.h"
 #include "triangulation/ball.h"

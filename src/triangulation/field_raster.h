@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/kinetic/rounded_places.h"
+#include "kinetic/rounded_places.h"
 #include "kinetri/triangulation/field_2.h"
 #include "triangulation/field_present.h"
 #include "triangulation/field_weights.h"

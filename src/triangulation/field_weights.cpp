@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "kinetri/impl/kinetic/rounded_places.h"
+#include "kinetic/rounded_places.h"
 
 namespace kinetri::detail {
 namespace {

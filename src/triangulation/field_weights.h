@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <span>
 
+#include "kinetic/rounded_places.h"
 #include "kinetri/impl/base/compiler.h"
-#include "kinetri/impl/kinetic/rounded_places.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 
 namespace kinetri::detail {

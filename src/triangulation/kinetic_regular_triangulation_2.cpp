@@ -3,6 +3,8 @@
 
 #include "events/divided_scheduler_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
+#include "triangulation/repair.h"
+#include "triangulation/rounded_construction.h"
 
 namespace kinetri {
 
@@ -12,6 +14,8 @@ template class Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>;
 namespace detail {
 KINETRI_KINETIC_PARTS(template, Disc_kinetic_traits_2);
 KINETRI_KINETIC_PARTS(template, Polynomial_disc_kinetic_traits_2);
+template struct From_places<Disc_kinetic_traits_2>;
+template struct From_places<Polynomial_disc_kinetic_traits_2>;
 }  // namespace detail
 
 }  // namespace kinetri

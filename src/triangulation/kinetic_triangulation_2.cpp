@@ -5,6 +5,8 @@
 
 #include "events/divided_scheduler_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
+#include "triangulation/repair.h"
+#include "triangulation/rounded_construction.h"
 
 namespace kinetri {
 
@@ -23,6 +25,8 @@ template class Kinetic_triangulation_2<Polynomial_kinetic_traits_2>;
 namespace detail {
 KINETRI_KINETIC_PARTS(template, Linear_kinetic_traits_2);
 KINETRI_KINETIC_PARTS(template, Polynomial_kinetic_traits_2);
+template struct From_places<Linear_kinetic_traits_2>;
+template struct From_places<Polynomial_kinetic_traits_2>;
 }  // namespace detail
 
 }  // namespace kinetri

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/triangulation/topology_impl.h"
 #include "triangulation/nearest_points.h"
 #include "triangulation/position_query.h"
+#include "triangulation/torus_topology.h"
 #include "triangulation/voronoi_ring.h"
 #include "triangulation/voronoi_sides.h"
 

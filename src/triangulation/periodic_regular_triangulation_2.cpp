@@ -6,6 +6,7 @@
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
 #include "triangulation/torus_construction.h"
 #include "triangulation/torus_repair.h"
+#include "triangulation/torus_topology.h"
 
 namespace kinetri {
 

@@ -37,7 +37,7 @@ bool Region_run<Traits, Contacts>::can_run() const {
   if constexpr (has_contacts) {
     if (!window_.contacts().can_run()) return false;
   }
-  return HasRoundedPlace<typename Traits::Motion> && topology_.triangulation().dimension() == 2 &&
+  return topology_.triangulation().dimension() == 2 &&
          static_cast<double>(topology_.number_of_hidden_vertices()) *
                  options_.points_per_hidden_one <=
              number_of_points() &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/impl/triangulation/static_delaunay.h"
+#include "triangulation/static_delaunay.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-#include "kinetri/impl/kinetic/rounded_places.h"
+#include "kinetic/rounded_places.h"
 #include "kinetri/impl/triangulation/insertion_order.h"
 #include "kinetri/impl/triangulation/parallel.h"
 

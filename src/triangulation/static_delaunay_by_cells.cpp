@@ -18,8 +18,8 @@
 
 #include "kinetri/impl/triangulation/insertion_order.h"
 #include "kinetri/impl/triangulation/parallel.h"
-#include "kinetri/impl/triangulation/static_delaunay.h"
 #include "triangulation/kd_cells.h"
+#include "triangulation/static_delaunay.h"
 
 namespace kinetri::detail {
 namespace {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "events/distribute.h"
+#include "kinetic/rounded_places.h"
 #include "kinetri/impl/base/compiler.h"
-#include "kinetri/impl/kinetic/rounded_places.h"
 #include "kinetri/impl/triangulation/kinetic_core.h"
 #include "kinetri/impl/triangulation/parallel.h"
 #include "triangulation/kd_cells.h"

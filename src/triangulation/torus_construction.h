@@ -19,10 +19,10 @@
 
 #include "kinetri/base/ids.h"
 #include "kinetri/impl/triangulation/insertion_order.h"
-#include "kinetri/impl/triangulation/static_delaunay.h"
-#include "kinetri/impl/triangulation/wrapping.h"
 #include "kinetri/kinetic/linear_motion_2.h"
+#include "triangulation/static_delaunay.h"
 #include "triangulation/torus_triangulation_impl.h"
+#include "triangulation/wrapping.h"
 
 namespace kinetri::detail {
 

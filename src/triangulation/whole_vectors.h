@@ -13,7 +13,7 @@
 #include <string>
 
 #include "kinetri/impl/triangulation/torus_triangulation.h"
-#include "kinetri/impl/triangulation/wrapping.h"
+#include "triangulation/wrapping.h"
 
 namespace kinetri::detail {
 

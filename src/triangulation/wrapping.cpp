@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/impl/triangulation/wrapping.h"
+#include "triangulation/wrapping.h"
 
 #include <string>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The places of moving points in doubles: their errors, and the signs that they make certain.
-#include "kinetri/impl/kinetic/rounded_places.h"
+#include "kinetic/rounded_places.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <random>
 
-#include "kinetri/impl/kinetic/rounded_places.h"
+#include "kinetic/rounded_places.h"
 #include "kinetri/kinetic/disc_motion_2.h"
 #include "support/certificates.h"
 

@@ -24,6 +24,7 @@
 #include "support/precondition_error.h"
 #include "support/torus_reference.h"
 #include "triangulation/torus_repair.h"
+#include "triangulation/torus_topology.h"
 
 namespace kinetri::periodic_triangulation_2_test {
 namespace {

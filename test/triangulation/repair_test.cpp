@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinetri/impl/triangulation/repair.h"
+#include "triangulation/repair.h"
 
 #include <gtest/gtest.h>
 
@@ -24,8 +24,8 @@ struct Moved {
     std::vector<Types::Change> changes;
     for (Point_id id = 0; id < after.size(); ++id) changes.push_back({id, after[id]});
     core.reporter.start_noting();
-    Types::Repair repair(core.topology, core.reporter, Algebraic_number(0));
-    is_repaired = repair.move(changes);
+    is_repaired = detail::From_places<Linear_kinetic_traits_2>::move(
+        core.topology, core.reporter.notes(), 0, changes);
   }
 
   Core core;

@@ -155,9 +155,8 @@ TEST(Embedding, is_that_of_faces_that_turn_left_and_a_convex_hull) {
   const auto is_embedded_at = [&](Point_id id, double x, double y) {
     const Linear_motion_2 before = part.topology.vertex(id)->point().motion();
     part.topology.set_point({id, resting(x, y)});
-    const std::vector<Part::Point_2> points = part.topology.points();
     const bool result = Construction<Linear_kinetic_traits_2>::is_embedded(
-        part.topology.triangulation(), Rounded_places(points, Algebraic_number(0.0)));
+        part.topology.triangulation(), Algebraic_number(0.0));
     part.topology.set_point({id, before});
     return result;
   };

@@ -18,10 +18,10 @@
 #include <utility>
 #include <vector>
 
-#include "kinetri/impl/triangulation/static_delaunay.h"
 #include "support/multiplier.h"
 #include "support/precondition_error.h"
 #include "triangulation/kd_cells.h"
+#include "triangulation/static_delaunay.h"
 
 namespace kinetri::static_delaunay_test {
 namespace {

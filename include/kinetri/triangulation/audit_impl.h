@@ -24,7 +24,6 @@
 
 #include "kinetri/impl/triangulation/certification_impl.h"
 #include "kinetri/impl/triangulation/insertion_order.h"
-#include "kinetri/impl/triangulation/static_construction.h"
 #include "kinetri/impl/triangulation/torus_triangulation.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
@@ -59,7 +58,7 @@ class Auditor {
   using Kernel = CGAL::Simple_cartesian<Exact_number>;
   using Place = typename Kernel::Point_2;
   using Weighted_place = typename Kernel::Weighted_point_2;
-  using Types = Topology<Traits>;
+  using Types = Kinetic_types<Traits>;
   static constexpr bool is_weighted = Types::is_weighted;
   static constexpr bool is_periodic = Types::is_periodic;
   using Triangulation = typename Types::Triangulation;
@@ -108,7 +107,7 @@ class Auditor {
   // The position of a hidden point; of its image in the face that hides it, in a periodic box.
   Place place_of_hidden(Vertex_handle v) const {
     if constexpr (is_periodic) {
-      return moved(place(v), Types::location_of_hidden(v).offset);
+      return moved(place(v), Topology<Traits>::location_of_hidden(v).offset);
     } else {
       return place(v);
     }
@@ -135,7 +134,7 @@ class Auditor {
       return CGAL::side_of_oriented_circle(p, q, r, s);
     }
   }
-  std::string name(const Edge& edge) const { return edge_name(Types::name_of(edge)); }
+  std::string name(const Edge& edge) const { return edge_name(Topology<Traits>::name_of(edge)); }
   std::string name(const Entry& entry) const {
     if constexpr (is_weighted) {
       if (entry.is_hidden()) return "hidden point " + std::to_string(entry.hidden->point().id());
@@ -482,8 +481,8 @@ void Auditor<Traits>::check_reference() {
   Triangulation reference(after);
   if constexpr (is_periodic) {
     std::vector<Edge_ids> coincident;
-    reference =
-        Types::Static_construction::build(points, schedule_.current_time(), after, coincident);
+    reference = triangulation_of_torus<typename Types::Instantaneous_traits>(
+        points, schedule_.current_time().to_double(), after, coincident);
   } else {
     sort_for_insertion(points, after);
     insert_in_order(reference, points, std::identity(), [](const auto&, const auto&) {});
@@ -491,7 +490,7 @@ void Auditor<Traits>::check_reference() {
   std::vector<Edge_name> edges;
   for (const Edge& edge : reference.all_edges()) {
     if (reference.dimension() > 0 && !reference.is_infinite(edge)) {
-      edges.push_back(Types::name_of(edge));
+      edges.push_back(Topology<Traits>::name_of(edge));
     }
   }
   std::ranges::sort(edges);

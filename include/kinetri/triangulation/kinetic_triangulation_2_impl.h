@@ -2,7 +2,8 @@
 //
 // Definitions of Kinetic_triangulation_2. Include this, and audit_impl.h for its audits, only if
 // you instantiate the class for your own kinetic traits class; it is compiled into the library for
-// the library's own traits.
+// the library's own traits. Traits that are derived from these, without other points or predicates,
+// share the parts that know no certificates. For others CGAL inserts the points one by one.
 #ifndef KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_IMPL_H
 #define KINETRI_TRIANGULATION_KINETIC_TRIANGULATION_2_IMPL_H
 

@@ -16,7 +16,7 @@
 #include "classify.h"
 #include "differences.h"
 #include "filter.h"
-#include "kinetri/impl/kinetic/certain_signs.h"
+#include "kinetic/certain_signs.h"
 
 namespace kinetri {
 namespace {

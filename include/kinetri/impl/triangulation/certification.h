@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "kinetri/impl/base/compiler.h"
-#include "kinetri/impl/kinetic/rounded_places.h"
 #include "kinetri/impl/triangulation/topology.h"
 #include "kinetri/kinetic/certificate.h"
 
@@ -114,8 +113,6 @@ class Kinetic_types<Traits>::Certification {
   template <class Is_left_turn>
   bool is_embedded_around(Vertex_handle v, const Double_interval& bounds,
                           const Is_left_turn& is_left_turn) const;
-  /// The rounded positions of all points at a time; none if the motions cannot be rounded.
-  Rounded_places places(const Time& time) const;
 
  private:
   struct Condition {

@@ -461,17 +461,6 @@ bool Kinetic_types<Traits>::Certification::is_embedded_around(
   return is_embedded;
 }
 
-template <class Traits>
-Rounded_places Kinetic_types<Traits>::Certification::places(
-    [[maybe_unused]] const Time& time) const {
-  if constexpr (HasRoundedPlace<Motion> && !is_periodic) {
-    const auto point_of = [](Vertex_handle v) -> const Point_2& { return v->point(); };
-    return Rounded_places(triangulation_.finite_vertex_handles(), time, point_of);
-  } else {
-    return {};
-  }
-}
-
 }  // namespace kinetri::detail
 
 #endif  // KINETRI_IMPL_TRIANGULATION_CERTIFICATION_IMPL_H

@@ -5,6 +5,7 @@
 #define KINETRI_IMPL_TRIANGULATION_EDGE_CHANGES_H
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -71,6 +72,30 @@ class Edge_changes {
 
  private:
   std::vector<Change> notes_;
+};
+
+/// Changes that are reported together.
+template <class Edge_name>
+struct Change_notes {
+  struct Hiding {
+    Point_id point;
+    bool is_hidden;
+    std::optional<Point_id> by;
+  };
+
+  /// An edge was added (1) or removed (-1). Precondition: edges are noted.
+  void note(const Edge_name& edge, int change) { edges->note(edge, change); }
+  /// A point has been hidden or revealed, while edges are noted; by another point, if that is
+  /// given.
+  void note_hidden(Point_id point, bool is_hidden, std::optional<Point_id> by = std::nullopt) {
+    points.push_back({point, is_hidden, by});
+  }
+  /// A hidden point may have another triangle.
+  void note_moved_hidden(Point_id point) { moved_hidden.push_back(point); }
+
+  std::optional<Edge_changes<Edge_name>> edges;  ///< while edges are noted
+  std::vector<Hiding> points;                    ///< hidden or revealed meanwhile
+  std::vector<Point_id> moved_hidden;
 };
 
 }  // namespace kinetri::detail

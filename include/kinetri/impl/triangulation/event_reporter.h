@@ -96,7 +96,7 @@ class Kinetic_types<Traits>::Event_reporter {
     return Flag_while(is_changing_);
   }
   /// Whether an event is reported, or edges are noted.
-  bool is_in_event() const { return is_in_event_ || edges_.has_value(); }
+  bool is_in_event() const { return is_in_event_ || notes_.edges.has_value(); }
   /// Sets whether an event is reported, for code that calls observers itself; stays true if one
   /// throws.
   void set_in_event(bool is_in_event) { is_in_event_ = is_in_event; }
@@ -116,7 +116,7 @@ class Kinetic_types<Traits>::Event_reporter {
 
   bool has_observers() const { return !observers_.empty(); }
   /// Whether events or edges must be reported or noted; else counting is enough.
-  bool has_listeners() const { return edges_ || keeps_trail_ || !observers_.empty(); }
+  bool has_listeners() const { return notes_.edges || keeps_trail_ || !observers_.empty(); }
 
   /// From now on keeps added and removed edges and links for the owner of the triangulation.
   void keep_trail() { keeps_trail_ = true; }
@@ -129,9 +129,9 @@ class Kinetic_types<Traits>::Event_reporter {
   /// noted, only notes the edges of the event.
   template <class Change>
   void report(Event event, const Change& change) {
-    if (edges_) {
-      if (event.removed) edges_->note(named(*event.removed, event.removed_offset), -1);
-      if (event.added) edges_->note(named(*event.added, event.added_offset), 1);
+    if (notes_.edges) {
+      if (event.removed) notes_.edges->note(named(*event.removed, event.removed_offset), -1);
+      if (event.added) notes_.edges->note(named(*event.added, event.added_offset), 1);
       return change();
     }
     event.number = counters_.number_of_events();
@@ -150,7 +150,7 @@ class Kinetic_types<Traits>::Event_reporter {
   /// Reports that change() hides or reveals a point, and the edges that this adds or removes.
   template <class Change>
   void report_point(Event_kind kind, Point_id point, const Change& change) {
-    if (edges_) {
+    if (notes_.edges) {
       note_hidden(point, kind == Event_kind::hide);
       return change();
     }
@@ -158,7 +158,7 @@ class Kinetic_types<Traits>::Event_reporter {
     event.kind = kind;
     event.point_a = point;
     report(event, [&] {
-      edges_.emplace();
+      notes_.edges.emplace();
       change();
     });
     report_edges();
@@ -166,9 +166,9 @@ class Kinetic_types<Traits>::Event_reporter {
 
   /// Reports events that have happened already, also while edges are noted.
   void report_happened(std::span<const Event> events) {
-    auto edges = std::exchange(edges_, std::nullopt);
+    auto edges = std::exchange(notes_.edges, std::nullopt);
     for (const Event& event : events) report(event, [] {});
-    edges_ = std::move(edges);
+    notes_.edges = std::move(edges);
   }
 
   void count_event(Event_kind kind) { count_events(kind, 1); }
@@ -181,20 +181,20 @@ class Kinetic_types<Traits>::Event_reporter {
 
   // ---- edges that are reported together ----
 
-  bool is_noting() const { return edges_.has_value(); }
+  bool is_noting() const { return notes_.edges.has_value(); }
   /// Notes edges from now on, until report_edges().
   void start_noting() {
-    if (!edges_) edges_.emplace();
+    if (!notes_.edges) notes_.edges.emplace();
   }
-  /// An edge was added (1) or removed (-1). Precondition: is_noting().
-  void note(const Edge_name& edge, int change) { edges_->note(edge, change); }
-  /// A point has been hidden or revealed, while edges are noted; by another point, if that is
-  /// given.
+  /// @{
+  /// As those of notes().
+  void note(const Edge_name& edge, int change) { notes_.note(edge, change); }
   void note_hidden(Point_id point, bool is_hidden, std::optional<Point_id> by = std::nullopt) {
-    points_.push_back({point, is_hidden, by});
+    notes_.note_hidden(point, is_hidden, by);
   }
-  /// A hidden point may have another triangle.
-  void note_moved_hidden(Point_id point) { moved_hidden_.push_back(point); }
+  void note_moved_hidden(Point_id point) { notes_.note_moved_hidden(point); }
+  /// @}
+  Change_notes<Edge_name>& notes() { return notes_; }
 
   /// If edges are noted, ends that: reports the net changes of hidden points and edges, then all
   /// edges that were touched (after_rebuild). Returns the net changes of edges.
@@ -221,14 +221,7 @@ class Kinetic_types<Traits>::Event_reporter {
   const Schedule& schedule_;
   Triangulation_counters& counters_;
   Observer_list<Event_observer> observers_;
-  std::optional<Edge_changes<Edge_name>> edges_;  // while edges are noted
-  struct Hiding {
-    Point_id point;
-    bool is_hidden;
-    std::optional<Point_id> by;
-  };
-  std::vector<Hiding> points_;  // hidden or revealed meanwhile
-  std::vector<Point_id> moved_hidden_;
+  Change_notes<Edge_name> notes_;
   Edge_trail trail_;
   bool keeps_trail_ = false;
   std::uint64_t events_in_instant_ = 0;
@@ -238,8 +231,8 @@ class Kinetic_types<Traits>::Event_reporter {
 
 template <class Traits>
 void Kinetic_types<Traits>::Event_reporter::report_points() {
-  auto points = std::exchange(points_, {});
-  std::ranges::stable_sort(points, {}, &Hiding::point);
+  auto points = std::exchange(notes_.points, {});
+  std::ranges::stable_sort(points, {}, &Change_notes<Edge_name>::Hiding::point);
   for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
     const auto& [id, is_hidden, by] = points[first];
     while (last < points.size() && points[last].point == id) ++last;
@@ -256,9 +249,9 @@ void Kinetic_types<Traits>::Event_reporter::report_points() {
 template <class Traits>
 Changed_edges Kinetic_types<Traits>::Event_reporter::report_edges() {
   Changed_edges result;
-  if (!edges_) return result;
-  const auto changes = edges_->take();
-  edges_.reset();
+  if (!notes_.edges) return result;
+  const auto changes = notes_.edges->take();
+  notes_.edges.reset();
   report_points();
   const bool are_heard = has_listeners();
   const auto report_all = [&](int net, std::optional<Edge_ids> Event::*edge,
@@ -294,8 +287,8 @@ Changed_edges Kinetic_types<Traits>::Event_reporter::report_edges() {
 
 template <class Traits>
 void Kinetic_types<Traits>::Event_reporter::report_hiding() {
-  if (moved_hidden_.empty()) return;
-  std::vector<Point_id> points = std::exchange(moved_hidden_, {});
+  if (notes_.moved_hidden.empty()) return;
+  std::vector<Point_id> points = std::exchange(notes_.moved_hidden, {});
   if (observers_.empty() && !keeps_trail_) return;
   std::ranges::sort(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());

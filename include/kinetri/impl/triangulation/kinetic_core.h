@@ -80,7 +80,7 @@ struct Region_runs {
 
 /// The parts that the library compiles for its own traits.
 #define KINETRI_KINETIC_PARTS(declaration, Traits)                                           \
-  declaration class Kinetic_types<Traits>::Topology;                                         \
+  declaration class Kinetic_types<Traits>::Own_topology;                                     \
   declaration class Kinetic_types<Traits>::Schedule::Policy;                                 \
   declaration class Divided_scheduler<Kinetic_types<Traits>::Entry,                          \
                                       Kinetic_types<Traits>::Schedule::Policy>;              \

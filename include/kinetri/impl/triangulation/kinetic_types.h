@@ -7,6 +7,7 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 
 #include <array>
+#include <concepts>
 #include <optional>
 #include <type_traits>
 
@@ -77,6 +78,27 @@ inline constexpr bool has_region_runs = std::is_same_v<Traits, Linear_kinetic_tr
                                         std::is_same_v<Traits, Disc_kinetic_traits_2> ||
                                         std::is_same_v<Traits, Polynomial_disc_kinetic_traits_2>;
 
+/// The library's traits with the motions of other traits.
+template <class Traits>
+using Library_traits = Basic_kinetic_traits_2<typename Traits::Motion>;
+
+/// Whether the triangulations of both traits have the same points and predicates.
+template <class Own, class Traits>
+concept HasTriangulationOf = std::same_as < typename Triangulation_of<Own>::type,
+typename Triangulation_of<Traits>::type > ;
+
+/// The traits for which parts that know no certificates are compiled: the library's own, if they
+/// have the same points and predicates, as most derived traits do, else the given ones.
+template <class Traits>
+struct Geometry_of {
+  using type = Traits;
+};
+template <class Traits>
+requires(has_region_runs<Library_traits<Traits>>&&
+             HasTriangulationOf<Traits, Library_traits<Traits>>) struct Geometry_of<Traits> {
+  using type = Library_traits<Traits>;
+};
+
 /// The types of the traits and of the triangulation, and the parts of a triangulation, which are
 /// members so that they can use these types.
 template <class Traits>
@@ -98,6 +120,9 @@ struct Kinetic_types {
 
   static constexpr bool is_weighted = WeightedKineticTraits_2<Traits>;
   static constexpr bool is_periodic = PeriodicKineticTraits_2<Traits>;
+  using Geometry = typename Geometry_of<Traits>::type;
+  /// Whether points and predicates are those of this library, in the plane.
+  static constexpr bool has_library_geometry = has_region_runs<Geometry>;
 
   using Image_2 = Certified_point_2<Traits>;  ///< in the plane: the point
   /// A point of a certificate: that of a vertex or, in a periodic box, an image of it.
@@ -112,8 +137,10 @@ struct Kinetic_types {
 
   // The parts, each in the header of its name. A part uses those above it; Point_changes uses all.
   class Twins;
-  class Topology;
+  class Own_topology;
+  using Topology = typename Kinetic_types<Geometry>::Own_topology;
   class Static_construction;
+  class Rounded_construction;
   class Certification;
   class Schedule;
   class Event_reporter;

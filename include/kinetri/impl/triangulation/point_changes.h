@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "kinetri/impl/triangulation/event_loop.h"
-#include "kinetri/impl/triangulation/repair.h"
 #include "kinetri/impl/triangulation/updates.h"
 
 namespace kinetri::detail {

@@ -85,7 +85,7 @@ auto Kinetic_types<Traits>::Point_changes::plan(std::span<const Change> changes)
 // that hides others changes, the one with the least id gets a vertex in its place.
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::separate_twins(Vertex_changes& planned) const {
-  const Twins& twins = topology_.twins();
+  const auto& twins = topology_.twins();
   std::vector<Point_id> changed;
   for (const Change& change : planned.changes) changed.push_back(change.point);
   std::ranges::sort(changed);
@@ -191,7 +191,6 @@ bool Kinetic_types<Traits>::Point_changes::should_schedule_all(std::size_t point
 // coincident points are refused, that would find them too late.
 template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::move_at_once(std::span<const Change> changes) const {
-  if constexpr (!HasRoundedPlace<Motion>) return false;
   const auto stays = [&](const Change& change) {
     return change.motion && topology_.has_vertex(change.point);
   };
@@ -223,8 +222,8 @@ void Kinetic_types<Traits>::Point_changes::find_changes_in_place(std::span<const
   plan.in_place.reserve(changes.size());
   if (should_schedule_all(changes.size()) && std::ranges::all_of(changes, may_stay)) {
     for (const Change& change : changes) set(change);
-    if (!Kinetic_types<Traits>::Static_construction::is_embedded(
-            triangulation_, certification_.places(schedule_.current_time()))) {
+    if (!Kinetic_types<Traits>::Static_construction::is_embedded(triangulation_,
+                                                                 schedule_.current_time())) {
       while (!before.empty()) undo_last();
     }
   }
@@ -402,7 +401,7 @@ void Kinetic_types<Traits>::Point_changes::note_separated(const Vertex_changes& 
 // links between twins and the points that hide them.
 template <class Traits>
 Changed_edges Kinetic_types<Traits>::Point_changes::set_twins(const Vertex_changes& planned) {
-  Twins& twins = topology_.twins();
+  auto& twins = topology_.twins();
   std::map<Point_id, std::optional<Point_id>> shown_before;  // of points whose groups may change
   const auto note = [&](Point_id id) {
     shown_before[id] = twins.contains(id) ? std::optional(twins.twin(id).shown) : std::nullopt;
@@ -468,31 +467,29 @@ void Kinetic_types<Traits>::Point_changes::make(Vertex_changes& planned) {
 // with others.
 template <class Traits>
 void Kinetic_types<Traits>::Point_changes::move(Vertex_changes& planned) {
-  if constexpr (HasRoundedPlace<Motion>) {
-    updates_.show_current_time();
-    if (repair(planned.changes)) return schedule_.defer();
-    std::vector<Point_2> points = topology_.points();
-    std::vector<Edge_ids> coincident;
-    Triangulation rebuilt = updates_.build_now(points, coincident);
-    while (!coincident.empty()) {
-      Coincident_groups groups;
-      for (const auto& [a, b] : coincident) groups.link(a, b);
-      std::vector<Point_id> others;  // sorted
-      for (const auto& [least, id] : groups.others()) {
-        planned.joined.push_back({topology_.point(id), least});
-        others.push_back(id);
-      }
-      std::erase_if(points, [&](const Point_2& point) {
-        return std::ranges::binary_search(others, point.id());
-      });
-      coincident.clear();
-      rebuilt = updates_.build_now(points, coincident);
+  updates_.show_current_time();
+  if (repair(planned.changes)) return schedule_.defer();
+  std::vector<Point_2> points = topology_.points();
+  std::vector<Edge_ids> coincident;
+  Triangulation rebuilt = updates_.build_now(points, coincident);
+  while (!coincident.empty()) {
+    Coincident_groups groups;
+    for (const auto& [a, b] : coincident) groups.link(a, b);
+    std::vector<Point_id> others;  // sorted
+    for (const auto& [least, id] : groups.others()) {
+      planned.joined.push_back({topology_.point(id), least});
+      others.push_back(id);
     }
-    const auto remove_joined = [&] {
-      for (const Joined& joined : planned.joined) set_point({joined.point.id(), std::nullopt});
-    };
-    updates_.rebuild(remove_joined, std::move(rebuilt));
+    std::erase_if(points, [&](const Point_2& point) {
+      return std::ranges::binary_search(others, point.id());
+    });
+    coincident.clear();
+    rebuilt = updates_.build_now(points, coincident);
   }
+  const auto remove_joined = [&] {
+    for (const Joined& joined : planned.joined) set_point({joined.point.id(), std::nullopt});
+  };
+  updates_.rebuild(remove_joined, std::move(rebuilt));
 }
 
 template <class Traits>
@@ -501,11 +498,12 @@ bool Kinetic_types<Traits>::Point_changes::repair(std::span<const Change> change
     if (topology_.are_weights_equal()) {
       return Torus_repair(topology_, schedule_, reporter_, updates_).move(changes);
     }
-    for (const Change& change : changes) topology_.set_point(change);
-    return false;
-  } else {
-    return Repair(topology_, reporter_, schedule_.current_time()).move(changes);
+  } else if constexpr (has_library_geometry) {
+    return From_places<Geometry>::move(topology_, reporter_.notes(), schedule_.current_time(),
+                                       changes);
   }
+  for (const Change& change : changes) topology_.set_point(change);
+  return false;
 }
 
 // Changes the vertex of a point before a reconstruction.

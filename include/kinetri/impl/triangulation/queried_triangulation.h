@@ -5,7 +5,6 @@
 #ifndef KINETRI_IMPL_TRIANGULATION_QUERIED_TRIANGULATION_H
 #define KINETRI_IMPL_TRIANGULATION_QUERIED_TRIANGULATION_H
 
-#include <concepts>
 #include <optional>
 #include <vector>
 
@@ -13,15 +12,6 @@
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 
 namespace kinetri::detail {
-
-/// The library's traits with the motions of other traits.
-template <class Traits>
-using Library_traits = Basic_kinetic_traits_2<typename Traits::Motion>;
-
-/// Whether the triangulations of both traits have the same points and predicates.
-template <class Own, class Traits>
-concept HasTriangulationOf = std::same_as < typename Triangulation_of<Own>::type,
-typename Triangulation_of<Traits>::type > ;
 
 /// A kinetic triangulation whose certificates may be those of other traits.
 template <class Traits>

@@ -5,11 +5,7 @@
 #define KINETRI_IMPL_TRIANGULATION_STATIC_CONSTRUCTION_H
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <utility>
@@ -17,10 +13,9 @@
 
 #include "kinetri/base/error.h"
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/kinetic/rounded_places.h"
+#include "kinetri/impl/triangulation/edge_changes.h"
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/impl/triangulation/insertion_order.h"
-#include "kinetri/impl/triangulation/static_delaunay.h"
 #include "kinetri/impl/triangulation/topology.h"
 #include "kinetri/impl/triangulation/torus_triangulation.h"
 
@@ -37,31 +32,52 @@ class Kinetic_types<Traits>::Static_construction {
                              const Instantaneous_traits& now, std::vector<Edge_ids>& coincident);
 
   /// Whether all triangles turn left, and the hull is convex, at the instant of the triangulation's
-  /// traits, to which the positions are near.
-  static bool is_embedded(const Triangulation& triangulation, const Rounded_places& places);
+  /// traits, which is at or just after `time`.
+  static bool is_embedded(const Triangulation& triangulation, const Time& time);
+  /// The same in the plane; is_left_turn(u, v, w) tells how vertices turn.
+  template <class Is_left_turn>
+  static bool is_embedded_in_plane(const Triangulation& triangulation,
+                                   const Is_left_turn& is_left_turn);
+  /// Whether the hull makes a left turn at each vertex and goes around once.
+  template <class Is_left_turn>
+  static bool is_hull_convex(const Triangulation& triangulation, const Is_left_turn& is_left_turn);
+
+  /// Appends pairs that connect all points with the same trajectory and weight, at the instant of
+  /// the traits.
+  static void find_all_coincident(std::vector<const Point_2*> points,
+                                  const Instantaneous_traits& traits,
+                                  std::vector<Edge_ids>& coincident);
 
  private:
   static Triangulation build_in_plane(std::span<const Point_2> points, const Time& time,
                                       const Instantaneous_traits& now,
                                       std::vector<Edge_ids>& coincident);
-  static void find_coincident(std::span<const Point_2> points, const Time& time,
-                              std::vector<Edge_ids>& coincident);
-  static void find_coincident_in_faces(const Triangulation& triangulation,
-                                       std::vector<Edge_ids>& coincident);
-  static void find_all_coincident(std::vector<const Point_2*> points,
-                                  const Instantaneous_traits& traits,
-                                  std::vector<Edge_ids>& coincident);
   static Triangulation build_regular(std::span<const Point_2> points,
                                      const Instantaneous_traits& traits,
                                      std::vector<Edge_ids>& coincident);
-  static bool build_from_places(std::span<const Point_2> points, const Rounded_places& places,
-                                Triangulation& result);
-  static bool is_embedded_in_plane(const Triangulation& triangulation,
-                                   const Rounded_places& places);
-  static bool is_left_turn(const Triangulation& triangulation, const Rounded_places& places,
-                           Vertex_handle a, Vertex_handle b, Vertex_handle c);
-  static bool is_hull_convex(const Triangulation& triangulation, const Rounded_places& places);
-  static bool flip_until_delaunay(Triangulation& triangulation, const Rounded_places& places);
+};
+
+/// What rounded positions make faster, in the plane. Defined in src/triangulation, in
+/// rounded_construction.h and repair.h, for the library's own points and predicates.
+template <class Traits>
+struct From_places : Kinetic_types<Traits> {
+  using typename Kinetic_types<Traits>::Change;
+  using typename Kinetic_types<Traits>::Point_2;
+  using typename Kinetic_types<Traits>::Time;
+  using typename Kinetic_types<Traits>::Topology;
+  using typename Kinetic_types<Traits>::Triangulation;
+
+  /// Makes `result`, which is empty, the triangulation of the points at the instant of its traits,
+  /// which is just after `time`. Appends pairs of points with the same trajectory (and weight) to
+  /// `coincident`; if there are any, `result` may have no use. Returns false, and leaves `result`
+  /// empty, if points must be inserted one by one.
+  static bool build(std::span<const Point_2> points, const Time& time, Triangulation& result,
+                    std::vector<Edge_ids>& coincident);
+  /// As Static_construction::is_embedded.
+  static bool is_embedded(const Triangulation& triangulation, const Time& time);
+  /// As Repair::move.
+  static bool move(Topology& topology, Change_notes<Edge_ids>& notes, const Time& time,
+                   std::span<const Change> changes);
 };
 
 template <class Traits>
@@ -87,18 +103,8 @@ auto Kinetic_types<Traits>::Static_construction::build_in_plane(std::span<const 
                                                                 std::vector<Edge_ids>& coincident)
     -> Triangulation {
   Triangulation result(traits);
-  if constexpr (HasRoundedPlace<Motion>) {
-    constexpr std::size_t few = 16;  // for so few, insertion is as fast
-    const Rounded_places places(points, time);
-    if (points.size() >= few && places.are_finite()) {
-      if (build_from_places(points, places, result)) {
-        find_coincident_in_faces(result, coincident);
-        return result;
-      }
-      result.clear();
-      find_coincident(points, time, coincident);
-      if (!coincident.empty()) return result;
-    }
+  if constexpr (has_library_geometry) {
+    if (From_places<Geometry>::build(points, time, result, coincident)) return result;
   }
   if constexpr (is_weighted) {
     if (!Kinetic_types<Traits>::Topology::have_equal_weights(points))
@@ -123,23 +129,8 @@ auto Kinetic_types<Traits>::Static_construction::build_in_plane(std::span<const 
   return result;
 }
 
-// Finds points with the same trajectory and weight among those that are certainly inside of faces:
-// these are in one face.
-template <class Traits>
-void Kinetic_types<Traits>::Static_construction::find_coincident_in_faces(
-    const Triangulation& triangulation, std::vector<Edge_ids>& coincident) {
-  if constexpr (is_weighted) {
-    if (triangulation.number_of_hidden_vertices() < 2) return;
-    for (const Face_handle face : triangulation.finite_face_handles()) {
-      std::vector<const Point_2*> inside;
-      for (const Vertex_handle v : face->vertex_list()) inside.push_back(&v->point());
-      find_all_coincident(std::move(inside), triangulation.geom_traits(), coincident);
-    }
-  }
-}
-
-// Appends pairs that connect all points with the same trajectory and weight. Points that coincide
-// just after a time coincide at all times, and so are next to each other in the order by position.
+// Points that coincide just after a time coincide at all times, and so are next to each other in
+// the order by position.
 template <class Traits>
 void Kinetic_types<Traits>::Static_construction::find_all_coincident(
     std::vector<const Point_2*> points, const Instantaneous_traits& traits,
@@ -159,35 +150,6 @@ void Kinetic_types<Traits>::Static_construction::find_all_coincident(
       here.push_back(point);
     } else {
       coincident.push_back(edge_ids((*same)->id(), point->id()));
-    }
-  }
-}
-
-// Appends pairs of points with the same trajectory, mostly all that there are, but for some whose
-// motions are represented differently: those next to each other in the order of rounded positions
-// at two times.
-template <class Traits>
-void Kinetic_types<Traits>::Static_construction::find_coincident(
-    std::span<const Point_2> points, const Time& time, std::vector<Edge_ids>& coincident) {
-  struct Place {
-    std::array<std::uint64_t, 4> key;  // bits, which are in order also if one is not a number
-    const Point_2* point;
-  };
-  std::vector<Place> places;
-  places.reserve(points.size());
-  const double now = time.to_double();
-  for (const Point_2& point : points) {
-    const Vector_2 here = rounded_place(point.motion(), now);
-    const Vector_2 later = rounded_place(point.motion(), now + 1);
-    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-    places.push_back({{bits(here.x), bits(here.y), bits(later.x), bits(later.y)}, &point});
-  }
-  std::ranges::sort(places, {}, [](const Place& p) { return std::pair(p.key, p.point->id()); });
-  for (std::size_t k = 1; k < places.size(); ++k) {
-    const Point_2& p = *places[k - 1].point;
-    const Point_2& q = *places[k].point;
-    if (places[k - 1].key == places[k].key && same_trajectory(p.motion(), q.motion())) {
-      coincident.push_back(edge_ids(p.id(), q.id()));
     }
   }
 }
@@ -217,100 +179,43 @@ auto Kinetic_types<Traits>::Static_construction::build_regular(std::span<const P
   return result;
 }
 
-// Makes `result`, which is empty, the triangulation of the points at the instant of its traits,
-// from that of their rounded positions. Returns false, and leaves `result` in any state, if the
-// rounded positions have another hull or a triangle that turns over, or if too many of them are
-// cocircular.
-template <class Traits>
-bool Kinetic_types<Traits>::Static_construction::build_from_places(std::span<const Point_2> points,
-                                                                   const Rounded_places& places,
-                                                                   Triangulation& result) {
-  std::vector<Vector_2> in_order;
-  std::vector<double> weights_in_order;
-  in_order.reserve(points.size());
-  for (const Point_2& point : points) {
-    in_order.push_back(places[point.id()]);
-    if (places.weights().empty()) continue;
-    weights_in_order.push_back(places.weights()[point.id() - places.first()]);
-    if (!std::isfinite(weights_in_order.back())) return false;
-  }
-  const Static_points rounded = {in_order, weights_in_order, places.error(),
-                                 places.error_of_weights()};
-  const Static_delaunay found = static_delaunay(rounded);
-  if (found.faces.empty()) return false;
-  auto& tds = result.tds();
-  tds.faces().clear();
-  tds.set_dimension(2);
-  std::vector<Vertex_handle> vertices(points.size());
-  for (const Point_id i : found.order) {
-    vertices[i] = tds.create_vertex();
-    vertices[i]->set_point(points[i]);
-  }
-  std::vector<Face_handle> faces;
-  faces.reserve(found.faces.size());
-  for (const auto& face : found.faces) {
-    const auto vertex = [&](std::size_t i) {
-      const Point_id id = face.vertices[i];
-      return id == no_point ? result.infinite_vertex() : vertices[id];
-    };
-    faces.push_back(tds.create_face(vertex(0), vertex(1), vertex(2)));
-    for (std::size_t i = 0; i < 3; ++i) vertex(i)->set_face(faces.back());
-  }
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const auto& [a, b, c] = found.faces[f].neighbors;
-    faces[f]->set_neighbors(faces[a], faces[b], faces[c]);
-  }
-  if constexpr (is_weighted) {
-    for (const auto& [point, face] : found.hidden) result.hide(vertices[point], faces[face]);
-  }
-  if (is_certainly_delaunay(found, rounded)) return is_hull_convex(result, places);
-  if (!places.weights().empty()) return false;
-  return is_embedded(result, places) && flip_until_delaunay(result, places);
-}
-
 // Then a triangulation whose faces form a sphere is embedded: the hull goes around once, so the
 // angles at each inner vertex add up to 2 pi at most (Gauss and Bonnet), and no position is covered
 // twice.
 template <class Traits>
 bool Kinetic_types<Traits>::Static_construction::is_embedded(const Triangulation& triangulation,
-                                                             const Rounded_places& places) {
+                                                             const Time& time) {
   if constexpr (is_periodic) {
     return std::ranges::all_of(triangulation.finite_face_handles(), [&](Face_handle face) {
       return triangulation.orientation(face) == CGAL::LEFT_TURN;
     });
+  } else if constexpr (has_library_geometry) {
+    return From_places<Geometry>::is_embedded(triangulation, time);
   } else {
-    return is_embedded_in_plane(triangulation, places);
+    const auto turn = triangulation.geom_traits().orientation_2_object();
+    return is_embedded_in_plane(
+        triangulation, [&](Vertex_handle u, Vertex_handle v, Vertex_handle w) {
+          return turn(u->point(), v->point(), w->point()) == CGAL::LEFT_TURN;
+        });
   }
 }
 
 template <class Traits>
+template <class Is_left_turn>
 bool Kinetic_types<Traits>::Static_construction::is_embedded_in_plane(
-    const Triangulation& triangulation, const Rounded_places& places) {
+    const Triangulation& triangulation, const Is_left_turn& is_left_turn) {
   return std::ranges::all_of(triangulation.finite_face_handles(),
                              [&](Face_handle face) {
-                               return is_left_turn(triangulation, places, face->vertex(0),
-                                                   face->vertex(1), face->vertex(2));
+                               return is_left_turn(face->vertex(0), face->vertex(1),
+                                                   face->vertex(2));
                              }) &&
-         is_hull_convex(triangulation, places);
+         is_hull_convex(triangulation, is_left_turn);
 }
 
-// Whether the points make a left turn at the instant of the triangulation's traits, to which the
-// positions are near.
 template <class Traits>
-bool Kinetic_types<Traits>::Static_construction::is_left_turn(const Triangulation& triangulation,
-                                                              const Rounded_places& places,
-                                                              Vertex_handle a, Vertex_handle b,
-                                                              Vertex_handle c) {
-  const Sign known = places.orientation(a->point().id(), b->point().id(), c->point().id());
-  if (known != CGAL::ZERO) return known == CGAL::POSITIVE;
-  const auto orientation = triangulation.geom_traits().orientation_2_object();
-  return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
-}
-
-// Whether the hull makes a left turn at each vertex and goes around once.
-template <class Traits>
+template <class Is_left_turn>
 bool Kinetic_types<Traits>::Static_construction::is_hull_convex(const Triangulation& triangulation,
-                                                                const Rounded_places& places) {
+                                                                const Is_left_turn& is_left_turn) {
   const Instantaneous_traits& now = triangulation.geom_traits();
   const auto is_less = [&](Vertex_handle v, Vertex_handle w) {
     const auto by_x = now.compare_x_2_object()(v->point(), w->point());
@@ -327,44 +232,10 @@ bool Kinetic_types<Traits>::Static_construction::is_hull_convex(const Triangulat
     const Vertex_handle next = hull[k];
     const Vertex_handle here = hull[(k + 1) % hull.size()];
     const Vertex_handle previous = hull[(k + 2) % hull.size()];
-    if (!is_left_turn(triangulation, places, previous, here, next)) return false;
+    if (!is_left_turn(previous, here, next)) return false;
     if (is_less(here, previous) && is_less(here, next)) ++least_vertices;
   }
   return least_vertices == 1;
-}
-
-// Flips edges until the triangulation, which is embedded, is Delaunay. [Lawson 1977] Returns false
-// if there are more flips than faces: for cocircular points there may be n^2, and insertion by CGAL
-// is faster.
-template <class Traits>
-bool Kinetic_types<Traits>::Static_construction::flip_until_delaunay(Triangulation& triangulation,
-                                                                     const Rounded_places& places) {
-  const auto exact_side = triangulation.geom_traits().side_of_oriented_circle_2_object();
-  const auto side = [&](Face_handle face, const Point_2& s) {
-    const Point_2& p = face->vertex(0)->point();
-    const Point_2& q = face->vertex(1)->point();
-    const Point_2& r = face->vertex(2)->point();
-    const Sign known = places.side_of_oriented_circle(p.id(), q.id(), r.id(), s.id());
-    return known != CGAL::ZERO ? known : exact_side(p, q, r, s);
-  };
-  std::size_t flips_left = triangulation.tds().number_of_faces();
-  for (bool is_changed = true; is_changed;) {
-    is_changed = false;
-    for (const Face_handle face : triangulation.finite_face_handles()) {
-      for (int i = 0; i < 3; ++i) {
-        if (!Kinetic_types<Traits>::Topology::is_chosen_side(Edge(face, i))) continue;
-        const Face_handle beyond = face->neighbor(i);
-        if (triangulation.is_infinite(beyond)) continue;
-        const Vertex_handle opposite = beyond->vertex(triangulation.tds().mirror_index(face, i));
-        const auto where = side(face, opposite->point());
-        if (where != CGAL::ON_POSITIVE_SIDE) continue;
-        if (flips_left-- == 0) return false;
-        triangulation.tds().flip(face, i);
-        is_changed = true;
-      }
-    }
-  }
-  return true;
 }
 
 }  // namespace kinetri::detail

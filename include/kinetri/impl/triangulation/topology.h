@@ -30,12 +30,12 @@ namespace kinetri::detail {
 /// handle of a vertex stays valid until its point is erased or becomes a twin.
 ///
 /// Derives from Kinetic_types, so that users of the topology alone have the types of the
-/// triangulation.
+/// triangulation. Traits with points and predicates of the library have the library's topology.
 template <class Traits>
-class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
+class Kinetic_types<Traits>::Own_topology : public Kinetic_types<Traits> {
  public:
   /// No points; predicates are those of the given instant.
-  explicit Topology(const Instant& instant) : clock_(instant) {}
+  explicit Own_topology(const Instant& instant) : clock_(instant) {}
 
   /// Takes a triangulation of points whose ids are less than `ids`, and whose predicates follow
   /// clock(). Precondition: there are no points yet.
@@ -271,6 +271,12 @@ class Kinetic_types<Traits>::Topology : public Kinetic_types<Traits> {
   static constexpr Queue_handle listed = no_event - 1;
 
  private:
+  // Defined in src/triangulation/torus_topology.h.
+  Location locate_on_torus(const Point_2& point, Face_handle start) const;
+  Vertex_handle vertex_near_on_torus(const Point_2& point, double time) const;
+
+  template <class Place_of>
+  Vertex_handle nearest_of_some(const Point_2& point, const Place_of& place_of) const;
   template <class Note>
   std::vector<Edge_with_mirror> list_inside(std::span<const Edge> polygon,
                                             std::vector<Face_handle>& faces,

@@ -12,14 +12,13 @@
 #include "kinetri/impl/triangulation/edge_changes.h"
 #include "kinetri/impl/triangulation/point_problems.h"
 #include "kinetri/impl/triangulation/topology.h"
-#include "kinetri/impl/triangulation/wrapping.h"
 
 namespace kinetri::detail {
 
 // ---- points ----
 
 template <class Traits>
-void Kinetic_types<Traits>::Topology::start(Triangulation made, std::size_t ids) {
+void Kinetic_types<Traits>::Own_topology::start(Triangulation made, std::size_t ids) {
   triangulation_ = std::move(made);
   vertices_.resize(ids);
   auto& vertices = triangulation_.tds().vertices();
@@ -31,7 +30,7 @@ void Kinetic_types<Traits>::Topology::start(Triangulation made, std::size_t ids)
 }
 
 template <class Traits>
-Point_id Kinetic_types<Traits>::Topology::give_ids(std::size_t count) {
+Point_id Kinetic_types<Traits>::Own_topology::give_ids(std::size_t count) {
   KINETRI_PRECONDITION(count < no_point - vertices_.size(), too_many_points);
   const auto first = static_cast<Point_id>(vertices_.size());
   vertices_.resize(vertices_.size() + count);
@@ -39,7 +38,7 @@ Point_id Kinetic_types<Traits>::Topology::give_ids(std::size_t count) {
 }
 
 template <class Traits>
-void Kinetic_types<Traits>::Topology::set_point(const Change& change) {
+void Kinetic_types<Traits>::Own_topology::set_point(const Change& change) {
   Vertex_handle& v = vertices_[change.point];
   if (!change.motion) {
     if (v == Vertex_handle()) return;
@@ -56,8 +55,8 @@ void Kinetic_types<Traits>::Topology::set_point(const Change& change) {
 }
 
 template <class Traits>
-void Kinetic_types<Traits>::Topology::take_twins(std::vector<Point_2>& points,
-                                                 std::span<const Edge_ids> coincident) {
+void Kinetic_types<Traits>::Own_topology::take_twins(std::vector<Point_2>& points,
+                                                     std::span<const Edge_ids> coincident) {
   Coincident_groups groups;
   for (const auto& [a, b] : coincident) groups.link(a, b);
   const std::vector<Edge_ids> others = groups.others();
@@ -76,7 +75,8 @@ void Kinetic_types<Traits>::Topology::take_twins(std::vector<Point_2>& points,
 
 // Of the pairs it names the one with the least greater id.
 template <class Traits>
-void Kinetic_types<Traits>::Topology::check_may_coincide(std::span<const Edge_ids> pairs) const {
+void Kinetic_types<Traits>::Own_topology::check_may_coincide(
+    std::span<const Edge_ids> pairs) const {
   if (!refuses_twins_ || pairs.empty()) return;
   const auto [a, b] =
       *std::ranges::min_element(pairs, {}, [](const Edge_ids& pair) { return pair[1]; });
@@ -84,7 +84,7 @@ void Kinetic_types<Traits>::Topology::check_may_coincide(std::span<const Edge_id
 }
 
 template <class Traits>
-bool Kinetic_types<Traits>::Topology::have_equal_weights(std::span<const Point_2> points) {
+bool Kinetic_types<Traits>::Own_topology::have_equal_weights(std::span<const Point_2> points) {
   if constexpr (is_weighted) {
     return std::ranges::all_of(points, [&](const Point_2& point) {
       return kinetri::have_equal_weights(points.front().motion(), point.motion());
@@ -94,7 +94,7 @@ bool Kinetic_types<Traits>::Topology::have_equal_weights(std::span<const Point_2
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::points() const -> std::vector<Point_2> {
+auto Kinetic_types<Traits>::Own_topology::points() const -> std::vector<Point_2> {
   std::vector<Point_2> result;
   result.reserve(number_of_vertices_);
   for (const Vertex_handle v : vertices_) {
@@ -106,7 +106,7 @@ auto Kinetic_types<Traits>::Topology::points() const -> std::vector<Point_2> {
 // ---- edges ----
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::name_of(const Edge& edge) -> Edge_name {
+auto Kinetic_types<Traits>::Own_topology::name_of(const Edge& edge) -> Edge_name {
   if constexpr (is_periodic) {
     const auto& [face, i] = edge;
     const int left = Triangulation::cw(i);
@@ -119,7 +119,7 @@ auto Kinetic_types<Traits>::Topology::name_of(const Edge& edge) -> Edge_name {
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::finite_edges() const -> std::vector<Edge_name> {
+auto Kinetic_types<Traits>::Own_topology::finite_edges() const -> std::vector<Edge_name> {
   std::vector<Edge_name> edges;
   edges.reserve(3 * number_of_vertices_);
   for (const Face_handle face : faces()) {
@@ -132,7 +132,7 @@ auto Kinetic_types<Traits>::Topology::finite_edges() const -> std::vector<Edge_n
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::find(const Edge_name& name) const -> std::optional<Edge> {
+auto Kinetic_types<Traits>::Own_topology::find(const Edge_name& name) const -> std::optional<Edge> {
   const auto& [a, b] = detail::ids_of(name);
   if (!has_vertex(a) || !has_vertex(b) || is_hidden(a) || is_hidden(b)) return std::nullopt;
   std::optional<Edge> result;
@@ -149,7 +149,7 @@ auto Kinetic_types<Traits>::Topology::find(const Edge_name& name) const -> std::
 }
 
 template <class Traits>
-inline auto Kinetic_types<Traits>::Topology::with_mirror(const Edge& edge) const
+inline auto Kinetic_types<Traits>::Own_topology::with_mirror(const Edge& edge) const
     -> Edge_with_mirror {
   if (!is_periodic && triangulation_.dimension() < 2) return {edge, edge};
   const auto& [face, i] = edge;
@@ -157,7 +157,7 @@ inline auto Kinetic_types<Traits>::Topology::with_mirror(const Edge& edge) const
 }
 
 template <class Traits>
-inline auto Kinetic_types<Traits>::Topology::flipped_edges(const Edge_with_mirror& edge) const
+inline auto Kinetic_types<Traits>::Own_topology::flipped_edges(const Edge_with_mirror& edge) const
     -> std::pair<Edge_name, Edge_name> {
   const auto& [face, i] = edge.here;
   const auto& [neighbor, j] = edge.there;
@@ -172,7 +172,7 @@ inline auto Kinetic_types<Traits>::Topology::flipped_edges(const Edge_with_mirro
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::faces() const -> std::vector<Face_handle> {
+auto Kinetic_types<Traits>::Own_topology::faces() const -> std::vector<Face_handle> {
   std::vector<Face_handle> result;
   if (triangulation_.dimension() < 1) return result;
   if (triangulation_.dimension() == 1) {
@@ -185,7 +185,7 @@ auto Kinetic_types<Traits>::Topology::faces() const -> std::vector<Face_handle> 
 }
 
 template <class Traits>
-inline auto Kinetic_types<Traits>::Topology::outer_edges(const Edge_with_mirror& edge) const
+inline auto Kinetic_types<Traits>::Own_topology::outer_edges(const Edge_with_mirror& edge) const
     -> Outer_edges {
   const auto& [face, i] = edge.here;
   const auto& [neighbor, j] = edge.there;
@@ -197,7 +197,7 @@ inline auto Kinetic_types<Traits>::Topology::outer_edges(const Edge_with_mirror&
 
 // In a face that lists (infinite, b, a) counterclockwise the hull runs from a to b.
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::hull_turn(const Edge_with_mirror& infinite_edge) const
+auto Kinetic_types<Traits>::Own_topology::hull_turn(const Edge_with_mirror& infinite_edge) const
     -> std::array<Vertex_handle, 3> {
   const auto& [face, i] = infinite_edge.here;
   const Vertex_handle here = face->vertex(i);
@@ -211,16 +211,10 @@ auto Kinetic_types<Traits>::Topology::hull_turn(const Edge_with_mirror& infinite
 // ---- positions ----
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::locate(const Point_2& point, Face_handle start) const
+auto Kinetic_types<Traits>::Own_topology::locate(const Point_2& point, Face_handle start) const
     -> Location {
   if constexpr (is_periodic) {
-    if (start == Face_handle()) start = *triangulation_.finite_face_handles().begin();
-    const double time = clock_.instant().time.to_double();
-    const Wrapping wrapping(triangulation_.geom_traits().box(), time);
-    const Lattice_offset_2 nearest =
-        wrapping.nearest(rounded_place(point.motion(), time),
-                         rounded_place(start->vertex(0)->point().motion(), time), point.id());
-    return {triangulation_.locate(point, start, nearest)};
+    return locate_on_torus(point, start);
   } else {
     Location result;
     result.face = triangulation_.locate(point, result.locus, result.index, start);
@@ -229,8 +223,8 @@ auto Kinetic_types<Traits>::Topology::locate(const Point_2& point, Face_handle s
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::locate_from(const Point_2& point, const Location& start) const
-    -> Location {
+auto Kinetic_types<Traits>::Own_topology::locate_from(const Point_2& point,
+                                                      const Location& start) const -> Location {
   if constexpr (is_periodic) {
     return {triangulation_.locate(point, start.face, start.offset)};
   } else {
@@ -239,8 +233,8 @@ auto Kinetic_types<Traits>::Topology::locate_from(const Point_2& point, const Lo
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::hiding_face(const Point_2& point,
-                                                  const Location& location) const -> Location {
+auto Kinetic_types<Traits>::Own_topology::hiding_face(const Point_2& point,
+                                                      const Location& location) const -> Location {
   Location result = location;
   if constexpr (is_weighted) {
     if (location.locus == Triangulation::VERTEX) return {};
@@ -258,7 +252,7 @@ auto Kinetic_types<Traits>::Topology::hiding_face(const Point_2& point,
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::location_of_hidden(Vertex_handle v) -> Location {
+auto Kinetic_types<Traits>::Own_topology::location_of_hidden(Vertex_handle v) -> Location {
   Location result;
   result.face = v->face();
   if constexpr (is_periodic) result.offset = v->offset();
@@ -266,8 +260,8 @@ auto Kinetic_types<Traits>::Topology::location_of_hidden(Vertex_handle v) -> Loc
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::beyond([[maybe_unused]] const Point_2& point,
-                                             const Location& location, int side) -> Location {
+auto Kinetic_types<Traits>::Own_topology::beyond([[maybe_unused]] const Point_2& point,
+                                                 const Location& location, int side) -> Location {
   if constexpr (is_periodic) {
     return {Triangulation::beyond(point, location, side)};
   } else {
@@ -276,10 +270,10 @@ auto Kinetic_types<Traits>::Topology::beyond([[maybe_unused]] const Point_2& poi
 }
 
 template <class Traits>
-void Kinetic_types<Traits>::Topology::find_coincident(const Point_2& point,
-                                                      const Location& location,
-                                                      std::span<const Point_id> changed,
-                                                      std::vector<Edge_ids>& coincident) const {
+void Kinetic_types<Traits>::Own_topology::find_coincident(const Point_2& point,
+                                                          const Location& location,
+                                                          std::span<const Point_id> changed,
+                                                          std::vector<Edge_ids>& coincident) const {
   const auto is_unchanged = [&](Vertex_handle v) {
     const Point_id other = v->point().id();
     return other != point.id() && !std::ranges::binary_search(changed, other);
@@ -312,39 +306,41 @@ void Kinetic_types<Traits>::Topology::find_coincident(const Point_2& point,
   }
 }
 
-// The nearest of about 2 n^(1/3) points, in doubles, if motions can be rounded; a walk from there
-// passes about as many triangles. [Muecke, Saias and Zhu 1996]
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::vertex_near(const Point_2& point, double time) const
+auto Kinetic_types<Traits>::Own_topology::vertex_near(const Point_2& point, double time) const
+    -> Vertex_handle {
+  if constexpr (is_periodic) {
+    return vertex_near_on_torus(point, time);
+  } else if constexpr (requires { rounded_place(point.motion(), time); }) {
+    return nearest_of_some(point,
+                           [&](const Point_2& p) { return rounded_place(p.motion(), time); });
+  } else {
+    return *triangulation_.finite_vertex_handles().begin();
+  }
+}
+
+// The nearest of about 2 n^(1/3) points, in doubles; a walk from there passes about as many
+// triangles. [Muecke, Saias and Zhu 1996]
+template <class Traits>
+template <class Place_of>
+auto Kinetic_types<Traits>::Own_topology::nearest_of_some(const Point_2& point,
+                                                          const Place_of& place_of) const
     -> Vertex_handle {
   Vertex_handle nearest;
-  if constexpr (HasRoundedPlace<Motion>) {
-    const auto wrapped = [&] {
-      if constexpr (is_periodic) {
-        return [in_box = Wrapping(triangulation_.geom_traits().box(), time)](
-                   const Vector_2& place) { return in_box.place_of_image(place); };
-      } else {
-        return [](const Vector_2& place) { return place; };
-      }
-    }();
-    const auto place_of = [&](const Point_2& p) {
-      return wrapped(rounded_place(p.motion(), time));
-    };
-    const Vector_2 place = place_of(point);
-    const auto tries = static_cast<std::size_t>(2 * std::cbrt(number_of_vertices_));
-    const std::size_t step = std::max<std::size_t>(1, vertices_.size() / tries);
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t id = point.id() % step; id < vertices_.size(); id += step) {
-      const Vertex_handle v = vertices_[id];
-      if (v == Vertex_handle()) continue;
-      const Vector_2 there = place_of(v->point());
-      const double dx = there.x - place.x;
-      const double dy = there.y - place.y;
-      const double distance = dx * dx + dy * dy;
-      if (!(distance < least)) continue;
-      least = distance;
-      nearest = v;
-    }
+  const Vector_2 place = place_of(point);
+  const auto tries = static_cast<std::size_t>(2 * std::cbrt(number_of_vertices_));
+  const std::size_t step = std::max<std::size_t>(1, vertices_.size() / tries);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t id = point.id() % step; id < vertices_.size(); id += step) {
+    const Vertex_handle v = vertices_[id];
+    if (v == Vertex_handle()) continue;
+    const Vector_2 there = place_of(v->point());
+    const double dx = there.x - place.x;
+    const double dy = there.y - place.y;
+    const double distance = dx * dx + dy * dy;
+    if (!(distance < least)) continue;
+    least = distance;
+    nearest = v;
   }
   return nearest != Vertex_handle() ? nearest : *triangulation_.finite_vertex_handles().begin();
 }
@@ -357,8 +353,8 @@ auto Kinetic_types<Traits>::Topology::vertex_near(const Point_2& point, double t
 //       \ | /              \   /
 //         d                  d
 template <class Traits>
-inline auto Kinetic_types<Traits>::Topology::flip(const Edge_with_mirror& edge, Outer_edges& before)
-    -> Edge_with_mirror {
+inline auto Kinetic_types<Traits>::Own_topology::flip(const Edge_with_mirror& edge,
+                                                      Outer_edges& before) -> Edge_with_mirror {
   const auto [face, i] = edge.here;
   const auto [neighbor, j] = edge.there;
   if constexpr (is_periodic) {
@@ -382,9 +378,9 @@ inline auto Kinetic_types<Traits>::Topology::flip(const Edge_with_mirror& edge, 
 // CGAL removes a copy of the vertex, so that this one keeps its handle.
 template <class Traits>
 template <class Note>
-auto Kinetic_types<Traits>::Topology::remove_from_faces(Vertex_handle v,
-                                                        std::vector<Face_handle>& faces,
-                                                        const Note& note)
+auto Kinetic_types<Traits>::Own_topology::remove_from_faces(Vertex_handle v,
+                                                            std::vector<Face_handle>& faces,
+                                                            const Note& note)
     -> std::vector<Edge_with_mirror> {
   std::vector<Edge> link;  // from the side of the faces beyond it, which stay
   for_each_face_at(triangulation_, v, [&](Face_handle face) {
@@ -414,9 +410,9 @@ auto Kinetic_types<Traits>::Topology::remove_from_faces(Vertex_handle v,
 // The edges of a polygon and those inside it, which are new; stores the faces inside in `faces`.
 template <class Traits>
 template <class Note>
-auto Kinetic_types<Traits>::Topology::list_inside(std::span<const Edge> polygon,
-                                                  std::vector<Face_handle>& faces,
-                                                  const Note& note) const
+auto Kinetic_types<Traits>::Own_topology::list_inside(std::span<const Edge> polygon,
+                                                      std::vector<Face_handle>& faces,
+                                                      const Note& note) const
     -> std::vector<Edge_with_mirror> {
   std::vector<Face_handle> beyond;
   for (const Edge& edge : polygon) beyond.push_back(edge.first);
@@ -438,7 +434,8 @@ auto Kinetic_types<Traits>::Topology::list_inside(std::span<const Edge> polygon,
 }
 
 template <class Traits>
-void Kinetic_types<Traits>::Topology::insert_in_faces(Vertex_handle v, const Location& location) {
+void Kinetic_types<Traits>::Own_topology::insert_in_faces(Vertex_handle v,
+                                                          const Location& location) {
   const auto& [face, locus, i] = location;
   KINETRI_ASSERT(locus != Triangulation::VERTEX, "the point is in the place of no other");
   auto& tds = triangulation_.tds();
@@ -454,7 +451,7 @@ void Kinetic_types<Traits>::Topology::insert_in_faces(Vertex_handle v, const Loc
 //     / /   \ \          /       \.
 //    a --------- b      a ------- b
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::remove_degree_3(Vertex_handle v)
+auto Kinetic_types<Traits>::Own_topology::remove_degree_3(Vertex_handle v)
     -> std::array<Face_handle, 3> {
   const Face_handle first = v->face();
   const int i = index_in(first, v);
@@ -474,8 +471,8 @@ auto Kinetic_types<Traits>::Topology::remove_degree_3(Vertex_handle v)
 
 // Replaces `old` in its faces by `replacement`, which has none.
 template <class Traits>
-void Kinetic_types<Traits>::Topology::replace_in_faces(Vertex_handle old,
-                                                       Vertex_handle replacement) {
+void Kinetic_types<Traits>::Own_topology::replace_in_faces(Vertex_handle old,
+                                                           Vertex_handle replacement) {
   std::vector<Face_handle> faces;
   for_each_face_at(triangulation_, old, [&](Face_handle f) { faces.push_back(f); });
   for (const Face_handle f : faces) f->set_vertex(f->index(old), replacement);
@@ -484,8 +481,8 @@ void Kinetic_types<Traits>::Topology::replace_in_faces(Vertex_handle old,
 
 template <class Traits>
 template <class Note_hidden>
-void Kinetic_types<Traits>::Topology::adopt(Triangulation rebuilt,
-                                            [[maybe_unused]] const Note_hidden& note_hidden) {
+void Kinetic_types<Traits>::Own_topology::adopt(Triangulation rebuilt,
+                                                [[maybe_unused]] const Note_hidden& note_hidden) {
   auto& tds = triangulation_.tds();
   const auto vertex_here = [&](Vertex_handle there) -> Vertex_handle {
     if constexpr (!is_periodic) {
@@ -526,7 +523,7 @@ void Kinetic_types<Traits>::Topology::adopt(Triangulation rebuilt,
 }
 
 template <class Traits>
-void Kinetic_types<Traits>::Topology::hide_in(Vertex_handle v, const Location& location) {
+void Kinetic_types<Traits>::Own_topology::hide_in(Vertex_handle v, const Location& location) {
   if constexpr (is_weighted && is_periodic) {
     triangulation_.hide(v, location);
   } else if constexpr (is_weighted) {
@@ -539,8 +536,8 @@ void Kinetic_types<Traits>::Topology::hide_in(Vertex_handle v, const Location& l
 }
 
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::take_hidden(std::span<const Face_handle> faces,
-                                                  [[maybe_unused]] Vertex_handle leaving)
+auto Kinetic_types<Traits>::Own_topology::take_hidden(std::span<const Face_handle> faces,
+                                                      [[maybe_unused]] Vertex_handle leaving)
     -> std::vector<Taken_point> {
   std::vector<Taken_point> result;
   if constexpr (is_weighted) {
@@ -563,7 +560,7 @@ auto Kinetic_types<Traits>::Topology::take_hidden(std::span<const Face_handle> f
 
 // The certificate of a hidden point fails at once if it is in another face.
 template <class Traits>
-auto Kinetic_types<Traits>::Topology::location_of(const Taken_point& taken) const -> Location {
+auto Kinetic_types<Traits>::Own_topology::location_of(const Taken_point& taken) const -> Location {
   if constexpr (is_periodic) {
     constexpr std::size_t few_steps = 8;
     const Point_2& point = taken.vertex->point();

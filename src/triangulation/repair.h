@@ -8,8 +8,8 @@
 // triangulation; Lawson's flips make it Delaunay, and the points are inserted again. Points that
 // are taken out and inserted again are the filter of P. de Castro, J. Cohen-Steiner, O. Devillers,
 // Filtering relocations on a Delaunay triangulation, 2009.
-#ifndef KINETRI_IMPL_TRIANGULATION_REPAIR_H
-#define KINETRI_IMPL_TRIANGULATION_REPAIR_H
+#ifndef KINETRI_SRC_TRIANGULATION_REPAIR_H
+#define KINETRI_SRC_TRIANGULATION_REPAIR_H
 
 #include <algorithm>
 #include <array>
@@ -21,10 +21,11 @@
 #include <utility>
 #include <vector>
 
+#include "kinetic/certain_signs.h"
 #include "kinetri/impl/base/compiler.h"
-#include "kinetri/impl/kinetic/certain_signs.h"
-#include "kinetri/impl/triangulation/event_reporter.h"
+#include "kinetri/impl/triangulation/edge_changes.h"
 #include "kinetri/impl/triangulation/incident.h"
+#include "kinetri/impl/triangulation/static_construction.h"
 #include "kinetri/impl/triangulation/topology.h"
 
 namespace kinetri::detail {
@@ -37,11 +38,10 @@ namespace kinetri::detail {
 template <class Traits>
 class Kinetic_types<Traits>::Repair {
  public:
-  /// `time` is that of the predicates. Edges that change are noted by the reporter. The others must
-  /// outlive this object.
-  Repair(Topology& topology, Event_reporter& reporter, const Time& time)
+  /// `time` is that of the predicates. Changes are noted. The others must outlive this object.
+  Repair(Topology& topology, Change_notes<Edge_name>& notes, const Time& time)
       : topology_(topology),
-        reporter_(reporter),
+        notes_(notes),
         triangulation_(topology.triangulation()),
         time_(time.to_double()),
         times_(time.interval()) {}
@@ -141,11 +141,11 @@ class Kinetic_types<Traits>::Repair {
   static bool is_unlinked(Face_handle face) { return face->vertex(0) == Vertex_handle(); }
   bool are_adjacent(Vertex_handle v, Vertex_handle w) const;
   void note(const Edge& edge, int change) {
-    if (!triangulation_.is_infinite(edge)) reporter_.note(Topology::ids_of(edge), change);
+    if (!triangulation_.is_infinite(edge)) notes_.note(Topology::ids_of(edge), change);
   }
 
   Topology& topology_;
-  Event_reporter& reporter_;
+  Change_notes<Edge_name>& notes_;
   Triangulation& triangulation_;
   const double time_;
   const Double_interval times_;
@@ -401,7 +401,7 @@ void Kinetic_types<Traits>::Repair::take_out_hidden(Face_handle face) {
     for (const Taken_point& taken : Topology::take_hidden({&face, 1})) {
       const Vertex_handle v = taken.vertex;
       v->set_event(no_event);
-      reporter_.note_moved_hidden(v->point().id());
+      notes_.note_moved_hidden(v->point().id());
       removed_.push_back({v, finite_corner(face)});
     }
   }
@@ -475,8 +475,8 @@ bool Kinetic_types<Traits>::Repair::put_back() {
     }
     const bool is_outside = triangulation_.is_infinite(face) && locus != Triangulation::EDGE;
     topology_.insert_in_faces(v, location);
-    topology_.note_edges_at(
-        v, 1, [this](const Edge_ids& ids, int change) { reporter_.note(ids, change); });
+    topology_.note_edges_at(v, 1,
+                            [this](const Edge_ids& ids, int change) { notes_.note(ids, change); });
     if (is_outside) {
       std::vector<Vertex_handle> beside = {v};
       for_each_neighbor(triangulation_, v, [&](Vertex_handle u) { beside.push_back(u); });
@@ -495,8 +495,8 @@ bool Kinetic_types<Traits>::Repair::hide_or_show(Vertex_handle v, const Location
   if constexpr (is_weighted) {
     const bool is_hidden = above.face != Face_handle();
     if (v->is_hidden() != is_hidden) {
-      reporter_.note_hidden(v->point().id(), is_hidden);
-      reporter_.note_moved_hidden(v->point().id());
+      notes_.note_hidden(v->point().id(), is_hidden);
+      notes_.note_moved_hidden(v->point().id());
     }
     if (is_hidden) {
       topology_.hide_in(v, above);
@@ -645,6 +645,12 @@ bool Kinetic_types<Traits>::Repair::flip_suspects() {
   return true;
 }
 
+template <class Traits>
+bool From_places<Traits>::move(Topology& topology, Change_notes<Edge_ids>& notes, const Time& time,
+                               std::span<const Change> changes) {
+  return typename Kinetic_types<Traits>::Repair(topology, notes, time).move(changes);
+}
+
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_REPAIR_H
+#endif  // KINETRI_SRC_TRIANGULATION_REPAIR_H

@@ -2,8 +2,8 @@
 //
 // Images of points near the middle of a periodic box, by rounded positions: a choice among images
 // that is good for searches, not a decision.
-#ifndef KINETRI_IMPL_TRIANGULATION_WRAPPING_H
-#define KINETRI_IMPL_TRIANGULATION_WRAPPING_H
+#ifndef KINETRI_SRC_TRIANGULATION_WRAPPING_H
+#define KINETRI_SRC_TRIANGULATION_WRAPPING_H
 
 #include <array>
 #include <cmath>
@@ -74,4 +74,4 @@ class Wrapping {
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_WRAPPING_H
+#endif  // KINETRI_SRC_TRIANGULATION_WRAPPING_H

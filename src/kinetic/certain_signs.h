@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Signs of predicates of positions that are known up to an error, if they are certain.
-#ifndef KINETRI_IMPL_KINETIC_CERTAIN_SIGNS_H
-#define KINETRI_IMPL_KINETIC_CERTAIN_SIGNS_H
+#ifndef KINETRI_SRC_KINETIC_CERTAIN_SIGNS_H
+#define KINETRI_SRC_KINETIC_CERTAIN_SIGNS_H
 
 #include <algorithm>
 #include <array>
@@ -89,4 +89,4 @@ inline Sign certain_side_of_oriented_circle(const Vector_2& p, const Vector_2& q
 
 }  // namespace kinetri
 
-#endif  // KINETRI_IMPL_KINETIC_CERTAIN_SIGNS_H
+#endif  // KINETRI_SRC_KINETIC_CERTAIN_SIGNS_H

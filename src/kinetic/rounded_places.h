@@ -2,11 +2,10 @@
 //
 // The positions of moving points at one time, in doubles, with a bound for their errors: for signs
 // that are certain despite the errors, and for searches that may begin anywhere.
-#ifndef KINETRI_IMPL_KINETIC_ROUNDED_PLACES_H
-#define KINETRI_IMPL_KINETIC_ROUNDED_PLACES_H
+#ifndef KINETRI_SRC_KINETIC_ROUNDED_PLACES_H
+#define KINETRI_SRC_KINETIC_ROUNDED_PLACES_H
 
 #include <algorithm>
-#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -14,21 +13,14 @@
 #include <type_traits>
 #include <vector>
 
+#include "kinetic/certain_signs.h"
 #include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/base/ids.h"
 #include "kinetri/impl/base/double_interval.h"
-#include "kinetri/impl/kinetic/certain_signs.h"
 #include "kinetri/kinetic/disc_motion_2.h"
 #include "kinetri/kinetic/linear_motion_2.h"
 
 namespace kinetri {
-
-/// A motion whose position can be computed in doubles, with a bound for the error.
-template <class Motion>
-concept HasRoundedPlace = requires(const Motion& motion, const Double_interval& times) {
-  { rounded_place(motion, 1.0) } -> std::same_as<Vector_2>;
-  { place_error(motion, 1.0, times) } -> std::same_as<double>;
-};
 
 /// The positions, by point id, with one bound for the errors of all coordinates. The signs are
 /// those at the time and just after it, or ZERO if that is not certain. Signs are O(1).
@@ -133,4 +125,4 @@ class Rounded_places {
 
 }  // namespace kinetri
 
-#endif  // KINETRI_IMPL_KINETIC_ROUNDED_PLACES_H
+#endif  // KINETRI_SRC_KINETIC_ROUNDED_PLACES_H

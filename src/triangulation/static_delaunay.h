@@ -3,8 +3,8 @@
 // The Delaunay triangulation of static points in doubles, or the regular one of weighted points, by
 // CGAL's fastest kernel, as plain numbers. The construction of a kinetic triangulation begins with
 // that of the rounded positions, and checks each triangle and edge for the exact ones.
-#ifndef KINETRI_IMPL_TRIANGULATION_STATIC_DELAUNAY_H
-#define KINETRI_IMPL_TRIANGULATION_STATIC_DELAUNAY_H
+#ifndef KINETRI_SRC_TRIANGULATION_STATIC_DELAUNAY_H
+#define KINETRI_SRC_TRIANGULATION_STATIC_DELAUNAY_H
 
 #include <array>
 #include <cstdint>
@@ -62,4 +62,4 @@ bool is_certainly_delaunay(const Static_delaunay& triangulation, const Static_po
 
 }  // namespace kinetri::detail
 
-#endif  // KINETRI_IMPL_TRIANGULATION_STATIC_DELAUNAY_H
+#endif  // KINETRI_SRC_TRIANGULATION_STATIC_DELAUNAY_H
