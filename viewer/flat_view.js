@@ -114,6 +114,22 @@ class FlatView extends View {
     const fill = this.viewer.coloring === null ? colors.discFill : undefined;
     painter.circles(this.discs(VISIBLE), {fill, stroke: colors.disc, width: this.detail.lineWidth()});
     painter.circles(this.discs(HIDDEN), {stroke: colors.quiet, width: 1.25, dash: [4, 3]});
+    if (this.viewer.images === null) return;
+    painter.circles(this.discImages(), {fill, stroke: colors.disc, width: this.detail.lineWidth(), alpha: LEAVING});
+  }
+
+  /** The other images of discs that reach into the periodic box. */
+  discImages() {
+    const {camera} = this, {x, y, r, hidden, images} = this.viewer;
+    const batch = this.circleBatch.clear();
+    for (let point = 0; point < x.length; ++point) {
+      if (hidden[point] !== VISIBLE || !(r[point] > 0)) continue;
+      images.box.forEachDiscImage(x[point], y[point], r[point], (imageX, imageY) => {
+        const atX = camera.screenX(imageX), atY = camera.screenY(imageY), radius = r[point] * camera.scale;
+        if (this.isSeen(atX, atY, radius)) batch.circle(atX, atY, radius);
+      });
+    }
+    return batch;
   }
 
   /** The discs of the points that are VISIBLE, or HIDDEN. */

@@ -33,6 +33,8 @@ function isForward(a, b, x, y) {
   return a === b ? x > 0 || x === 0 && y > 0 : a < b;
 }
 
+const MOST_DISC_IMAGES = 100;
+
 /**
  * The parallelogram that pictures show of a box: (ux, uy) is its first side, (vx, vy) its second one. That is
  * the second vector of the box less `turns` times the first one, so that it leans by half of the first one at
@@ -62,6 +64,22 @@ class DrawnBox {
 
   across(x, y) {
     return (this.ux * y - this.uy * x) / this.area;
+  }
+
+  /** Calls visit(x, y) for the centers of the other images of the disc that reach into the box; not if there are
+   * very many, as just before a box loses its area. */
+  forEachDiscImage(x, y, radius, visit) {
+    const {ux, uy, vx, vy} = this, area = Math.abs(this.area);
+    const along = this.along(x, y), across = this.across(x, y);
+    const i = radius * Math.hypot(vx, vy) / area, j = radius * Math.hypot(ux, uy) / area;
+    const left = Math.floor(along - i), right = Math.floor(along + i);
+    const lower = Math.floor(across - j), upper = Math.floor(across + j);
+    if (!((right - left + 1) * (upper - lower + 1) <= MOST_DISC_IMAGES)) return;
+    for (let k = left; k <= right; ++k) {
+      for (let l = lower; l <= upper; ++l) {
+        if (k !== 0 || l !== 0) visit(x - k * ux - l * vx, y - k * uy - l * vy);
+      }
+    }
   }
 
   /** What is to be added to the vector, in `result`, for the shortest one that differs from it by whole

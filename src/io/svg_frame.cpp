@@ -2,6 +2,7 @@
 #include "kinetri/io/svg_frame.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -107,6 +108,7 @@ class Picture {
                   disc);
       add_circles("hidden-discs", "fill=\"none\" stroke=\"#808080\" stroke-dasharray=\"4 3\"", true,
                   disc);
+      if (frame_.periodic) add_disc_images(frame_.periodic->corners);
     }
     const double spacing = canvas_.spacing(view_.points);
     const double line = std::clamp(0.03 * spacing, 0.25, 1.2);
@@ -159,6 +161,40 @@ class Picture {
       add(i == 0 ? 'M' : 'L', corner.x, ' ', corner.y);
     }
     add("Z\" fill=\"none\" stroke=\"#404040\" stroke-width=\"1.5\"/>\n");
+  }
+
+  // The other images of discs that reach into the box, fainter.
+  void add_disc_images(const std::array<Vector_2, 4>& corners) {
+    const Vector_2& u = corners[1];
+    const Vector_2& v = corners[3];
+    begin_group(
+        "disc-images",
+        "fill=\"#56b4e9\" fill-opacity=\"0.16\" stroke=\"#0072b2\" stroke-opacity=\"0.45\"");
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Vector_2& place = frame_.places[i];
+      const double radius = (*frame_.discs)[i].radius;
+      if (is_hidden(i)) continue;
+      const auto [left, right] = copies_along(place, radius, u, v);
+      const auto [lower, upper] = copies_along(place, radius, v, u);
+      constexpr double most = 100;
+      if (!((right - left + 1) * (upper - lower + 1) <= most)) continue;
+      for (double k = left; k <= right; ++k) {
+        for (double l = lower; l <= upper; ++l) {
+          const Pixel center = pixel({place.x - k * u.x - l * v.x, place.y - k * u.y - l * v.y});
+          if ((k != 0 || l != 0) && center.is_finite()) add_circle(center, canvas_.length(radius));
+        }
+      }
+    }
+    add("</g>\n");
+  }
+
+  // The first and the last copy of the box along its side u into which a disc may reach.
+  static std::array<double, 2> copies_along(const Vector_2& place, double radius, const Vector_2& u,
+                                            const Vector_2& v) {
+    const double area = u.x * v.y - u.y * v.x;
+    const double middle = (place.x * v.y - place.y * v.x) / area;
+    const double reach = radius * std::hypot(v.x, v.y) / std::abs(area);
+    return {std::floor(middle - reach), std::floor(middle + reach)};
   }
 
   // An edge that leaves the box is drawn at both ends, up to the image of the other one.

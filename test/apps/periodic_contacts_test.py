@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Discs that collide in periodic boxes: each contact of the log, and that there is no other one, from the motions
 that the program has written, by all pairs of images in rational numbers; the velocities after each contact; that
-runs give the same bytes; and what ends a run.
+runs give the same bytes; pictures; and what ends a run.
 
 usage: periodic_contacts_test.py PROGRAM
 """
@@ -11,6 +11,7 @@ import fractions
 import math
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import unittest
@@ -257,6 +258,47 @@ class Periodic_contacts(In_folder):
                                 self.discs(random.Random(1), 4))
         self.assertRegex(done.stderr, r"events +\d+ at \d+ instants \(.*\d+ collision\)\n")
         self.assertRegex(self.read("s.json"), r'"collision": [1-9]')
+
+    def check_picture(self, drawing):
+        """That each image of a disc that overlaps the box is drawn, and none far away; returns the number of images."""
+        def circles(name):
+            group = drawing[drawing.index(f'class="{name}"'):].split("</g>")[0]
+            return [tuple(map(float, circle)) for circle in re.findall(r'cx="(.*?)" cy="(.*?)" r="(.*?)"', group)]
+
+        box = re.search('class="box"[^>]* d="([^"]*)"', drawing)[1]
+        corners = [complex(*map(float, corner.split(" "))) for corner in re.findall(r"[ML]([^MLZ]*)", box)]
+        a, b, c, d = dict.fromkeys(corners)
+        sides = [(a, b), (b, c), (c, d), (d, a)]
+
+        def gap(p):
+            """From the center to the box."""
+            def to_side(start, end):
+                share = ((p - start) * (end - start).conjugate()).real / abs(end - start) ** 2
+                return abs(p - start - min(max(share, 0), 1) * (end - start))
+
+            turns = [((end - start).conjugate() * (p - start)).imag for start, end in sides]
+            return 0 if max(turns) <= 0 or min(turns) >= 0 else min(to_side(*side) for side in sides)
+
+        images = circles("disc-images")
+        for x, y, r in images:
+            self.assertLess(gap(complex(x, y)), 2 * r)
+        for x, y, r in circles("discs"):
+            for k in range(-2, 3):
+                for l in range(-2, 3):
+                    p = complex(x, y) + k * (b - a) + l * (d - a)
+                    if (k, l) != (0, 0) and gap(p) < r - 0.1:
+                        self.assertTrue(any(abs(complex(u, v) - p) < 0.1 for u, v, _ in images), (x, y, k, l))
+        return len(images)
+
+    def test_pictures_have_images_of_discs_at_the_border(self):
+        self.run_program("simulate p.csv --until 2 --periodic 5,5,1 --shear 0.25 --collisions elastic --radius 0.25 --quiet "
+                         "--frames f --frames-per-time 1 --html r.html", self.discs(random.Random(8), 5))
+        images = 0
+        for i in range(3):
+            images += self.check_picture(self.read(f"f/frame_00000{i}.svg"))
+            self.run_program(f"render r.html --at {i} --output p.svg")
+            images += self.check_picture(self.read("p.svg"))
+        self.assertGreater(images, 30)
 
     def test_disc_that_meets_its_own_image_ends_the_run(self):
         """The upper vector is (7 - 3 t, 3), and the diameter 5."""

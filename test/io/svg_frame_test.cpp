@@ -178,6 +178,30 @@ TEST(Svg_frame, draws_edges_that_leave_a_periodic_box_at_both_ends) {
             std::string::npos)
       << svg;
   EXPECT_EQ(count(svg, "class=\"hull\""), 0U);
+  EXPECT_EQ(count(svg, "disc-images"), 0U);
+}
+
+TEST(Svg_frame, draws_images_of_discs_that_reach_into_a_periodic_box) {
+  Frame_2 frame;
+  frame.ids = {0, 1, 2};
+  frame.places = {{5, 5}, {0.5, 4}, {9.5, 9.5}};
+  frame.velocities.resize(3);
+  frame.discs = {{1, false}, {1, false}, {1, false}};
+  frame.periodic = {{Vector_2{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {}, {}};
+  const std::string svg = picture(frame, {.extent = {-2, -2, 12, 12}, .points = 3});
+  const auto drawn = [](double x, double y) {
+    std::ostringstream out;
+    out << "<circle cx=\"" << 24 + 48 * (x + 2) << "\" cy=\"" << 24 + 48 * (12 - y)
+        << "\" r=\"48\"/>\n";
+    return out.str();
+  };
+  EXPECT_EQ(count(between(svg, "<g class=\"discs\"", "</g>"), "<circle "), 3U);
+  const std::string images = between(svg, "<g class=\"disc-images\"", "</g>");
+  EXPECT_EQ(count(images, "<circle "), 4U) << images;
+  for (const std::string& image :
+       {drawn(10.5, 4), drawn(-0.5, 9.5), drawn(9.5, -0.5), drawn(-0.5, -0.5)}) {
+    EXPECT_NE(images.find(image), std::string::npos) << image << images;
+  }
 }
 
 }  // namespace

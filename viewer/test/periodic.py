@@ -207,6 +207,20 @@ class Periodic(Page):
         drawn = text[text.index('class="leaving-edges"'):]
         self.assertEqual(drawn[:drawn.index("/>")].count("M"), 2 * leaving)
 
+    def test_discs_have_images_that_reach_into_the_box(self):
+        for x, y, expected in ((5, 5, []), (0.5, 4, [[10.5, 4]]), (9.5, 9.5, [[-0.5, -0.5], [-0.5, 9.5], [9.5, -0.5]])):
+            found = self.evaluate(
+                "(() => { const found = [], box = new DrawnBox({numbers: [0, 10, 0, 0, 0, 0, 0, 10, 0, 0]}, 0); "
+                f"box.forEachDiscImage({x}, {y}, 1, (...place) => found.push(place)); return found; }})()")
+            self.assertEqual(sorted(found), expected)
+
+    def test_page_with_discs_draws(self):
+        page = self.folder / "discs.html"
+        self.simulate(2, "--collisions", "log", "--radius", 0.75, "--html", page)
+        self.open(page)
+        self.go_to(1)
+        self.assertTrue(self.evaluate("kinetri.radii().every((radius) => radius === 0.75)"))
+
     def test_damaged(self):
         recording = runs.recording_of(self.page)
         target = self.folder / "damaged.html"

@@ -232,6 +232,20 @@ void draw_heat(Svg_drawing& drawing, const Scene& scene, const Heat& heat) {
   }
 }
 
+// The other images of discs that reach into the periodic box.
+std::vector<Circle> disc_images(const Scene& scene) {
+  std::vector<Circle> result;
+  for (Point_id i = 0; i < scene.places.size(); ++i) {
+    const Recorded_place& place = scene.places[i];
+    if (!place.is_there || place.is_hidden) continue;
+    for (const Vector_2& move : scene.places.disc_copies(i)) {
+      result.push_back({scene.camera.pixel(place.x + move.x, place.y + move.y),
+                        place.radius * scene.camera.scale()});
+    }
+  }
+  return result;
+}
+
 void draw_discs(Svg_drawing& drawing, const Scene& scene, bool are_colored) {
   const Theme& theme = scene.view.theme();
   const auto radius = [&](const Recorded_place& place) {
@@ -241,6 +255,10 @@ void draw_discs(Svg_drawing& drawing, const Scene& scene, bool are_colored) {
                   are_colored ? Color() : theme.disc_fill, {theme.disc, scene.detail.line_width()});
   drawing.circles("hidden-discs", circles_of(scene, true, radius), {},
                   {theme.quiet, 1.25, false, "4 3"});
+  if (!scene.places.box()) return;
+  drawing.circles("disc-images", disc_images(scene),
+                  are_colored ? Color() : theme.disc_fill.faded(leaving),
+                  {theme.disc.faded(leaving), scene.detail.line_width()});
 }
 
 void draw_trails(Svg_drawing& drawing, const Scene& scene) {

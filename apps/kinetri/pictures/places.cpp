@@ -2,6 +2,7 @@
 #include "pictures/places.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -79,6 +80,25 @@ std::vector<Vector_2> Places::copies(std::span<const Vector_2> corners) const {
   for (double i = x.least; i <= x.greatest; ++i) {
     for (double j = y.least; j <= y.greatest; ++j) result.push_back(moved(i, j));
   }
+  return result;
+}
+
+std::vector<Vector_2> Places::disc_copies(Point_id id) const {
+  if (!box_) return {};
+  const Recorded_place& place = all_[id];
+  const Vector_2& u = box_->first();
+  const Vector_2& v = box_->second();
+  // Of the parallelogram about the disc with the sides of the box.
+  const double area = std::abs(u.x * v.y - u.y * v.x);
+  const double i = place.radius * std::hypot(v.x, v.y) / area;
+  const double j = place.radius * std::hypot(u.x, u.y) / area;
+  const auto corner = [&](double k, double l) {
+    return Vector_2{place.x + k * u.x + l * v.x, place.y + k * u.y + l * v.y};
+  };
+  const std::array corners = {corner(-i, -j), corner(i, -j), corner(i, j), corner(-i, j)};
+  std::vector<Vector_2> result = copies(corners);
+  if (result.size() == 1) return {};  // the disc is in the box, or there are very many
+  std::erase(result, Vector_2());
   return result;
 }
 

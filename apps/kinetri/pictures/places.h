@@ -45,6 +45,10 @@ class Places {
   /// there are very many, as just before a box loses its area, only one.
   std::vector<Vector_2> copies(std::span<const Vector_2> corners) const;
 
+  /// The vectors by which the disc about the point is to be moved for its other images that reach
+  /// into the periodic box. None in the plane, or if there are very many.
+  std::vector<Vector_2> disc_copies(Point_id id) const;
+
  private:
   std::vector<Recorded_place> all_;
   std::optional<Drawn_box_2> box_;
