@@ -95,18 +95,18 @@ Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
 
 Input_error Points_source::coincident(const Coincident_trajectories_error& error) const {
   const auto [first, second] = std::minmax({error.first(), error.second()});
-  const auto about = [&](const std::string& problem) {
-    return Input_error(input_name(path()), points_.lines[second], problem);
-  };
   const std::size_t line = points_.lines[first];
-  if (!settings_.periodic) {
-    return about(joined("the point has the same ", equal_numbers(), " as the one in line ", line,
-                        "; expected points that differ in one of them, or --coincident hide"));
+  std::string problem;
+  if (settings_.periodic) {
+    problem = joined("the point is an image of the one in line ", line,
+                     " at all times; expected points that differ by more than vectors of the "
+                     "periodic box",
+                     settings_.collisions.response == nullptr ? ", or --coincident hide" : "");
+  } else {
+    problem = joined("the point has the same ", equal_numbers(), " as the one in line ", line,
+                     "; expected points that differ in one of them, or --coincident hide");
   }
-  return about(joined("the point is an image of the one in line ", line,
-                      " at all times; expected points that differ by more than vectors of the "
-                      "periodic box",
-                      settings_.collisions.response == nullptr ? ", or --coincident hide" : ""));
+  return Input_error(input_name(path()), points_.lines[second], problem);
 }
 
 // Discs in a periodic box have one radius, which is constant.
