@@ -18,7 +18,7 @@ enum class Audit_level {
   links,         ///< links between vertices and faces, the queue, and the references between them
   embedding,     ///< finite triangles are counterclockwise, and the hull, if any, is convex
   delaunay,      ///< every edge is locally Delaunay
-  reference,     ///< the edges, and hidden points, are those of a triangulation built anew just
+  reference,     ///< the edges, and hidden points, are those of a new triangulation just
                  ///< after the current time: by CGAL, in a periodic box by this library
   certificates,  ///< the queue has the next failure of every certificate, or an earlier recheck;
                  ///< it is empty while certificates are deferred

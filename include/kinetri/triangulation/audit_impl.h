@@ -515,7 +515,7 @@ void Auditor<Traits>::check_reference() {
   }
 }
 
-// The next failure of the edge, computed anew: its kind and its exact time.
+// The next failure of the edge, computed again: its kind and its exact time.
 template <class Traits>
 auto Auditor<Traits>::next_failure(const Edge& edge, const Certification<Traits>& exact) const
     -> std::optional<Failure> {

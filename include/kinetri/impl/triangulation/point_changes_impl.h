@@ -376,7 +376,7 @@ void Kinetic_types<Traits>::Point_changes::note_weights(const Vertex_changes& pl
   for (const Change& change : changes) {
     if (change.motion) points.emplace_back(*change.motion, change.point);
   }
-  // One of the points whose weight counts besides, if any.
+  // One point whose present weight counts too, if there is any.
   const auto counts = [&](Vertex_handle v) {
     return v != Vertex_handle() &&
            (!are_at_once ||
