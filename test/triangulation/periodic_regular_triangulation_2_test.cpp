@@ -447,6 +447,28 @@ TEST(Periodic_regular_triangulation_2, follows_discs_that_are_moved_step_by_step
   }
 }
 
+// A large disc has so many triangles that a hidden point whose triangle is flipped away is far from
+// the one that is looked at first.
+TEST(Periodic_regular_triangulation_2, finds_hidden_points_among_the_many_triangles_of_a_disc) {
+  for (unsigned seed = 1; seed <= times(2); ++seed) {
+    Random random(seed);
+    std::vector<Disc_motion_2> discs = {{{{0, 0}, {0, 0}, 0}, 12, 0, 0}};
+    for (int i = 0; i < 400; ++i) {
+      const auto coordinate = [&](double scale) { return random(-10000, 10000) * scale; };
+      const double x = coordinate(0.002);
+      const double y = coordinate(0.002);
+      const double vx = coordinate(0.0002);
+      const double vy = coordinate(0.0002);
+      discs.push_back({{{x, y}, {vx, vy}, 0}, random(0, 300) * 0.01, 0, 0});
+    }
+    Kinetic kinetic = kinetic_of(square(40), discs);
+    for (int step = 1; step <= 8; ++step) {
+      kinetic.advance_to(Time(step / 8.0));
+      ASSERT_EQ(audit(kinetic), "") << "seed " << seed << ", step " << step;
+    }
+  }
+}
+
 // One weight that both have becomes another while one disc jumps, when the other one would hide it.
 TEST(Periodic_regular_triangulation_2, takes_another_weight_of_all_while_a_disc_jumps) {
   const Periodic_box_2 box = {{{2, 0}, {-1, 1}, 0}, {{0, 2}, {0, 0}, 0}};

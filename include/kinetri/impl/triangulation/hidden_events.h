@@ -41,14 +41,15 @@ class Kinetic_types<Traits>::Hidden_events {
     const Location location = Topology::location_of_hidden(v);
     triangulation_.take_from_face(v);
     if (failure.index != plane_condition) {
-      // It crosses a side of its triangle.
+      // It crosses a side of its triangle, or has been beyond it since it got this triangle.
+      const bool has_just_crossed = failure.changes_sign && !reporter_.is_noting();
       const int i = topology_.with_mirror(Edge(location.face, failure.index)).there.second;
       const Location beyond = Topology::beyond(v->point(), location, failure.index);
       if (!triangulation_.is_infinite(beyond.face)) {
         updates_.hide_in(v, beyond);
         schedule_.schedule_hidden(
             v, schedule_.current_time(),
-            reporter_.is_noting() ? no_condition : static_cast<std::uint8_t>(i));
+            has_just_crossed ? static_cast<std::uint8_t>(i) : no_condition);
         return true;
       }
     } else if (failure.changes_sign && updates_.is_inside(v->point(), location, true)) {
