@@ -15,8 +15,7 @@ std::string_view name(Component_event_kind kind) {
 }
 
 template <DistanceKineticTraits_2 Traits>
-Connected_components<Traits>::Connected_components(
-    detail::Simulation_of<Traits>& simulation, double range) requires ContactKineticTraits_2<Traits>
+Connected_components<Traits>::Connected_components(Simulation_2<Traits>& simulation, double range)
     : tracker_(std::make_unique<Tracker>(simulation, range)) {}
 
 template <DistanceKineticTraits_2 Traits>

@@ -6,24 +6,24 @@
 namespace kinetri {
 namespace {
 
-// clang before 16 instantiates this for traits without simulations, too.
+// clang before 16 instantiates this for periodic boxes, too.
 template <class Traits>
-std::unique_ptr<detail::Encounter_tracker<Traits>> tracker_of(
-    detail::Simulation_of<Traits>& simulation, double range) {
-  if constexpr (ContactKineticTraits_2<Traits>) {
+std::unique_ptr<detail::Encounter_tracker<Traits>> tracker_of(Simulation_2<Traits>& simulation,
+                                                              double range) {
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    return nullptr;
+  } else {
     return std::make_unique<detail::Encounter_tracker<Traits>>(simulation, range,
                                                                simulation.options().radius);
-  } else {
-    return nullptr;
   }
 }
 
 }  // namespace
 
 template <DistanceKineticTraits_2 Traits>
-Encounters<Traits>::Encounters(detail::Simulation_of<Traits>& simulation,
-                               double range) requires ContactKineticTraits_2<Traits>
-    : tracker_(tracker_of<Traits>(simulation, range)) {}
+Encounters<Traits>::Encounters(Simulation_2<Traits>& simulation,
+                               double range) requires(!PeriodicKineticTraits_2<Traits>)
+    : tracker_(tracker_of(simulation, range)) {}
 
 template <DistanceKineticTraits_2 Traits>
 Encounters<Traits>::Encounters(Triangulation& triangulation,

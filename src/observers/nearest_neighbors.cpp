@@ -9,10 +9,9 @@ namespace kinetri {
 
 template <DistanceKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits> Nearest_neighbors<Traits>::Nearest_neighbors(
-    detail::Simulation_of<Traits>& simulation, On_change on_change)
-requires ContactKineticTraits_2<Traits>
-    : tracker_(std::make_unique<detail::Nearest_tracker<Traits>>(simulation,
-                                                                 std::move(on_change))) {}
+    Simulation_2<Traits>& simulation, On_change on_change)
+    : tracker_(
+          std::make_unique<detail::Nearest_tracker<Traits>>(simulation, std::move(on_change))) {}
 
 template <DistanceKineticTraits_2 Traits>
 requires HasNearestNeighbors<Traits> Nearest_neighbors<Traits>::Nearest_neighbors(

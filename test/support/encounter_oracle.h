@@ -55,7 +55,7 @@ class Leg_recorder : public Event_observer {
       legs_[id].back().is_initial = true;
     }
   }
-  explicit Leg_recorder(detail::Simulation_of<Traits>& simulation)
+  explicit Leg_recorder(Simulation_2<Traits>& simulation)
       : Leg_recorder(simulation, simulation.triangulation()) {}
 
   /// By id, in the order of time. Motions that last get the present time as their end.

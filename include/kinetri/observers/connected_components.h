@@ -110,8 +110,7 @@ class Connected_components {
   /// @{
   /// Observes from the current time on. What is observed must outlive this object. Precondition:
   /// the range is at least 0 and finite.
-  Connected_components(detail::Simulation_of<Traits>& simulation,
-                       double range) requires ContactKineticTraits_2<Traits>;
+  Connected_components(Simulation_2<Traits>& simulation, double range);
   Connected_components(Triangulation& triangulation, double range);
   /// @}
   ~Connected_components();

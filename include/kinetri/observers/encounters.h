@@ -69,8 +69,8 @@ class Encounters {
   /// Observes from the current time on. The simulation must outlive this object. Throws
   /// Precondition_error if `range` is negative or not finite, or if a radius enlarged by half of it
   /// is not finite.
-  Encounters(detail::Simulation_of<Traits>& simulation,
-             double range) requires ContactKineticTraits_2<Traits>;
+  Encounters(Simulation_2<Traits>& simulation,
+             double range) requires(!PeriodicKineticTraits_2<Traits>);
   /// The same of a triangulation of points.
   Encounters(Triangulation& triangulation,
              double range) requires(!HasWeight<typename Traits::Motion>);

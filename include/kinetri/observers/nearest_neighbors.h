@@ -68,8 +68,7 @@ class Nearest_neighbors {
   /// is not alone gets its nearest neighbor. Changes are passed to `on_change` or, if that is
   /// empty, kept for changes(). `on_change` may be called late: it must neither change nor read the
   /// triangulation.
-  explicit Nearest_neighbors(detail::Simulation_of<Traits>& simulation,
-                             On_change on_change = {}) requires ContactKineticTraits_2<Traits>;
+  explicit Nearest_neighbors(Simulation_2<Traits>& simulation, On_change on_change = {});
   explicit Nearest_neighbors(Triangulation& triangulation, On_change on_change = {});
   /// @}
   ~Nearest_neighbors();

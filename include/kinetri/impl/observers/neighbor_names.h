@@ -12,7 +12,6 @@
 #include "kinetri/impl/events/basic_event.h"
 #include "kinetri/impl/triangulation/edge_changes.h"
 #include "kinetri/kinetic/kinetic_traits_2.h"
-#include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri::detail {
 
@@ -25,20 +24,6 @@ using Edge_name = std::conditional_t<PeriodicKineticTraits_2<Traits>, Periodic_e
 /// of the point as given.
 template <class Traits>
 using Neighbor_name = std::conditional_t<PeriodicKineticTraits_2<Traits>, Periodic_image, Point_id>;
-
-/// The simulation that constructors of observers take; none if points are in a periodic box.
-template <class Traits>
-struct Simulation_type {
-  struct None;
-  using type = None;  ///< incomplete, so that there is no object
-};
-/// The same in the plane.
-template <ContactKineticTraits_2 Traits>
-struct Simulation_type<Traits> {
-  using type = Simulation_2<Traits>;  ///< of these points
-};
-template <class Traits>
-using Simulation_of = typename Simulation_type<Traits>::type;
 
 /// @{
 /// The two ends of an edge, each with the other one as seen from there.
