@@ -22,6 +22,7 @@
 #include "support/message_of.h"
 #include "support/multiplier.h"
 #include "support/precondition_error.h"
+#include "support/query_oracle.h"
 #include "support/random_choices.h"
 #include "support/torus_reference.h"
 
@@ -540,11 +541,12 @@ TEST(Periodic_queries_2, are_those_of_an_oracle_at_rational_times) {
       std::vector<Rational> at;
       if (now.is_known_rational()) at.push_back(now.rational());
       if (now < end) at.push_back(simplest_between(now, end));
-      if (end.is_known_rational()) {
-        at.push_back(end.rational());
+      // The queries may find out that a time is rational.
+      const Periodic_queries_2 queries(kinetic, end);
+      if (const auto t = test::rational_value(end)) {
+        at.push_back(*t);
       } else {
         ++irrational;
-        const Periodic_queries_2 queries(kinetic, end);
         if (kinetic.number_of_points() > 0) {
           EXPECT_PRECONDITION_ERROR(queries.voronoi_cell(0),
                                     "at a time that is not known to be rational a Voronoi vertex "
@@ -686,6 +688,20 @@ TEST(Periodic_queries_2, about_one_point_in_a_square) {
   // On the sides at the origin, and on the other ones.
   EXPECT_EQ(Periodic_queries_2(kinetic, Time(3)).rounded_positions(true),
             (std::vector<double>{0, 1}));
+}
+
+// That is found out when the cell is asked for.
+TEST(Periodic_queries_2, give_an_exact_cell_at_a_root_that_is_a_binary64_number) {
+  const Kinetic kinetic = kinetic_of(square(4), {{{1, 1}, {1, 0}, 0}, {{3, 2}, {0, 1}, 0}});
+  const Periodic_queries_2 queries(kinetic, Time(Polynomial{-1, 0, 1024}, 0, 1));
+  ASSERT_FALSE(queries.time().is_known_rational());
+  const auto cell = queries.voronoi_cell(0);
+  const auto expected = Periodic_queries_2(kinetic, Time(0x1p-5)).voronoi_cell(0);
+  EXPECT_EQ(text(cell.neighbors), text(expected.neighbors));
+  EXPECT_TRUE(std::ranges::equal(cell.vertices, expected.vertices,
+                                 [](const Exact_position_2& p, const Exact_position_2& q) {
+                                   return p.x == q.x && p.y == q.y;
+                                 }));
 }
 
 TEST(Periodic_queries_2, about_nothing) {
