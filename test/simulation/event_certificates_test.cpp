@@ -343,6 +343,44 @@ TEST(Event_certificates, of_discs_of_any_size_prove_when_they_hide_and_come_out)
   EXPECT_GT(checked.number_of(Event_kind::flip), 40u);
 }
 
+// Point 0 leaves the hull through the vertex 1, and so reaches two sides of its triangle at one
+// time. With all ids, and from snapshots, since a restored triangulation stores its faces
+// otherwise.
+TEST(Event_certificates, of_a_point_that_leaves_through_a_vertex_are_those_after_a_restoration) {
+  using Kinetic = Kinetic_triangulation_2<Disc_kinetic_traits_2>;
+  const auto disc = [](Vector_2 place, Vector_2 velocity, double radius) {
+    return Disc_motion_2{{place, velocity, 0}, radius, 0, 0};
+  };
+  const std::array<Disc_motion_2, 5> discs = {disc({6, 4}, {0, 1}, 0), disc({6, 8}, {}, 3),
+                                              disc({0, 0}, {}, 0), disc({12, 0}, {}, 0),
+                                              disc({7, -1}, {}, 0)};
+  std::array<Point_id, 5> ids = {0, 1, 2, 3, 4};
+  do {
+    SCOPED_TRACE(testing::PrintToString(ids));
+    std::vector<Disc_motion_2> by_id(discs.size());
+    for (std::size_t i = 0; i < discs.size(); ++i) by_id[ids[i]] = discs[i];
+    Kinetic kinetic(by_id);
+    kinetic.advance_to(Time(3.5));
+    ASSERT_TRUE(kinetic.is_hidden(ids[0]));
+    Kinetic restored = Kinetic::restore(kinetic.snapshot());
+    std::vector<std::vector<Point_id>> points;
+    for (Kinetic* const each : {&kinetic, &restored}) {
+      Event_certificates<Disc_kinetic_traits_2> certificates(
+          *each, {}, [&points](const Event_certificate& certificate) {
+            if (certificate.kind == Event_kind::reveal) points.push_back(certificate.points);
+          });
+      each->add_observer(certificates);
+      each->advance_to(Time(4));
+      each->remove_observer(certificates);
+    }
+    ASSERT_EQ(points.size(), 2u);
+    EXPECT_EQ(points[0], points[1]);
+    // The side with the least ids comes first: to point 2, beyond the hull, or to 4, where the
+    // triangle with 3 is.
+    EXPECT_EQ(std::ranges::count(points[0], ids[3]) > 0, ids[4] < ids[2]);
+  } while (std::ranges::next_permutation(ids).found);
+}
+
 // Every other step a point gets the motion of another one; in the next one of the two turns.
 template <class Traits>
 void expect_proofs_of_points_that_coincide(std::vector<typename Traits::Motion> motions) {

@@ -440,6 +440,37 @@ TEST(Kinetic_regular_triangulation, goes_on_from_a_snapshot_as_it_would_have) {
   }
 }
 
+// The hidden point 0 leaves the hull through the vertex 1, and then sees both hull edges there.
+// With all ids, and from snapshots, since a restored triangulation stores its faces otherwise.
+TEST(Kinetic_regular_triangulation, reveals_a_point_at_the_least_hull_edge_that_it_sees) {
+  const std::array<Disc_motion_2, 4> discs = {disc(6, 4, 0, 1, 0), disc(6, 8, 0, 0, 3),
+                                              disc(7, 0, -1, 0, 0), disc(7, 0, 0, 0, 0)};
+  std::array<Point_id, 4> ids = {0, 1, 2, 3};
+  do {
+    SCOPED_TRACE(testing::PrintToString(ids));
+    std::vector<Disc_motion_2> by_id(4);
+    for (std::size_t i = 0; i < 4; ++i) by_id[ids[i]] = discs[i];
+    Kinetic kinetic(by_id);
+    kinetic.advance_to(Algebraic_number(3));
+    const auto [passing, passed, left, right] = ids;
+    ASSERT_TRUE(kinetic.is_hidden(passing));
+    Kinetic restored = Kinetic::restore(kinetic.snapshot());
+    for (Kinetic* const each : {&kinetic, &restored}) {
+      test::Event_recorder recorder(*each);
+      each->advance_to(Algebraic_number(4));
+      ASSERT_EQ(recorder.events.size(), 4u);
+      EXPECT_EQ(recorder.events[0].kind, Event_kind::reveal);
+      std::array<Edge_ids, 2> first = {edge_ids(passing, passed),
+                                       edge_ids(passing, std::min(left, right))};
+      std::ranges::sort(first);
+      EXPECT_EQ(recorder.events[1].added, first[0]);
+      EXPECT_EQ(recorder.events[2].added, first[1]);
+      EXPECT_EQ(recorder.events[3].kind, Event_kind::hull_remove);
+      EXPECT_EQ(recorder.events[3].added, edge_ids(passing, std::max(left, right)));
+    }
+  } while (std::ranges::next_permutation(ids).found);
+}
+
 TEST(Kinetic_regular_triangulation, has_the_same_events_without_filters) {
   std::mt19937_64 random(6);
   for (int run = 0; run < 15 * multiplier(); ++run) {

@@ -2,6 +2,7 @@
 #ifndef KINETRI_IMPL_TRIANGULATION_CERTIFICATION_IMPL_H
 #define KINETRI_IMPL_TRIANGULATION_CERTIFICATION_IMPL_H
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <span>
@@ -339,8 +340,16 @@ std::pair<std::uint8_t, Certificate> Kinetic_types<Traits>::Certification::hidde
     }
   };
   also(plane_condition);
-  const int sides = triangulation_.dimension() < 1 ? 0 : triangulation_.dimension() + 1;
-  for (int i = 0; i < sides; ++i) also(static_cast<std::uint8_t>(i));
+  if (triangulation_.dimension() == 1) {
+    also(0);
+    also(1);
+  }
+  if (triangulation_.dimension() < 2) return first;
+  // By name, so that the first of equal ones does not depend on how the face stores its corners.
+  std::array<std::uint8_t, 3> sides = {0, 1, 2};
+  std::ranges::sort(sides, {},
+                    [v](std::uint8_t i) { return Topology::name_of(Edge(v->face(), i)); });
+  for (const std::uint8_t side : sides) also(side);
   return first;
 }
 

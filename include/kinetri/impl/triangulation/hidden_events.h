@@ -82,7 +82,8 @@ class Kinetic_types<Traits>::Hidden_events {
       hide_now(above);
       schedule_.schedule_hidden(v, schedule_.current_time());
     } else if (v->is_hidden()) {
-      updates_.reveal(v, location);
+      // The edges are reported: they must not depend on the walk.
+      updates_.reveal(v, topology_.at_least_hull_edge(v->point(), location));
     } else {
       updates_.put_in(v, location);
     }

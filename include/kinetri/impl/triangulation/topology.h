@@ -186,6 +186,10 @@ class Kinetic_types<Traits>::Own_topology : public Kinetic_types<Traits> {
   Location locate(const Point_2& point, Face_handle start) const;
   /// The same from where it has been; in a periodic box of the same image.
   Location locate_from(const Point_2& point, const Location& start) const;
+  /// Outside the hull, where a walk may end at any hull edge that the point sees: at that with the
+  /// least ids of these. Other locations stay. Precondition: the hull is convex at the instant of
+  /// the predicates. Cost: the hull edges that the point sees.
+  Location at_least_hull_edge(const Point_2& point, const Location& location) const;
   /// The triangle at the location that hides a point with a weight, which may be on the border of
   /// that; a null face if the point is below it, outside the hull, or at the position of a vertex.
   Location hiding_face(const Point_2& point, const Location& location) const;

@@ -232,6 +232,34 @@ auto Kinetic_types<Traits>::Own_topology::locate_from(const Point_2& point,
   }
 }
 
+// The hull edges that a point outside sees are next to each other.
+template <class Traits>
+auto Kinetic_types<Traits>::Own_topology::at_least_hull_edge([[maybe_unused]] const Point_2& point,
+                                                             const Location& location) const
+    -> Location {
+  Location result = location;
+  if constexpr (!is_periodic) {
+    if (location.locus != Triangulation::OUTSIDE_CONVEX_HULL) return result;
+    const auto turn = triangulation_.geom_traits().orientation_2_object();
+    const auto hull_edge = [this](Face_handle face) {
+      return Edge(face, face->index(triangulation_.infinite_vertex()));
+    };
+    const auto is_seen = [&](const Edge& edge) {
+      return turn(edge.first->vertex(Triangulation::ccw(edge.second))->point(),
+                  edge.first->vertex(Triangulation::cw(edge.second))->point(),
+                  point) == CGAL::LEFT_TURN;
+    };
+    const auto look = [&](auto beside) {
+      for (Edge edge = beside(hull_edge(location.face)); is_seen(edge); edge = beside(edge)) {
+        if (ids_of(edge) < ids_of(hull_edge(result.face))) result.face = edge.first;
+      }
+    };
+    look([&](const Edge& e) { return hull_edge(e.first->neighbor(Triangulation::ccw(e.second))); });
+    look([&](const Edge& e) { return hull_edge(e.first->neighbor(Triangulation::cw(e.second))); });
+  }
+  return result;
+}
+
 template <class Traits>
 auto Kinetic_types<Traits>::Own_topology::hiding_face(const Point_2& point,
                                                       const Location& location) const -> Location {
