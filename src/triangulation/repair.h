@@ -6,8 +6,9 @@
 // flip: their point has crossed an edge. Points that flips leave in clockwise triangles are taken
 // out of the triangulation. Then all triangles are counterclockwise, so that they form an embedded
 // triangulation; Lawson's flips make it Delaunay, and the points are inserted again. Points that
-// are taken out and inserted again are the filter of P. de Castro, J. Cohen-Steiner, O. Devillers,
-// Filtering relocations on a Delaunay triangulation, 2009.
+// are taken out and inserted again are the filter of P. M. M. de Castro, J. Tournois, P. Alliez,
+// O. Devillers, Filtering relocations on a Delaunay triangulation, Computer Graphics Forum 28(5),
+// 2009.
 #ifndef KINETRI_SRC_TRIANGULATION_REPAIR_H
 #define KINETRI_SRC_TRIANGULATION_REPAIR_H
 

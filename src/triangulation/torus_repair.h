@@ -4,8 +4,9 @@
 //
 // Points whose triangles turn over stay behind where they were, until all triangles turn left.
 // Lawson's flips make these Delaunay. Then the points that stayed are taken out and inserted where
-// they belong, which is the filter of P. de Castro, J. Cohen-Steiner, O. Devillers, Filtering
-// relocations on a Delaunay triangulation, 2009.
+// they belong, which is the filter of P. M. M. de Castro, J. Tournois, P. Alliez, O. Devillers,
+// Filtering relocations on a Delaunay triangulation, Computer Graphics Forum 28(5), 2009.
+// docs/MATH.md, section 18, proves that the result is the Delaunay triangulation.
 #ifndef KINETRI_SRC_TRIANGULATION_TORUS_REPAIR_H
 #define KINETRI_SRC_TRIANGULATION_TORUS_REPAIR_H
 
@@ -20,8 +21,8 @@
 namespace kinetri::detail {
 
 /// Moves points in a periodic box. Precondition: there are points; the triangulation is Delaunay at
-/// the instant of its predicates. O(n), and for each point that stays behind what its removal and
-/// insertion cost.
+/// the instant of its predicates. Cost: O(n), O(1) for each flip, and for each point that stays
+/// behind what its removal and insertion cost.
 template <class Traits>
 class Kinetic_types<Traits>::Torus_repair {
  public:
