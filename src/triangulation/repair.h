@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -28,6 +27,7 @@
 #include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/impl/triangulation/static_construction.h"
 #include "kinetri/impl/triangulation/topology.h"
+#include "triangulation/moved_points.h"
 
 namespace kinetri::detail {
 
@@ -44,8 +44,7 @@ class Kinetic_types<Traits>::Repair {
       : topology_(topology),
         notes_(notes),
         triangulation_(topology.triangulation()),
-        time_(time.to_double()),
-        times_(time.interval()) {}
+        points_(topology, time) {}
 
   /// Gives the points their motions, and makes the triangulation Delaunay at the instant of its
   /// predicates. Returns false if a construction probably costs less, since many triangles turn
@@ -62,37 +61,6 @@ class Kinetic_types<Traits>::Repair {
     Vertex_handle neighbor;  // which it had
   };
 
-  // ---- positions ----
-  void set_points(std::span<const Change> changes);
-  Vector_2 place(Vertex_handle v) const { return rounded_place(v->point().motion(), time_); }
-  double weight(Vertex_handle v) const { return rounded_weight(v->point().motion(), time_); }
-  Sign certain_turn(Vertex_handle a, Vertex_handle b, Vertex_handle c) const {
-    return certain_orientation(place(a), place(b), place(c), error_);
-  }
-  Sign turn(Vertex_handle a, Vertex_handle b, Vertex_handle c) const {
-    const Sign known = certain_turn(a, b, c);
-    if (known != CGAL::ZERO) return known;
-    return triangulation_.geom_traits().orientation_2_object()(a->point(), b->point(), c->point());
-  }
-  // Of infinite triangles too, which cannot turn over.
-  bool is_left_turn(Vertex_handle a, Vertex_handle b, Vertex_handle c) const {
-    return is_infinite(a) || is_infinite(b) || is_infinite(c) || turn(a, b, c) == CGAL::POSITIVE;
-  }
-  bool is_left_turn(Face_handle face) const {
-    return is_left_turn(face->vertex(0), face->vertex(1), face->vertex(2));
-  }
-  Sign certain_side(Face_handle face, Vertex_handle v) const {
-    const std::array corners = {face->vertex(0), face->vertex(1), face->vertex(2)};
-    const auto& [a, b, c] = corners;
-    if constexpr (is_weighted) {
-      if (!topology_.are_weights_equal()) {
-        return certain_side_of_oriented_circle(
-            place(a), place(b), place(c), place(v), error_,
-            {{weight(a), weight(b), weight(c), weight(v)}, weight_error_});
-      }
-    }
-    return certain_side_of_oriented_circle(place(a), place(b), place(c), place(v), error_);
-  }
   // The corner beyond edge i.
   Vertex_handle opposite(Face_handle face, int i) const {
     const Face_handle beyond = face->neighbor(i);
@@ -127,7 +95,7 @@ class Kinetic_types<Traits>::Repair {
   // A face that has changed.
   void add_new(Face_handle face) {
     suspect(face);
-    if (!is_left_turn(face)) turned_.push_back(face);
+    if (!points_.is_left_turn(face)) turned_.push_back(face);
   }
 
   bool is_infinite(Vertex_handle v) const { return triangulation_.is_infinite(v); }
@@ -148,10 +116,7 @@ class Kinetic_types<Traits>::Repair {
   Topology& topology_;
   Change_notes<Edge_name>& notes_;
   Triangulation& triangulation_;
-  const double time_;
-  const Double_interval times_;
-  double error_ = 0;                   // of each coordinate
-  double weight_error_ = 0;            // of each weight
+  Moved_points points_;
   std::vector<Face_handle> turned_;    // finite triangles that have turned over, or may have
   std::vector<Edge> suspects_;         // edges that may be violated
   std::vector<Face_handle> unlinked_;  // to be deleted
@@ -161,9 +126,9 @@ class Kinetic_types<Traits>::Repair {
 
 template <class Traits>
 bool Kinetic_types<Traits>::Repair::move(std::span<const Change> changes) {
-  set_points(changes);
+  points_.set(changes);
   flips_left_ = 4 * triangulation_.tds().number_of_faces();
-  if (!std::isfinite(error_) || !std::isfinite(weight_error_) || !find_turned()) return false;
+  if (!points_.are_known() || !find_turned()) return false;
   if constexpr (is_weighted) {
     for (const Face_handle face : triangulation_.finite_face_handles()) take_out_hidden(face);
   }
@@ -174,50 +139,11 @@ bool Kinetic_types<Traits>::Repair::move(std::span<const Change> changes) {
   return is_done;
 }
 
-// ---- positions ----
-
-template <class Traits>
-void Kinetic_types<Traits>::Repair::set_points(std::span<const Change> changes) {
-  // The bound is infinite if the number is not finite.
-  const auto add = [](double& bound, double number, double error) {
-    const bool is_finite = std::isfinite(number) && std::isfinite(error);
-    bound = is_finite ? std::max(bound, error) : std::numeric_limits<double>::infinity();
-  };
-  const auto add_errors = [&](const Motion& motion) {
-    const auto [x, y] = rounded_place(motion, time_);
-    add(error_, x + y, place_error(motion, time_, times_));
-    if constexpr (is_weighted) {
-      add(weight_error_, rounded_weight(motion, time_), weight_error(motion, time_, times_));
-    }
-  };
-  constexpr std::size_t ahead = 8;
-  for (std::size_t k = 0; k < changes.size(); ++k) {
-    if (k + ahead < changes.size()) prefetch(topology_.vertex(changes[k + ahead].point));
-    topology_.set_point(changes[k]);
-    add_errors(*changes[k].motion);
-  }
-  if (changes.size() == topology_.number_of_vertices()) return;
-  for (const Vertex_handle v : topology_.vertices()) {
-    if (v != Vertex_handle()) add_errors(v->point().motion());
-  }
-}
-
 template <class Traits>
 bool Kinetic_types<Traits>::Repair::is_violated(Face_handle face, int i) const {
   if (triangulation_.is_infinite(face)) return false;
   const Vertex_handle v = opposite(face, i);
-  if (is_infinite(v)) return false;
-  const Sign known = certain_side(face, v);
-  if (known != CGAL::ZERO) return known == CGAL::POSITIVE;
-  const auto side = [&] {
-    if constexpr (is_weighted) {
-      return triangulation_.geom_traits().power_side_of_oriented_power_circle_2_object();
-    } else {
-      return triangulation_.geom_traits().side_of_oriented_circle_2_object();
-    }
-  }();
-  return side(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
-              v->point()) == CGAL::ON_POSITIVE_SIDE;
+  return !is_infinite(v) && points_.is_in_circle(face, v);
 }
 
 // ---- triangles that turn over ----
@@ -238,12 +164,13 @@ bool Kinetic_types<Traits>::Repair::find_turned() {
     }
     for (std::size_t k = 0; k < count; ++k) {
       if (is_infinite(beyond[k])) continue;
-      if (certain_side(edges[k].first, beyond[k]) != CGAL::NEGATIVE) suspects_.push_back(edges[k]);
+      if (points_.certain_side(edges[k].first, beyond[k]) != CGAL::NEGATIVE)
+        suspects_.push_back(edges[k]);
     }
     count = 0;
   };
   for (const Face_handle face : triangulation_.finite_face_handles()) {
-    if (certain_turn(face->vertex(0), face->vertex(1), face->vertex(2)) != CGAL::POSITIVE) {
+    if (points_.certain_turn(face->vertex(0), face->vertex(1), face->vertex(2)) != CGAL::POSITIVE) {
       turned_.push_back(face);
       if (turned_.size() > most) return false;
     }
@@ -267,7 +194,7 @@ bool Kinetic_types<Traits>::Repair::embed() {
   for (;;) {
     while (!turned_.empty()) {
       const Face_handle face = turned_.back();
-      if (is_unlinked(face) || is_left_turn(face)) {
+      if (is_unlinked(face) || points_.is_left_turn(face)) {
         turned_.pop_back();
       } else if (!try_flip_turned(face) && !take_out(corner_to_take_out(face))) {
         return false;
@@ -292,7 +219,7 @@ void Kinetic_types<Traits>::Repair::flip_turned() {
     while (!turned_.empty()) {
       const Face_handle face = turned_.back();
       turned_.pop_back();
-      if (!is_left_turn(face) && !try_flip_turned(face)) left.push_back(face);
+      if (!points_.is_left_turn(face) && !try_flip_turned(face)) left.push_back(face);
     }
   }
   turned_ = std::move(left);
@@ -310,10 +237,10 @@ bool Kinetic_types<Traits>::Repair::try_flip_turned(Face_handle face) {
     Turned result;
     const auto add = [&](const std::array<Vertex_handle, 3>& corners) {
       const auto& [a, b, c] = corners;
-      if (is_left_turn(a, b, c)) return;
+      if (points_.is_left_turn(a, b, c)) return;
       ++result.number;
-      result.area +=
-          std::abs(cross(difference(place(b), place(a)), difference(place(c), place(a))));
+      result.area += std::abs(cross(difference(points_.place(b), points_.place(a)),
+                                    difference(points_.place(c), points_.place(a))));
     };
     (add(triangles), ...);
     return result;
@@ -345,8 +272,8 @@ bool Kinetic_types<Traits>::Repair::try_flip_turned(Face_handle face) {
 template <class Traits>
 bool Kinetic_types<Traits>::Repair::is_obtuse(Vertex_handle v, Vertex_handle a,
                                               Vertex_handle b) const {
-  const Vector_2 to_a = difference(place(a), place(v));
-  const Vector_2 to_b = difference(place(b), place(v));
+  const Vector_2 to_a = difference(points_.place(a), points_.place(v));
+  const Vector_2 to_b = difference(points_.place(b), points_.place(v));
   return to_a.x * to_b.x + to_a.y * to_b.y < 0;
 }
 
@@ -355,7 +282,8 @@ template <class Traits>
 auto Kinetic_types<Traits>::Repair::corner_to_take_out(Face_handle face) const -> Vertex_handle {
   const auto turned_at = [&](Vertex_handle v) {
     int result = 0;
-    for_each_face_at(triangulation_, v, [&](Face_handle f) { result += is_left_turn(f) ? 0 : 1; });
+    for_each_face_at(triangulation_, v,
+                     [&](Face_handle f) { result += points_.is_left_turn(f) ? 0 : 1; });
     return result;
   };
   const std::array corners = {face->vertex(0), face->vertex(1), face->vertex(2)};
@@ -423,7 +351,7 @@ auto Kinetic_types<Traits>::Repair::best_ear(std::span<const Edge> spokes) const
   for (std::size_t k = 0; k < 2 * degree; ++k) {
     const auto& [face, i] = spokes[k % degree];
     const Vertex_handle v = face->vertex(Triangulation::cw(i));
-    ends.push_back({v, is_infinite(v), is_infinite(v) ? Vector_2() : place(v)});
+    ends.push_back({v, is_infinite(v), is_infinite(v) ? Vector_2() : points_.place(v)});
   }
   enum Kind { counterclockwise, infinite, turned };
   std::optional<Edge> best;
@@ -436,12 +364,12 @@ auto Kinetic_types<Traits>::Repair::best_ear(std::span<const Edge> spokes) const
     if (tip.is_infinite) continue;
     if (!before.is_infinite && !after.is_infinite) {
       badness.first =
-          is_left_turn(before.vertex, tip.vertex, after.vertex) ? counterclockwise : turned;
+          points_.is_left_turn(before.vertex, tip.vertex, after.vertex) ? counterclockwise : turned;
       for (std::size_t m = k + 2; m + 1 < k + degree; ++m) {
         const End& other = ends[m % degree];
         if (other.is_infinite) continue;
         const Sign side = certain_side_of_oriented_circle(before.place, tip.place, after.place,
-                                                          other.place, error_);
+                                                          other.place, points_.error());
         badness.second += side == CGAL::POSITIVE ? 1 : 0;
       }
     }
@@ -537,7 +465,7 @@ bool Kinetic_types<Traits>::Repair::flip_hull(std::vector<Vertex_handle> suspect
     if (!infinite) continue;
     const auto [previous, here, next] = topology_.hull_turn(topology_.with_mirror(*infinite));
     if (previous == next) return false;
-    const Sign orientation = turn(previous, here, next);
+    const Sign orientation = points_.turn(previous, here, next);
     if (orientation == CGAL::LEFT_TURN) continue;
     if (orientation == CGAL::COLLINEAR) {
       if (!topology_.are_weights_equal()) return false;  // it might be hidden
@@ -606,8 +534,8 @@ auto Kinetic_types<Traits>::Repair::reflex_end(Face_handle face, int i) const ->
   const Vertex_handle there = opposite(face, i);
   for (const int k : {Triangulation::ccw(i), Triangulation::cw(i)}) {
     const Vertex_handle end = face->vertex(k);
-    if (k == Triangulation::ccw(i) ? !is_left_turn(face->vertex(i), end, there)
-                                   : !is_left_turn(face->vertex(i), there, end)) {
+    if (k == Triangulation::ccw(i) ? !points_.is_left_turn(face->vertex(i), end, there)
+                                   : !points_.is_left_turn(face->vertex(i), there, end)) {
       return end;
     }
   }

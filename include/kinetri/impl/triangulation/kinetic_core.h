@@ -90,6 +90,7 @@ struct Region_runs {
   declaration class Kinetic_types<Traits>::Event_reporter;                                   \
   declaration class Kinetic_types<Traits>::Decisions;                                        \
   declaration class Kinetic_types<Traits>::Event_loop;                                       \
+  declaration class Kinetic_types<Traits>::Change_planner;                                   \
   declaration class Kinetic_types<Traits>::Point_changes;                                    \
   declaration struct Kinetic_types<Traits>::Kinetic_core
 KINETRI_KINETIC_PARTS(extern template, Linear_kinetic_traits_2);

@@ -146,10 +146,12 @@ struct Kinetic_types {
   class Event_reporter;
   class Decisions;
   class Updates;
+  class Moved_points;
   class Repair;
   class Torus_repair;
   class Hidden_events;
   class Event_loop;
+  class Change_planner;
   class Point_changes;
   struct Kinetic_core;
 };
