@@ -621,7 +621,7 @@ template Certificate Of_discs::meeting_certificate(const Moving_image_disc_2&,
                                                    const Double_interval&) const;
 template Sign Of_discs::certain_turn(const Moving_image_disc_2&, const Moving_image_disc_2&,
                                      const Moving_image_disc_2&, const Double_interval&) const;
-// Of images of points, the certificates of distances, and of the contacts of discs of one radius.
+// Of images of points, the certificates of distances.
 template Certificate Of_images::apart_certificate(const Moving_image_2&, const Moving_image_2&,
                                                   double, const Time&) const;
 template Certificate Of_images::next_apart_certificate(const Moving_image_2&, const Moving_image_2&,
@@ -634,20 +634,20 @@ template Certificate Of_images::closer_certificate(const Moving_image_2&, const 
 template Time Of_images::closer_failure(const Moving_image_2&, const Moving_image_2&,
                                         const Moving_image_2&, const Moving_image_2&,
                                         const Double_interval&) const;
-template Certificate Of_images::contact_certificate(const Moving_image_2&, const Moving_image_2&,
-                                                    double, const Time&) const;
-template Certificate Of_images::next_contact_certificate(const Moving_image_2&,
-                                                         const Moving_image_2&, double,
-                                                         const Time&) const;
-template Time Of_images::contact_failure(const Moving_image_2&, const Moving_image_2&, double,
-                                         const Double_interval&) const;
-template bool Of_images::do_approach(const Moving_image_2&, const Moving_image_2&,
-                                     const Time&) const;
-template bool Of_images::has_approach_speed(const Moving_image_2&, const Moving_image_2&,
-                                            const Time&) const;
-template bool Of_images::do_touch(const Moving_image_2&, const Moving_image_2&, double,
-                                  const Time&) const;
-template bool Of_images::may_overlap(const Moving_image_2&, const Moving_image_2&, double,
-                                     const Time&) const;
+// The certificates of contacts.
+#define KINETRI_CONTACTS_OF_IMAGES(Traits, Image)                                           \
+  template Certificate Traits::contact_certificate(const Image&, const Image&, double,      \
+                                                   const Time&) const;                      \
+  template Certificate Traits::next_contact_certificate(const Image&, const Image&, double, \
+                                                        const Time&) const;                 \
+  template Time Traits::contact_failure(const Image&, const Image&, double,                 \
+                                        const Double_interval&) const;                      \
+  template bool Traits::do_approach(const Image&, const Image&, const Time&) const;         \
+  template bool Traits::has_approach_speed(const Image&, const Image&, const Time&) const;  \
+  template bool Traits::do_touch(const Image&, const Image&, double, const Time&) const;    \
+  template bool Traits::may_overlap(const Image&, const Image&, double, const Time&) const
+KINETRI_CONTACTS_OF_IMAGES(Of_images, Moving_image_2);
+KINETRI_CONTACTS_OF_IMAGES(Of_discs, Moving_image_disc_2);
+#undef KINETRI_CONTACTS_OF_IMAGES
 
 }  // namespace kinetri

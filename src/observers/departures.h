@@ -36,9 +36,7 @@ void for_each_pair_in_range(const std::vector<Disc>& gone, const std::vector<Dis
   };
   std::vector<Disc_box> boxes_gone = boxes(gone, range);
   std::vector<Disc_box> boxes_come = boxes(come, 0);
-  CGAL::box_intersection_d(boxes_gone.begin(), boxes_gone.end(), boxes_come.begin(),
-                           boxes_come.end(),
-                           [&](const auto& p, const auto& q) { function(p.info(), q.info()); });
+  for_each_pair_of_boxes(boxes_gone, boxes_come, function);
 }
 
 /// The points that have been erased at one time.

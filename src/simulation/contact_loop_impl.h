@@ -405,6 +405,8 @@ bool Simulation_types<Traits>::Contact_loop::try_set_motions(
     return false;
   } catch (const Negative_radius_error&) {
     return false;
+  } catch (const Own_image_error&) {
+    return false;
   } catch (const Coincident_trajectories_error&) {
     return false;
   }
@@ -435,8 +437,9 @@ void Simulation_types<Traits>::Contact_loop::refuse_overlaps() const {
 template <class Traits>
 void Simulation_types<Traits>::Contact_loop::refuse_overlaps_of(const Point_2& p) const {
   std::vector<Edge_ids> pairs;
+  const auto vectors = geometry_.vectors();
   for (const Point_id id : geometry_.present_points()) {
-    if (geometry_.does_overlap_image(p, id)) pairs.push_back(edge_ids(id, p.id()));
+    if (geometry_.does_overlap_image(p, id, vectors)) pairs.push_back(edge_ids(id, p.id()));
   }
   refuse(std::move(pairs));
 }

@@ -17,17 +17,20 @@
 
 namespace kinetri::detail {
 
-/// A box that holds a disc, with the id of the disc.
-using Disc_box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Point_id>;
+/// A box that holds a disc, with the name of the disc: its id, in a periodic box that of an image.
+template <class Disc>
+using Basic_disc_box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Disc>;
+using Disc_box = Basic_disc_box<Point_id>;  ///< in the plane
 
 /// A box that certainly contains the disc at each of the times; the whole plane if numbers
 /// overflow. Precondition: t is one of the times.
-template <HasWeight Motion>
-Disc_box box_around(const Motion& disc, Point_id id, double t, const Double_interval& times) {
+template <class Disc, HasWeight Motion>
+Basic_disc_box<Disc> box_around(const Motion& disc, const Disc& name, double t,
+                                const Double_interval& times) {
   const Vector_2 center = rounded_place(disc, t);
   // Each has four roundings at most, each of two unit roundoffs of its terms, in any rounding mode;
   // the sums and differences below have four more.
-  const double change = std::abs(disc.growth) * std::abs(t - disc.epoch);
+  const double change = std::abs(disc.growth) * std::abs(t - epoch_of(disc));
   const double terms = std::abs(disc.radius) + change;
   const double radius = std::abs(rounded_radius(disc, t)) + 0x1p-48 * terms +
                         2 * std::abs(disc.growth) * (times.upper - times.lower);
@@ -42,16 +45,26 @@ Disc_box box_around(const Motion& disc, Point_id id, double t, const Double_inte
     lower[0] = lower[1] = -infinite;
     upper[0] = upper[1] = infinite;
   }
-  return {lower, upper, id};
+  return {lower, upper, name};
 }
 
-/// Calls `function` once with the ids of each two boxes that intersect. Cost: O(n log^2 n), and the
-/// number of pairs.
-template <class Function>
-void for_each_pair_of_boxes(std::vector<Disc_box>& boxes, Function function) {
-  CGAL::box_self_intersection_d(
-      boxes.begin(), boxes.end(),
-      [&](const Disc_box& a, const Disc_box& b) { function(a.info(), b.info()); });
+/// Calls `function` once with the names of each two boxes that intersect. Cost: O(n log^2 n), and
+/// the number of pairs.
+template <class Disc, class Function>
+void for_each_pair_of_boxes(std::vector<Basic_disc_box<Disc>>& boxes, Function function) {
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
+                                [&](const Basic_disc_box<Disc>& a, const Basic_disc_box<Disc>& b) {
+                                  function(a.info(), b.info());
+                                });
+}
+/// The same for a box and one of `others` that intersect.
+template <class Disc, class Function>
+void for_each_pair_of_boxes(std::vector<Basic_disc_box<Disc>>& boxes,
+                            std::vector<Basic_disc_box<Disc>>& others, Function function) {
+  CGAL::box_intersection_d(boxes.begin(), boxes.end(), others.begin(), others.end(),
+                           [&](const Basic_disc_box<Disc>& a, const Basic_disc_box<Disc>& b) {
+                             function(a.info(), b.info());
+                           });
 }
 
 }  // namespace kinetri::detail

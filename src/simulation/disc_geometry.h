@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <span>
+#include <type_traits>
 #include <vector>
 
+#include "simulation/short_vectors.h"
 #include "simulation/simulation_setup.h"
 
 namespace kinetri::detail {
@@ -18,7 +20,7 @@ namespace kinetri::detail {
 /// others for a while is *linked* with the one that hides it, which has the edges. A point of
 /// radius 0 that a triangle hides is linked with its corners: when it enters a disc, no third disc
 /// need overlap both, but one of these corners contains the point as well (docs/MATH.md, section
-/// 8).
+/// 8). In a periodic box neighbors are images, and discs that coincide have no links.
 template <class Traits>
 class Simulation_types<Traits>::Disc_geometry {
  public:
@@ -84,9 +86,29 @@ class Simulation_types<Traits>::Disc_geometry {
   }
   /// Whether the interiors of the discs overlap at the present time. Exact.
   bool do_overlap(const Image_2& p, const Image_2& q) const;
+
+  // ---- images ----
+
+  /// In the plane nothing.
+  struct No_vectors {};
+  /// The lattice at the present time.
+  using Vectors = std::conditional_t<is_periodic, Short_vectors<Traits>, No_vectors>;
+  Vectors vectors() const {
+    if constexpr (is_periodic) {
+      return Vectors(traits(), current_time());
+    } else {
+      return {};
+    }
+  }
+  /// Calls `function` with another disc as that of `p`, which need not be in the triangulation,
+  /// sees it; in a periodic box with those of its images that may touch the disc now, itself too if
+  /// that has its id, and others. Precondition: no disc overlaps an image of itself now.
+  template <class Function>
+  void for_each_near(const Point_2& p, Point_id other, const Vectors& vectors,
+                     Function function) const;
   /// Whether a disc, which need not be in the triangulation, overlaps another one now or, in a
-  /// periodic box, an image of it. Exact.
-  bool does_overlap_image(const Point_2& p, Point_id other) const;
+  /// periodic box, an image of it. Exact. Precondition: as of for_each_near.
+  bool does_overlap_image(const Point_2& p, Point_id other, const Vectors& vectors) const;
   /// In a periodic box, throws Own_image_error if one of the discs overlaps an image of itself now.
   /// Does nothing if overlaps do not matter.
   void check_own_images(std::span<const Point_2> discs) const;
@@ -115,10 +137,10 @@ class Simulation_types<Traits>::Disc_geometry {
   /// almost do, found along edges. For discs of one radius.
   std::vector<Disc> overlapping_points(Point_id id, const Traits& traits) const;
   /// Discs such that each disc that overlaps one of `points` is one of them or overlaps one of
-  /// them; see Overlap_tracker. For discs of any radii.
+  /// them, or in a periodic box an image of one; see Overlap_tracker. For discs of any radii.
   std::vector<Point_id> discs_about(std::span<const Point_id> points) const;
-  /// Calls `function` with the smaller and the greater id of each two of the discs that may touch
-  /// now, and others. For discs of any radii.
+  /// Calls `function` with the first and the second disc of each pair of the discs that may touch
+  /// now, and others. For discs of any radii. Precondition: as of for_each_near.
   template <class Function>
   void for_each_close_pair(std::span<const Point_id> ids, Function function) const;
   /// Calls `function` with the first and the second disc of all pairs that overlap just after the
@@ -128,11 +150,13 @@ class Simulation_types<Traits>::Disc_geometry {
 
  private:
   template <class Function>
+  void for_each_end_of_edge(Point_id id, Function function) const;
+  template <class Function>
   void for_each_coincident_link(Point_id id, Function function) const;
   template <class Function>
   void for_each_hidden_link(Point_id id, Function function) const;
-  std::vector<Point_id> owners_in(Point_id id) const;
-  Point_id owner_of_center(Point_id id) const;
+  std::vector<Disc> owners_in(Point_id id) const;
+  Disc owner_of_center(Point_id id) const;
 
   const Simulation_setup& setup_;
   const Triangulation& triangulation_;

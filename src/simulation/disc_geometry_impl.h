@@ -10,7 +10,6 @@
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "simulation/disc_boxes.h"
 #include "simulation/disc_geometry.h"
-#include "simulation/short_vectors.h"
 
 namespace kinetri::detail {
 
@@ -48,18 +47,33 @@ bool Simulation_types<Traits>::Disc_geometry::do_overlap(const Image_2& p, const
          sign_at(contact_polynomial(p, q, setup_.diameter()), current_time()) == CGAL::NEGATIVE;
 }
 
+// ---- images ----
+
+// Two discs whose diameters are at most the shortest vector touch only if their distance is, too.
 template <class Traits>
-bool Simulation_types<Traits>::Disc_geometry::does_overlap_image(const Point_2& p,
-                                                                 Point_id other) const {
-  const auto& of_disc = point_of(p, itself(p.id()));
+template <class Function>
+void Simulation_types<Traits>::Disc_geometry::for_each_near([[maybe_unused]] const Point_2& p,
+                                                            Point_id other,
+                                                            [[maybe_unused]] const Vectors& vectors,
+                                                            Function function) const {
   if constexpr (is_periodic) {
-    const Short_vectors<Traits> vectors(traits(), current_time());
-    return vectors.any_near(p, point(other), [&](const Lattice_offset_2& offset) {
-      return do_overlap(of_disc, point_of(Disc{other, offset}));
+    vectors.for_each_near(p, point(other), [&](const Lattice_offset_2& offset) {
+      function(Disc{other, offset});
     });
   } else {
-    return do_overlap(point(other), of_disc);
+    function(other);
   }
+}
+
+template <class Traits>
+bool Simulation_types<Traits>::Disc_geometry::does_overlap_image(const Point_2& p, Point_id other,
+                                                                 const Vectors& vectors) const {
+  const auto& of_disc = point_of(p, itself(p.id()));
+  bool result = false;
+  for_each_near(p, other, vectors, [&](const Disc& image) {
+    result = result || do_overlap(point_of(image), of_disc);
+  });
+  return result;
 }
 
 template <class Traits>
@@ -83,19 +97,29 @@ template <class Traits>
 template <class Function>
 void Simulation_types<Traits>::Disc_geometry::for_each_neighbor(Point_id id,
                                                                 Function function) const {
+  if constexpr (!is_periodic) for_each_coincident_link(id, function);
+  if constexpr (has_radii || !is_periodic) {
+    if (is_hidden(id)) return for_each_corner(id, function);
+  }
+  for_each_end_of_edge(id, function);
+  for_each_hidden_link(id, function);
+}
+
+// Calls `function` with the other ends of the edges of a point that is not hidden.
+template <class Traits>
+template <class Function>
+void Simulation_types<Traits>::Disc_geometry::for_each_end_of_edge(Point_id id,
+                                                                   Function function) const {
+  const auto vertex = triangulation_.vertex(id);
   if constexpr (is_periodic) {
     using Triangulation = typename Triangulation::Triangulation;
-    for_each_face_at(
-        triangulation_.triangulation(), triangulation_.vertex(id), [&](auto face, int i) {
-          const int k = Triangulation::ccw(i);
-          function(Disc{face->vertex(k)->point().id(), Triangulation::offset(face, i, k)});
-        });
+    for_each_face_at(triangulation_.triangulation(), vertex, [&](auto face, int i) {
+      const int k = Triangulation::ccw(i);
+      function(Disc{face->vertex(k)->point().id(), Triangulation::offset(face, i, k)});
+    });
   } else {
-    for_each_coincident_link(id, function);
-    if (is_hidden(id)) return for_each_corner(id, function);
-    detail::for_each_neighbor(triangulation_.triangulation(), triangulation_.vertex(id),
+    detail::for_each_neighbor(triangulation_.triangulation(), vertex,
                               [&](auto neighbor) { function(neighbor->point().id()); });
-    for_each_hidden_link(id, function);
   }
 }
 
@@ -126,12 +150,20 @@ void Simulation_types<Traits>::Disc_geometry::for_each_corner(Point_id id,
                                                               Function function) const {
   if constexpr (has_radii) {
     if (!is_hidden(id) || shown(id) != id || !is_without_area(id)) return;
-    const auto& triangulation = triangulation_.triangulation();
-    const int dimension = triangulation.dimension();
-    if (dimension == 0) return function(triangulation.finite_vertex()->point().id());
-    const auto face = triangulation_.vertex(id)->face();
-    for (int i = 0; i <= dimension; ++i) {
-      if (!triangulation.is_infinite(face->vertex(i))) function(face->vertex(i)->point().id());
+    const auto vertex = triangulation_.vertex(id);
+    const auto face = vertex->face();
+    if constexpr (is_periodic) {
+      for (int i = 0; i < 3; ++i) {
+        const Disc hidden = {id, vertex->offset()};
+        function(seen_from(hidden, Disc{face->vertex(i)->point().id(), face->offset(i)}));
+      }
+    } else {
+      const auto& triangulation = triangulation_.triangulation();
+      const int dimension = triangulation.dimension();
+      if (dimension == 0) return function(triangulation.finite_vertex()->point().id());
+      for (int i = 0; i <= dimension; ++i) {
+        if (!triangulation.is_infinite(face->vertex(i))) function(face->vertex(i)->point().id());
+      }
     }
   }
 }
@@ -151,18 +183,25 @@ void Simulation_types<Traits>::Disc_geometry::for_each_hidden_link(Point_id id,
   if constexpr (has_radii) {
     if (triangulation_.number_of_hidden_points() == 0) return;
     const auto& triangulation = triangulation_.triangulation();
-    if (triangulation.dimension() < 2) {
-      for (const Point_id hidden : present_points()) {
-        for_each_corner(hidden, [&](Point_id corner) {
-          if (corner == id) function(hidden);
-        });
+    if constexpr (!is_periodic) {
+      if (triangulation.dimension() < 2) {
+        for (const Point_id hidden : present_points()) {
+          for_each_corner(hidden, [&](Point_id corner) {
+            if (corner == id) function(hidden);
+          });
+        }
+        return;
       }
-      return;
     }
-    for_each_face_at(triangulation, triangulation_.vertex(id), [&](auto face) {
+    for_each_face_at(triangulation, triangulation_.vertex(id), [&](auto face, int i) {
       for (const auto& hidden : face->vertex_list()) {
         const Point_id other = hidden->point().id();
-        if (is_without_area(other)) function(other);
+        if (!is_without_area(other)) continue;
+        if constexpr (is_periodic) {
+          function(seen_from(Disc{id, face->offset(i)}, Disc{other, hidden->offset()}));
+        } else {
+          function(other);
+        }
       }
     });
   }
@@ -223,7 +262,7 @@ std::vector<Made> Simulation_types<Traits>::Disc_geometry::make_for_edges(const 
         for (const auto& hidden : face->vertex_list()) {
           const Point_id id = hidden->point().id();
           for_each_corner(
-              id, [&](Point_id corner) { make(edge_ids(id, corner), block.now, block.made); });
+              id, [&](const Disc& corner) { make(pair_of(id, corner), block.now, block.made); });
         }
       }
     }
@@ -261,10 +300,9 @@ std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::discs_about(
   std::vector<Point_id> result;
   for (const Point_id id : points) {
     if (!contains(id)) continue;
-    const std::vector<Point_id> owners = owners_in(id);
-    result.insert(result.end(), owners.begin(), owners.end());
+    for (const Disc& owner : owners_in(id)) result.push_back(id_of(owner));
     if (is_hidden(id)) continue;
-    for_each_neighbor(id, [&](Point_id other) { result.push_back(other); });
+    for_each_neighbor(id, [&](const Disc& other) { result.push_back(id_of(other)); });
     for_each_face_at(triangulation, triangulation_.vertex(id), [&](auto face) {
       for (const auto& hidden : face->vertex_list()) result.push_back(hidden->point().id());
     });
@@ -276,10 +314,12 @@ std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::discs_about(
 // cells are connected, since the disc is; all of these discs touch it, since the power of a common
 // position is not positive. Precondition: the dimension is 2.
 template <class Traits>
-std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::owners_in(Point_id id) const {
-  std::vector<Point_id> result = {owner_of_center(id)};
+auto Simulation_types<Traits>::Disc_geometry::owners_in(Point_id id) const -> std::vector<Disc> {
+  std::vector<Disc> result = {owner_of_center(id)};
   for (std::size_t i = 0; i < result.size(); ++i) {
-    for_each_neighbor(result[i], [&](Point_id other) {
+    const Disc owner = result[i];
+    for_each_neighbor(id_of(owner), [&](const Disc& neighbor) {
+      const Disc other = beyond(owner, neighbor);
       if (std::ranges::find(result, other) == result.end() && may_touch(id, other)) {
         result.push_back(other);
       }
@@ -291,37 +331,44 @@ std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::owners_in(Point_i
 // The disc whose power cell contains the center of a disc just after the present time: mostly the
 // disc itself. From a disc without the least power there an edge leads to one with less.
 template <class Traits>
-Point_id Simulation_types<Traits>::Disc_geometry::owner_of_center(Point_id id) const {
+auto Simulation_types<Traits>::Disc_geometry::owner_of_center(Point_id id) const -> Disc {
   const auto& triangulation = triangulation_.triangulation();
+  Disc owner = itself(shown(id));
   if (!is_hidden(id)) {
-    Motion center = motion(id);
-    center.radius = center.growth = 0;
+    Motion motion_of_center = motion(id);
+    motion_of_center.radius = motion_of_center.growth = 0;
+    const Point_2 center(motion_of_center, id);
+    const auto& p = point_of(center, itself(id));
     bool is_in_none = true;
-    for_each_neighbor(id, [&](Point_id other) {
-      is_in_none = is_in_none && !traits().do_touch(Point_2(center, id), point(other),
-                                                    setup_.diameter(), current_time());
+    for_each_neighbor(id, [&](const Disc& other) {
+      is_in_none =
+          is_in_none && !traits().do_touch(p, point_of(other), setup_.diameter(), current_time());
     });
-    if (is_in_none) return id;
+    if (is_in_none) return owner;
+  } else {
+    const auto vertex = triangulation_.vertex(id);
+    const auto face = vertex->face();
+    const int i = triangulation.is_infinite(face->vertex(0)) ? 1 : 0;
+    owner = itself(face->vertex(i)->point().id());
+    if constexpr (is_periodic) {
+      owner = seen_from(Disc{id, vertex->offset()}, Disc{owner.id, face->offset(i)});
+    }
   }
   const auto compare_powers = triangulation.geom_traits().compare_power_distance_2_object();
-  const Point_2& p = point(id);
-  auto owner = triangulation_.vertex(id);
-  if (is_hidden(id)) {
-    const auto face = owner->face();
-    owner = face->vertex(triangulation.is_infinite(face->vertex(0)) ? 1 : 0);
-  }
+  const auto& p = point_of(itself(id));
   for (bool has_moved = true; has_moved;) {
     has_moved = false;
-    auto best = owner;
-    detail::for_each_neighbor(triangulation, owner, [&](auto other) {
-      if (compare_powers(p, other->point(), best->point()) == CGAL::SMALLER) {
+    Disc best = owner;
+    for_each_end_of_edge(id_of(owner), [&](const Disc& neighbor) {
+      const Disc other = beyond(owner, neighbor);
+      if (compare_powers(p, point_of(other), point_of(best)) == CGAL::SMALLER) {
         best = other;
         has_moved = true;
       }
     });
     owner = best;
   }
-  return owner->point().id();
+  return owner;
 }
 
 template <class Traits>
@@ -329,10 +376,34 @@ template <class Function>
 void Simulation_types<Traits>::Disc_geometry::for_each_close_pair(std::span<const Point_id> ids,
                                                                   Function function) const {
   const Double_interval times = current_time().tight_interval();
-  std::vector<Disc_box> boxes;
-  for (const Point_id id : ids) boxes.push_back(box_around(motion(id), id, times.lower, times));
-  for_each_pair_of_boxes(boxes,
-                         [&](Point_id a, Point_id b) { function(std::min(a, b), std::max(a, b)); });
+  const auto box_of = [&](const Disc& disc) {
+    return box_around(point_of(disc).motion(), disc, times.lower, times);
+  };
+  using Box = Basic_disc_box<Disc>;
+  std::vector<Box> boxes;
+  if constexpr (is_periodic) {
+    // Of each disc the image in one parallelogram of the lattice, with all that may touch it.
+    const Vectors lattice = vectors();
+    for (const Point_id id : ids) boxes.push_back(box_of({id, lattice.home(point(id))}));
+    CGAL::Bbox_2 all;
+    for (const Box& box : boxes) all += box.bbox();
+    std::vector<Box> around;
+    for (const Box& box : boxes) {
+      const Disc home = box.info();
+      lattice.for_each_around(home.offset, [&](const Lattice_offset_2& offset) {
+        const Box there = box_of({home.id, offset});
+        if (CGAL::do_overlap(there.bbox(), all)) around.push_back(there);
+      });
+    }
+    for_each_pair_of_boxes(boxes, around, [&](const Disc& a, const Disc& b) {
+      const Disc from_a = seen_from(a, b);
+      if (is_first(a.id, from_a)) function(a.id, from_a);
+    });
+  } else {
+    for (const Point_id id : ids) boxes.push_back(box_of(id));
+    for_each_pair_of_boxes(
+        boxes, [&](Point_id a, Point_id b) { function(std::min(a, b), std::max(a, b)); });
+  }
 }
 
 template <class Traits>
@@ -340,8 +411,10 @@ template <class Function>
 void Simulation_types<Traits>::Disc_geometry::for_each_exact_overlap(const Traits& exact,
                                                                      Function function) const {
   if constexpr (has_radii) {
-    for_each_close_pair(present_points(), [&](Point_id a, Point_id b) {
-      if (exact.may_overlap(point(a), point(b), setup_.diameter(), current_time())) function(a, b);
+    for_each_close_pair(present_points(), [&](Point_id a, const Disc& b) {
+      if (exact.may_overlap(point_of(itself(a)), point_of(b), setup_.diameter(), current_time())) {
+        function(a, b);
+      }
     });
   } else {
     for (const Point_id a : present_points()) {

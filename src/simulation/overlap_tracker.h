@@ -45,6 +45,7 @@ template <class Traits>
 class Simulation_types<Traits>::Overlap_tracker {
  public:
   using Points = std::span<const Point_id>;
+  using Vectors = typename Disc_geometry::Vectors;
 
   /// The others must outlive this object.
   Overlap_tracker(const Disc_geometry& geometry, Contact_records& records,
@@ -120,7 +121,8 @@ class Simulation_types<Traits>::Overlap_tracker {
   void drop_overlaps(Point_id id);
   void find_new_overlaps_of(Point_id id);
   void find_new_overlaps(Points points);
-  void find_overlaps_of_seeds(Points points);
+  void find_overlaps_of_seeds(Points points, const Vectors& vectors);
+  void examine(Point_id a, Point_id b, const Vectors& vectors);
   void examine(Point_id a, const Disc& b);
 
   const Disc_geometry& geometry_;

@@ -22,7 +22,7 @@ void Simulation_types<Traits>::Overlap_tracker::find_all() {
     const std::vector<Point_id> points = geometry_.present_points();
     std::ranges::copy_if(points, std::back_inserter(seeds_),
                          [this](Point_id id) { return geometry_.is_seed(id); });
-    geometry_.for_each_close_pair(points, [&](Point_id a, Point_id b) {
+    geometry_.for_each_close_pair(points, [&](Point_id a, const Disc& b) {
       if (geometry_.may_touch(a, b)) {
         records_.start_overlap(a, b, geometry_.is_edge(pair_from(a, b)));
       }
@@ -456,7 +456,13 @@ void Simulation_types<Traits>::Overlap_tracker::find_new_overlaps_of(Point_id id
   }
 }
 
-// Records whether two discs overlap.
+// Records whether two discs overlap; in a periodic box, which images of the second one overlap.
+template <class Traits>
+void Simulation_types<Traits>::Overlap_tracker::examine(Point_id a, Point_id b,
+                                                        const Vectors& vectors) {
+  geometry_.for_each_near(geometry_.point(a), b, vectors,
+                          [&](const Disc& image) { examine(a, image); });
+}
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::examine(Point_id a, const Disc& b) {
   if (b != geometry_.itself(a) && records_.find_overlap(pair_from(a, b)) == nullptr &&
@@ -479,38 +485,40 @@ void Simulation_types<Traits>::Overlap_tracker::find_new_overlaps(Points points)
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
   std::erase_if(candidates, [&](Point_id id) { return !geometry_.contains(id); });
   constexpr std::size_t few = 8;
+  const Vectors vectors = geometry_.vectors();
   if (points.size() <= few) {
     for (const Point_id id : points) {
       if (!geometry_.contains(id)) continue;
-      for (const Point_id other : candidates) examine(id, other);
+      for (const Point_id other : candidates) examine(id, other, vectors);
     }
   } else {
-    geometry_.for_each_close_pair(candidates, [&](Point_id a, Point_id b) {
-      if (std::ranges::binary_search(points, a) || std::ranges::binary_search(points, b)) {
+    geometry_.for_each_close_pair(candidates, [&](Point_id a, const Disc& b) {
+      if (std::ranges::binary_search(points, a) || std::ranges::binary_search(points, id_of(b))) {
         examine(a, b);
       }
     });
   }
-  find_overlaps_of_seeds(points);
+  find_overlaps_of_seeds(points, vectors);
 }
 
 // A seed is a disc that grows, and its radius is 0 now. Discs whose boundary circles meet at its
 // position may overlap it from now on without overlapping each other or being neighbors: so all
 // discs are examined.
 template <class Traits>
-void Simulation_types<Traits>::Overlap_tracker::find_overlaps_of_seeds(Points points) {
+void Simulation_types<Traits>::Overlap_tracker::find_overlaps_of_seeds(Points points,
+                                                                       const Vectors& vectors) {
   std::erase_if(seeds_, [&](Point_id id) { return !geometry_.is_seed(id); });
   for (const Point_id id : points) {
     if (!geometry_.contains(id)) continue;
-    for (const Point_id seed : seeds_) examine(seed, id);
+    for (const Point_id seed : seeds_) examine(seed, id, vectors);
     if (!geometry_.is_seed(id)) continue;
     seeds_.push_back(id);
     bool is_touched = geometry_.is_hidden(id);
-    geometry_.for_each_neighbor(id, [&](Point_id other) {
+    geometry_.for_each_neighbor(id, [&](const Disc& other) {
       is_touched = is_touched || geometry_.do_touch(id, other, geometry_.current_time());
     });
     if (!is_touched) continue;
-    for (const Point_id other : geometry_.present_points()) examine(id, other);
+    for (const Point_id other : geometry_.present_points()) examine(id, other, vectors);
   }
 }
 

@@ -5,9 +5,12 @@
 #ifndef KINETRI_SRC_SIMULATION_SHORT_VECTORS_H
 #define KINETRI_SRC_SIMULATION_SHORT_VECTORS_H
 
+#include <cstdint>
 #include <string>
 
+#include "kinetri/algebra/algebraic_number.h"
 #include "kinetri/impl/triangulation/torus_triangulation.h"
+#include "kinetri/kinetic/instant.h"
 #include "kinetri/simulation/simulation_errors.h"
 #include "simulation/shortest_text.h"
 #include "triangulation/whole_vectors.h"
@@ -49,24 +52,43 @@ class Short_vectors {
 
   const Lattice_offset_2& shortest() const { return basis_[0]; }
 
-  /// Whether `is_one` is true of the offset of an image of q that is no farther from p than the
-  /// shortest vector is long. It is asked of others, too.
-  template <class Is_one>
-  bool any_near(const Point_2& p, const Point_2& q, const Is_one& is_one) const {
-    // p is in the parallelogram at the image of q with the offset `whole`. The parallelogram is at
-    // least sqrt(3) / 2 times the shortest vector wide in both directions.
+  // The parallelogram of a and b is at least sqrt(3) / 2 times the shortest vector wide in both
+  // directions. So of two positions that are no farther apart than that vector is long, the
+  // numbers of a, and of b, in them differ by less than 2.
+
+  /// Calls `function` with the offset of each image of q that is no farther from p than the
+  /// shortest vector is long, and others.
+  template <class Function>
+  void for_each_near(const Point_2& p, const Point_2& q, const Function& function) const {
+    // p is in the parallelogram at the image of q with this offset.
     const Lattice_offset_2 whole = whole_vectors(at_, q, at_.image(p, {}), basis_);
-    const auto& [a, b] = basis_;
-    for (std::int64_t i = -1; i <= 2; ++i) {
-      for (std::int64_t j = -1; j <= 2; ++j) {
-        const auto offset = to_offset(whole.x + i * a.x + j * b.x, whole.y + i * a.y + j * b.y);
-        if (offset && is_one(*offset)) return true;
-      }
-    }
-    return false;
+    for_each_around(whole, -1, 2, function);
+  }
+
+  /// The offset of the image of p that is in the parallelogram at the origin.
+  Lattice_offset_2 home(const Point_2& p) const {
+    const Point_2 origin(typename Traits::Motion(), no_point);
+    return reversed(whole_vectors(at_, origin, at_.image(p, {}), basis_));
+  }
+  /// Calls `function` with the offset of each image of the point at home that is no farther from
+  /// some position in the parallelogram at the origin than the shortest vector is long, and others.
+  template <class Function>
+  void for_each_around(const Lattice_offset_2& home, const Function& function) const {
+    for_each_around(home, -2, 2, function);
   }
 
  private:
+  template <class Function>
+  void for_each_around(const Lattice_offset_2& offset, std::int64_t least, std::int64_t most,
+                       const Function& function) const {
+    const auto& [a, b] = basis_;
+    for (std::int64_t i = least; i <= most; ++i) {
+      for (std::int64_t j = least; j <= most; ++j) {
+        const auto vector = to_offset(i * a.x + j * b.x, i * a.y + j * b.y);
+        function(sum(offset, vector.value_or(Lattice_offset_2())));
+      }
+    }
+  }
   bool is_shorter(const Lattice_offset_2& u, const Lattice_offset_2& v) const {
     const Point_2 origin(typename Traits::Motion(), no_point);
     return at_.compare_distance_2_object()(at_.image(origin, {}), at_.image(origin, u),

@@ -142,6 +142,13 @@ Simulation_2<Traits>::Simulation_2(Restoration /*restores*/, const Snapshot& sna
 
 template <SimulationKineticTraits_2 Traits>
 void Simulation_2<Traits>::restore_contacts(const Snapshot& snapshot) {
+  if (core_->setup.has_response()) {
+    try {
+      core_->check_own_images();
+    } catch (const Own_image_error& error) {
+      throw Snapshot_error(std::string("the snapshot cannot be used: ") + error.what());
+    }
+  }
   core_->start();
   for (std::size_t i = 0; i < snapshot.in_contact.size(); ++i) {
     const typename Snapshot::Pair& pair = snapshot.in_contact[i];

@@ -99,6 +99,7 @@ KINETRI_SIMULATION_PARTS(extern template, Polynomial_kinetic_traits_2);
 KINETRI_SIMULATION_PARTS(extern template, Disc_kinetic_traits_2);
 KINETRI_SIMULATION_PARTS(extern template, Polynomial_disc_kinetic_traits_2);
 KINETRI_SIMULATION_PARTS(extern template, Periodic_kinetic_traits_2);
+KINETRI_SIMULATION_PARTS(extern template, Periodic_disc_kinetic_traits_2);
 
 }  // namespace kinetri::detail
 

@@ -13,117 +13,29 @@
 
 #include "kinetri/kinetic/periodic_kinetic_traits_2.h"
 #include "kinetri/simulation/simulation_2.h"
-#include "support/image_contacts.h"
 #include "support/message_of.h"
 #include "support/multiplier.h"
+#include "support/periodic_contacts.h"
 
 namespace kinetri::periodic_simulation_test {
 namespace {
 
-using Simulation = Simulation_2<Periodic_kinetic_traits_2>;
+using test::boxes;
+using test::Contact_recorder;
+using test::difference;
+using test::Named_box;
+using test::own_image;
+using test::square;
+using test::Totals;
+using Traits = Periodic_kinetic_traits_2;
+using Simulation = Simulation_2<Traits>;
 using Motions = std::vector<Linear_motion_2>;
-
-struct Recorder : Event_observer {
-  void after_event(const Event& event) override {
-    if (event.kind == Event_kind::collision) contacts.push_back(event);
-  }
-  std::vector<Event> contacts;
-};
 
 Simulation_options discs(double radius, const Collision_response& response) {
   Simulation_options options;
   options.radius = radius;
   options.response = response;
   return options;
-}
-
-Periodic_box_2 square(double side) {
-  return {{{side, 0}, {0, 0}}, {{0, side}, {0, 0}}};
-}
-
-std::string text(const test::Image_contact& contact) {
-  const auto& [ids, offset] = contact.pair;
-  return std::to_string(ids[0]) + "-" + std::to_string(ids[1]) + " (" + std::to_string(offset.x) +
-         ", " + std::to_string(offset.y) + ") at " + std::to_string(contact.time.to_double());
-}
-
-struct Totals {
-  std::size_t contacts = 0;
-  std::size_t full = 0;  // runs with as many contacts as wanted
-  std::size_t own_images = 0;
-};
-
-/// Runs a simulation and the oracle, for at most so many contacts. Returns the first difference.
-std::string difference(const Periodic_box_2& box, const Motions& motions,
-                       const Simulation_options& options, double until, std::size_t most,
-                       Totals& totals) {
-  test::Image_contacts oracle(box, motions, options);
-  Simulation simulation(motions, options, 0, Periodic_kinetic_traits_2(box));
-  Recorder recorder;
-  simulation.add_observer(recorder);
-  std::size_t compared = 0;
-  const auto audit_problem = [&](Audit_level level) {
-    const Audit_report report = simulation.audit(level);
-    return report.passed() ? std::string() : "audit: " + report.failures.front();
-  };
-  std::string problem = audit_problem(Audit_level::certificates);
-  bool meets_own_image = false;
-  while (problem.empty() && !meets_own_image && compared < most) {
-    std::size_t events = 0;
-    try {
-      events = simulation.step(until);
-    } catch (const Own_image_error& error) {
-      meets_own_image = true;
-      ++totals.own_images;
-      for (; compared < recorder.contacts.size(); ++compared) oracle.step(until);
-      const auto expected = oracle.step(until);
-      if (!expected || expected->time != error.time() ||
-          expected->pair != Periodic_edge{{error.point(), error.point()}, error.offset()}) {
-        return "contact with the own image at " + std::to_string(error.time().to_double()) +
-               ", expected " + (expected ? text(*expected) : "none");
-      }
-      break;
-    }
-    for (; compared < recorder.contacts.size(); ++compared) {
-      const Event& event = recorder.contacts[compared];
-      const test::Image_contact found = {event.time,
-                                         {{*event.point_a, *event.point_b}, event.added_offset}};
-      const auto expected = oracle.step(until);
-      if (!expected || expected->time != found.time || expected->pair != found.pair) {
-        return "contact " + std::to_string(compared) + ": " + text(found) + ", expected " +
-               (expected ? text(*expected) : "none");
-      }
-    }
-    problem = audit_problem(compared % 16 == 0 ? Audit_level::certificates : Audit_level::delaunay);
-    if (events == 0) break;
-  }
-  totals.contacts += compared;
-  totals.full += compared >= most ? 1 : 0;
-  if (!problem.empty() || meets_own_image || compared >= most) return problem;
-  const auto missed = oracle.step(until);
-  if (missed) return "missed: " + text(*missed);
-  for (Point_id id = 0; id < motions.size(); ++id) {
-    if (simulation.triangulation().motion(id) != oracle.motions()[id]) {
-      return "point " + std::to_string(id) + " has another motion";
-    }
-  }
-  return audit_problem(Audit_level::certificates);
-}
-
-/// The boxes of the runs: of the side 8 at first.
-struct Named_box {
-  const char* name;
-  Periodic_box_2 box;
-  double until = 120;
-};
-std::vector<Named_box> boxes() {
-  const double side = 8;
-  return {{"at rest", square(side)},
-          {"oblique", {{{side, 0}, {0, 0}}, {{3, 6}, {0, 0}}}},
-          {"sheared", {{{side, 0}, {0, 0}}, {{0, side}, {1, 0}}}},
-          {"growing", {{{side, 0}, {0.015625, 0}}, {{0, side}, {0, 0.015625}}}},
-          {"shrinking", {{{side, 0}, {-0.0625, 0}}, {{0, side}, {0, -0.0625}}}},
-          {"stretched", {{{side, 0}, {0.125, 0}}, {{0, side}, {0.25, -0.0625}}}, 64}};
 }
 
 /// Whole numbers lead to simultaneous contacts.
@@ -159,7 +71,7 @@ TEST(Periodic_simulation, has_the_contacts_of_all_pairs_of_images) {
       const Motions motions = random_discs(random, number, are_whole, 4);
       try {
         const std::string problem =
-            difference(named.box, motions, options, named.until, 60, totals);
+            difference<Traits>(named.box, motions, options, named.until, 60, totals);
         ASSERT_EQ(problem, "") << named.name << ", run " << run;
         ++run;
       } catch (const Overlapping_discs_error&) {
@@ -186,7 +98,7 @@ TEST(Periodic_simulation, lets_discs_pass_as_the_oracle_does) {
       const double radius = 0.5 + static_cast<double>(random() % 4) / 2;
       const Simulation_options options = discs(radius, log_contact);
       try {
-        const std::string problem = difference(named.box, motions, options, 8, 200, totals);
+        const std::string problem = difference<Traits>(named.box, motions, options, 8, 200, totals);
         ASSERT_EQ(problem, "") << named.name << ", run " << run;
       } catch (const Coincident_trajectories_error&) {
         --run;
@@ -207,7 +119,7 @@ TEST(Periodic_simulation, has_these_contacts_after_changes) {
       const Simulation_options options = discs(0.5, collide_elastically);
       Simulation simulation(random_discs(random, 4, false, 2), options, 0,
                             Periodic_kinetic_traits_2(named.box));
-      Recorder recorder;
+      Contact_recorder recorder;
       simulation.add_observer(recorder);
       for (int time = 1; time < 8; ++time) {
         simulation.advance_to(time);
@@ -224,7 +136,7 @@ TEST(Periodic_simulation, has_these_contacts_after_changes) {
         for (Point_id k = 0; k < simulation.triangulation().next_id(); ++k) {
           motions.push_back(simulation.triangulation().motion(k));
         }
-        test::Image_contacts oracle(named.box, motions, options, time);
+        test::Image_contacts<> oracle(named.box, motions, options, time);
         recorder.contacts.clear();
         simulation.advance_to(time + 1);
         for (const Event& event : recorder.contacts) {
@@ -246,7 +158,7 @@ TEST(Periodic_simulation, has_these_contacts_after_changes) {
 std::vector<Event> contacts_until(const Motions& motions, const Periodic_box_2& box,
                                   const Simulation_options& options, double time) {
   Simulation simulation(motions, options, 0, Periodic_kinetic_traits_2(box));
-  Recorder recorder;
+  Contact_recorder recorder;
   simulation.add_observer(recorder);
   simulation.advance_to(time);
   return recorder.contacts;
@@ -339,15 +251,6 @@ TEST(Periodic_simulation, conserves_momentum_and_in_a_box_at_rest_energy) {
 }
 
 // ---- own images ----
-
-Own_image_error own_image(Simulation& simulation, double until) {
-  try {
-    simulation.advance_to(until);
-  } catch (const Own_image_error& error) {
-    return error;
-  }
-  throw std::logic_error("no contact with an own image");
-}
 
 TEST(Own_image, of_a_disc_in_a_shrinking_box_is_met_at_the_exact_time) {
   const Periodic_box_2 box({{8, 0}, {0, 0}}, {{0, 4}, {0, -0.5}});
@@ -457,7 +360,7 @@ TEST(Periodic_simulation, has_the_other_responses) {
   const Motions motions = {{{0, 0}, {1, 0}}, {{6, 0}, {0, 0}}};
   const Periodic_kinetic_traits_2 traits(square(8));
   const auto contacts_by = [&](Simulation& simulation, double time) {
-    Recorder recorder;
+    Contact_recorder recorder;
     simulation.add_observer(recorder);
     simulation.advance_to(time);
     simulation.remove_observer(recorder);
@@ -498,8 +401,8 @@ TEST(Periodic_simulation, continues_from_a_snapshot) {
     simulation.schedule_motion(6, 1, {{3, 3}, {1, 1}, 6});
     simulation.advance_to(4);
     Simulation restored = Simulation::restore(simulation.snapshot(), response, traits);
-    Recorder before;
-    Recorder after;
+    Contact_recorder before;
+    Contact_recorder after;
     simulation.add_observer(before);
     restored.add_observer(after);
     simulation.advance_to(9);

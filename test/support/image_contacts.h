@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A slow, simple oracle for discs of one radius in a periodic box: the exact contact times of all
-// pairs of images that are near enough, anew for each contact. It has no triangulation. It shares
-// with the library only the algebra and the functions that change motions. It looks at four lines
-// of images along the first vector on each side, so the box must not be much lower than the discs.
+// A slow, simple oracle for discs in a periodic box, of one radius or with radii of their own: the
+// exact contact times of all pairs of images that are near enough, anew for each contact. It has no
+// triangulation. It shares with the library only the algebra and the functions that change motions.
+// It looks at four lines of images along the first vector on each side, so the box must not be much
+// lower than the discs.
 #ifndef KINETRI_TEST_SUPPORT_IMAGE_CONTACTS_H
 #define KINETRI_TEST_SUPPORT_IMAGE_CONTACTS_H
 
@@ -33,13 +34,34 @@ struct Image_contact {
   }
 };
 
+template <class Motion = Linear_motion_2>
 class Image_contacts {
  public:
-  Image_contacts(const Periodic_box_2& box, const std::vector<Linear_motion_2>& motions,
-                 const Simulation_options& options, const Algebraic_number& start = {})
-      : box_(box), motions_(motions), options_(options), time_(start) {}
+  using Motions = std::vector<std::optional<Motion>>;  ///< by id; none of an erased disc
 
-  const std::vector<Linear_motion_2>& motions() const { return motions_; }
+  /// From `start` on; `passing` are pairs that a response has left in contact.
+  template <class Given>
+  Image_contacts(const Periodic_box_2& box, const std::vector<Given>& motions,
+                 const Simulation_options& options, const Algebraic_number& start = {},
+                 const std::vector<Periodic_edge>& passing = {})
+      : box_(box),
+        motions_(motions.begin(), motions.end()),
+        options_(options),
+        time_(start),
+        passed_(passing.begin(), passing.end()) {}
+
+  const Motions& motions() const { return motions_; }
+
+  /// The pairs that overlap now, sorted; of one disc if it overlaps an image of itself.
+  std::vector<Periodic_edge> overlaps() const {
+    std::vector<Periodic_edge> result;
+    const double now = time_.to_double();
+    for_each_near(now, now, [&](const Periodic_edge& pair) {
+      if (sign_at(gap(pair), time_) == CGAL::NEGATIVE) result.push_back(pair);
+    });
+    std::ranges::sort(result);
+    return result;
+  }
 
   /// The next contact, if it is at or before `until`; executed if its discs are two.
   std::optional<Image_contact> step(double until) {
@@ -51,20 +73,40 @@ class Image_contacts {
   }
 
  private:
-  Image_motion_2 image(Point_id id, const Lattice_offset_2& offset) const {
-    return {motions_[id], offset, &box_};
+  using Image = Image_motion_of<Motion>;
+
+  Image image(Point_id id, const Lattice_offset_2& offset) const {
+    return image_of(*motions_[id], offset, &box_);
   }
   Vector_2 drift(const Lattice_offset_2& offset) const {
     const Vector_2& a = box_.first().velocity;
     const Vector_2& b = box_.second().velocity;
     return {offset.x * a.x + offset.y * b.x, offset.x * a.y + offset.y * b.y};
   }
+  double growth(Point_id id) const {
+    if constexpr (HasWeight<Motion>) {
+      return motions_[id]->growth;
+    } else {
+      return 0;
+    }
+  }
+  double mass(Point_id id) const { return id < options_.masses.size() ? options_.masses[id] : 1; }
 
-  Polynomial gap(const Image_motion_2& p, const Image_motion_2& q) const {
-    const Rational diameter = 2 * to_rational(options_.radius);
+  Polynomial gap(const Image& p, const Image& q) const {
     return interpolate(2, [&](const Rational& t) {
-      return Rational(CGAL::squared_distance(place_at(p, t), place_at(q, t)) - diameter * diameter);
+      Rational reach = 2 * to_rational(options_.radius);
+      if constexpr (HasWeight<Motion>) {
+        for (const Image* disc : {&p, &q}) {
+          reach += to_rational(disc->radius) +
+                   to_rational(disc->growth) * (t - to_rational(epoch_of(*disc)));
+        }
+      }
+      const auto distance = CGAL::squared_distance(place_at(center(p), t), place_at(center(q), t));
+      return Rational(distance - reach * reach);
     });
+  }
+  Polynomial gap(const Periodic_edge& pair) const {
+    return gap(image(pair.ids[0], {}), image(pair.ids[1], pair.offset));
   }
 
   // When a pair is in contact from now on: touches or overlaps, and approaches.
@@ -92,8 +134,9 @@ class Image_contacts {
     const double square = first.x * first.x + first.y * first.y;
     for (Point_id a = 0; a < motions_.size(); ++a) {
       for (Point_id b = a; b < motions_.size(); ++b) {
-        const Vector_2 p = rounded_place(motions_[a], begin);
-        const Vector_2 q = rounded_place(motions_[b], begin);
+        if (!motions_[a] || !motions_[b]) continue;
+        const Vector_2 p = rounded_place(*motions_[a], begin);
+        const Vector_2 q = rounded_place(*motions_[b], begin);
         const Vector_2 d = {p.x - q.x, p.y - q.y};
         // Of each line of images along the first vector those that are nearest.
         const auto l0 = std::lround((first.x * d.y - first.y * d.x) / area);
@@ -109,9 +152,15 @@ class Image_contacts {
             const Vector_2 there = rounded_place(image(b, offset), begin);
             const Vector_2 shift = drift(offset);
             const double speed =
-                std::hypot(motions_[b].velocity.x + shift.x - motions_[a].velocity.x,
-                           motions_[b].velocity.y + shift.y - motions_[a].velocity.y);
-            const double reach = 2 * options_.radius + speed * (end - begin);
+                std::hypot(motions_[b]->velocity.x + shift.x - motions_[a]->velocity.x,
+                           motions_[b]->velocity.y + shift.y - motions_[a]->velocity.y);
+            double reach = 2 * options_.radius + speed * (end - begin);
+            if constexpr (HasWeight<Motion>) {
+              for (const double t : {begin, end}) {
+                reach += std::abs(rounded_radius(*motions_[a], t)) +
+                         std::abs(rounded_radius(*motions_[b], t));
+              }
+            }
             if (std::hypot(there.x - p.x, there.y - p.y) <= 1.01 * reach + 0.01) {
               look(Periodic_edge{{a, b}, offset});
             }
@@ -129,8 +178,7 @@ class Image_contacts {
       std::optional<Image_contact> first;
       for_each_near(begin, end, [&](const Periodic_edge& pair) {
         if (passed_.contains(pair)) return;
-        const auto time =
-            contact_time(gap(image(pair.ids[0], {}), image(pair.ids[1], pair.offset)));
+        const auto time = contact_time(gap(pair));
         if (!time || *time > Algebraic_number(end)) return;
         const Image_contact contact = {*time, pair};
         if (!first || contact < *first) first = contact;
@@ -144,19 +192,22 @@ class Image_contacts {
     const auto [a, b] = pair.ids;
     const double time = time_.to_double();
     const Vector_2 shift = drift(pair.offset);
-    const Vector_2 place_a = rounded_place(motions_[a], time);
+    const Vector_2 place_a = rounded_place(*motions_[a], time);
     const Vector_2 place_b = rounded_place(image(b, pair.offset), time);
-    const Vector_2 before_a = motions_[a].velocity;
-    const Vector_2 before_b = {motions_[b].velocity.x + shift.x, motions_[b].velocity.y + shift.y};
+    const Vector_2 before_a = motions_[a]->velocity;
+    const Vector_2 before_b = {motions_[b]->velocity.x + shift.x,
+                               motions_[b]->velocity.y + shift.y};
     const auto moving = [&](Point_id id, const Vector_2& velocity) {
       const Vector_2 own =
           id == a ? velocity : Vector_2{velocity.x - shift.x, velocity.y - shift.y};
-      return with_velocity_at(motions_[id], own, time);
+      return with_velocity_at(*motions_[id], own, time);
     };
     const auto would_approach = [&](const Vector_2& v, const Vector_2& w) {
-      const Polynomial p = gap({moving(a, v), {}, &box_}, {moving(b, w), pair.offset, &box_});
+      const Polynomial p =
+          gap(image_of(moving(a, v), {}, &box_), image_of(moving(b, w), pair.offset, &box_));
       return sign_just_after(derivative(p), time_) == CGAL::NEGATIVE;
     };
+    const bool is_pressed = sign_at(derivative(gap(pair)), time_) != CGAL::NEGATIVE;
     const Contact_response_2 response =
         options_.response({time,
                            a,
@@ -164,27 +215,53 @@ class Image_contacts {
                            {place_b.x - place_a.x, place_b.y - place_a.y},
                            before_a,
                            before_b,
-                           1,
-                           1,
-                           0,
-                           0,
-                           false,
+                           mass(a),
+                           mass(b),
+                           growth(a),
+                           growth(b),
+                           is_pressed,
                            would_approach});
-    const bool changes_a = response.velocity_a && *response.velocity_a != before_a;
-    const bool changes_b = response.velocity_b && *response.velocity_b != before_b;
-    if (!changes_a && !changes_b) {
+    // The motion of a disc afterwards; none if it is erased.
+    const auto after = [&](Point_id id, bool erases, bool stops,
+                           const std::optional<Vector_2>& velocity,
+                           const Vector_2& before) -> std::optional<Motion> {
+      if (erases) return std::nullopt;
+      if (stops) return is_at_rest(*motions_[id]) ? motions_[id] : at_rest_at(*motions_[id], time);
+      return velocity && *velocity != before ? moving(id, *velocity) : motions_[id];
+    };
+    const auto after_a =
+        after(a, response.erases_a, response.stops_a, response.velocity_a, before_a);
+    const auto after_b =
+        after(b, response.erases_b, response.stops_b, response.velocity_b, before_b);
+    if (after_a == motions_[a] && after_b == motions_[b]) {
       passed_.insert(pair);
       return;
     }
-    if (changes_a) motions_[a] = moving(a, *response.velocity_a);
-    if (changes_b) motions_[b] = moving(b, *response.velocity_b);
+    end_passes(pair.ids);
+    motions_[a] = after_a;
+    motions_[b] = after_b;
+    end_passes(pair.ids);
+  }
+
+  // Pairs that a response has let pass, and that are apart now or are no more, may come into
+  // contact again. If both keep their motions, they do not: the distance of their boundaries is
+  // convex in time.
+  void end_passes(const Edge_ids& changed) {
+    std::erase_if(passed_, [&](const Periodic_edge& pair) {
+      const auto is_changed = [&](Point_id id) {
+        return std::ranges::find(changed, id) != changed.end();
+      };
+      if (!is_changed(pair.ids[0]) && !is_changed(pair.ids[1])) return false;
+      return !motions_[pair.ids[0]] || !motions_[pair.ids[1]] ||
+             sign_at(gap(pair), time_) == CGAL::POSITIVE;
+    });
   }
 
   Periodic_box_2 box_;
-  std::vector<Linear_motion_2> motions_;
+  Motions motions_;
   Simulation_options options_;
   Algebraic_number time_;
-  std::set<Periodic_edge> passed_;  // pairs that pass through each other, with these motions
+  std::set<Periodic_edge> passed_;  // pairs that pass through each other
 };
 
 }  // namespace kinetri::test

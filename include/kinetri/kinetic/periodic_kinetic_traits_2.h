@@ -181,6 +181,7 @@ static_assert(PeriodicContactKineticTraits_2<Periodic_kinetic_traits_2>);
 static_assert(!WeightedKineticTraits_2<Periodic_kinetic_traits_2>);
 static_assert(PeriodicKineticTraits_2<Periodic_disc_kinetic_traits_2>);
 static_assert(BatchKineticTraits_2<Periodic_disc_kinetic_traits_2>);
+static_assert(PeriodicContactKineticTraits_2<Periodic_disc_kinetic_traits_2>);
 static_assert(WeightedKineticTraits_2<Periodic_disc_kinetic_traits_2>);
 static_assert(DistanceKineticTraits_2<Periodic_kinetic_traits_2>);
 

@@ -105,17 +105,18 @@ class Overlap_observer {
 /// to suffice. So points are never outside of the box, exactly, and all events are exact for these
 /// motions.
 ///
-/// With PeriodicContactKineticTraits_2 the discs are in a periodic box, without walls
-/// (Simulation_options::box is empty). A contact is then one of a disc and an image of another one:
-/// the offset of the image against point_b is added_offset of the event. Points may leave the box,
-/// and positions are rounded after contacts as in the plane; nothing is wrapped. All responses
-/// work. They are told the position and the velocity of the image, which differs from that of
-/// point_b by the rates of the lattice vectors, and a new velocity is one of the image. So elastic
-/// collisions conserve momentum, and in a box at rest energy, up to rounding. In a box that moves,
-/// images of a disc that is stopped go on: discs that are stopped already pass through each other.
-/// An own image stops the run: with a response, or if overlaps are refused, Own_image_error is
-/// thrown if a disc overlaps one at the start or when it is inserted; and instead of the contact of
-/// a disc with one, at the exact time. With a response discs may not coincide for a while:
+/// With PeriodicContactKineticTraits_2 the discs, of one radius or with radii of their own, are in
+/// a periodic box, without walls (Simulation_options::box is empty). A contact is then one of a
+/// disc and an image of another one: the offset of the image against point_b is added_offset of the
+/// event. Points may leave the box, and positions are rounded after contacts as in the plane;
+/// nothing is wrapped. All responses work. They are told the position and the velocity of the
+/// image, which differs from that of point_b by the rates of the lattice vectors, and a new
+/// velocity is one of the image. So elastic collisions conserve momentum, and in a box at rest
+/// energy, up to rounding. In a box that moves, images of a disc that is stopped go on: discs that
+/// are stopped already pass through each other. An own image stops the run: with a response, or if
+/// overlaps are refused, Own_image_error is thrown if a disc, with its own radius, overlaps one at
+/// the start, or when it is inserted or gets another motion; and instead of the contact of a disc
+/// with one, at the exact time. With a response discs may not coincide for a while:
 /// Coincident_trajectories_error, whatever Simulation_options::coincident says. One thread executes
 /// the events.
 ///
@@ -132,11 +133,13 @@ class Simulation_2 {
                     std::same_as<Traits, Polynomial_kinetic_traits_2> ||
                     std::same_as<Traits, Disc_kinetic_traits_2> ||
                     std::same_as<Traits, Polynomial_disc_kinetic_traits_2> ||
-                    std::same_as<Traits, Periodic_kinetic_traits_2>,
-                "Simulation_2 is compiled into the library for five traits: use one of "
+                    std::same_as<Traits, Periodic_kinetic_traits_2> ||
+                    std::same_as<Traits, Periodic_disc_kinetic_traits_2>,
+                "Simulation_2 is compiled into the library for six traits: use one of "
                 "Linear_kinetic_traits_2, Polynomial_kinetic_traits_2, Disc_kinetic_traits_2, "
-                "Polynomial_disc_kinetic_traits_2 and Periodic_kinetic_traits_2; or "
-                "Kinetic_triangulation_2, which works with traits of your own");
+                "Polynomial_disc_kinetic_traits_2, Periodic_kinetic_traits_2 and "
+                "Periodic_disc_kinetic_traits_2; or Kinetic_triangulation_2, which works with "
+                "traits of your own");
 
  public:
   using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what a simulation owns
@@ -231,8 +234,8 @@ class Simulation_2 {
 
   /// @{
   /// Changes a point at current_time(), as the functions of the triangulation of these names do.
-  /// Throws Outside_box_error or Negative_radius_error if the new motion is invalid now, and
-  /// insert() Overlapping_discs_error if the options refuse overlaps, and Own_image_error.
+  /// Throws Outside_box_error, Negative_radius_error or Own_image_error if the new motion is
+  /// invalid now, and insert() Overlapping_discs_error if the options refuse overlaps.
   /// Precondition: triangulation().contains(id); the mass is positive and finite.
   Point_id insert(const Motion& motion, double mass = 1);
   void set_motion(Point_id id, const Motion& motion);
@@ -256,8 +259,9 @@ class Simulation_2 {
   /// Changes at one time are made in this order: erasures, new motions, insertions; each by point
   /// id, then in the order in which they were scheduled. New motions of several points are one
   /// set_motions. A change of a point that does not exist then is dropped. So is a change that
-  /// leads out of the box, or to the trajectory of another point: the call that reaches its time
-  /// throws what the functions above throw, and the next call continues with the remaining changes.
+  /// leads out of the box, to an overlap with an own image, or to the trajectory of another point:
+  /// the call that reaches its time throws what the functions above throw, and the next call
+  /// continues with the remaining changes.
   /// An observer may schedule changes within an event if it looks at the triangulation
   /// (Event_observer::looks_at_triangulation; checked by advance_to); so may a response that is not
   /// pure (Simulation_options::response_is_pure). Precondition: time >= current_time(); the motion
@@ -344,6 +348,7 @@ extern template class Simulation_2<Polynomial_kinetic_traits_2>;
 extern template class Simulation_2<Disc_kinetic_traits_2>;
 extern template class Simulation_2<Polynomial_disc_kinetic_traits_2>;
 extern template class Simulation_2<Periodic_kinetic_traits_2>;
+extern template class Simulation_2<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 

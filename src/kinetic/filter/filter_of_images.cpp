@@ -47,5 +47,8 @@ template std::array<Filter_result, 2> filter_in_circles(const std::array<Quadrup
                                                         const Double_interval&);
 template std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<D>&,
                                                         const Double_interval&);
+template Filter_result filter_contact(const D&, const D&, double, const Double_interval&);
+template Sign certain_distance_slope(const D&, const D&, const Double_interval&);
+template Sign certain_gap(const D&, const D&, double, const Double_interval&);
 
 }  // namespace kinetri

@@ -277,6 +277,8 @@ template std::optional<Rounding> rounded_in_circle(const Linear_motion_2&, const
                                                    const Double_interval&);
 template double precise_contact(const Image_motion_2&, const Image_motion_2&, double, double,
                                 double);
+template double precise_contact(const Image_disc_motion_2&, const Image_disc_motion_2&, double,
+                                double, double);
 template double precise_distance_comparison(const Image_motion_2&, const Image_motion_2&,
                                             const Image_motion_2&, const Image_motion_2&, double,
                                             double);
@@ -304,6 +306,9 @@ template std::optional<Rounding> rounded_contact(const Linear_motion_2&, const L
                                                  double, const Double_interval&);
 template std::optional<Rounding> rounded_contact(const Image_motion_2&, const Image_motion_2&,
                                                  double, const Double_interval&);
+template std::optional<Rounding> rounded_contact(const Image_disc_motion_2&,
+                                                 const Image_disc_motion_2&, double,
+                                                 const Double_interval&);
 template std::optional<Rounding> rounded_contact(const Disc_motion_2&, const Disc_motion_2&, double,
                                                  const Double_interval&);
 

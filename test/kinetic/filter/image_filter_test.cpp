@@ -250,26 +250,81 @@ TEST_P(Image_filter, of_twice_the_precision_has_the_signs_of_exact_arithmetic_or
   }
 }
 
-// The first time from t on at which the gap of two discs is not positive and falls. That is convex.
+// ---- contacts ----
+
+// The first time from t on at which the gap of two discs is not positive and falls. Boundaries that
+// are not apart at a time do not meet later.
 std::optional<Algebraic_number> first_contact(const Polynomial& gap, const Algebraic_number& t) {
-  if (sign_at(derivative(gap), t) != CGAL::NEGATIVE) return std::nullopt;
-  if (sign_at(gap, t) != CGAL::POSITIVE) return t;
+  if (sign_at(gap, t) != CGAL::POSITIVE) {
+    return sign_just_after(derivative(gap), t) == CGAL::NEGATIVE ? std::optional(t) : std::nullopt;
+  }
   const auto root = first_root_after(gap, t);
   if (!root || root->multiplicity > 1) return std::nullopt;
   return root->value;
 }
 
-TEST_P(Image_filter, of_contacts_never_contradicts_exact_arithmetic) {
-  test::Images source(54);
-  int decided = 0;
+struct Decided_contacts {
+  int all = 0;
   int contacts = 0;
   int rounded = 0;
+};
+
+// Expects that all that the filter says of a contact from t on is true. Points have the diameter,
+// and the diameter of discs with radii of their own is 0.
+template <class Motion>
+void expect_true_contacts(const Motion& p, const Motion& q, double diameter, const Polynomial& gap,
+                          const Double_interval& interval, int mode, Decided_contacts& decided) {
+  const double t = interval.lower;
+  const Filter_result result = test::in_mode(mode, [&] {
+    return filter_contact(p, q, diameter, {t, t});
+  });
+  if (result.kind != Filter_result::Kind::unknown) {
+    ++decided.all;
+    const auto contact = first_contact(gap, t);
+    ASSERT_EQ(contact.has_value(), result.kind == Filter_result::Kind::fails);
+    if (contact) {
+      ++decided.contacts;
+      ASSERT_GT(*contact, Algebraic_number(result.bounds.lower));
+      ASSERT_LT(*contact, Algebraic_number(result.bounds.upper));
+      if (const auto rounding = rounded_contact(p, q, diameter, result.bounds)) {
+        ++decided.rounded;
+        ASSERT_EQ(rounding->nearest, contact->to_double());
+      }
+      // As near to the root as two numbers can be, where the sign is difficult.
+      const auto [high, low] = nearest_sum(*contact);
+      if (std::isfinite(high)) {
+        const double value = precise_contact(p, q, diameter, high, low);
+        const Sign expected = gap.sign_at(to_rational(high) + to_rational(low));
+        if (value != 0) {
+          ASSERT_EQ(value > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE, expected);
+        }
+      }
+    }
+  }
+  const auto expect_sign = [&](const auto& certain, const Polynomial& polynomial) {
+    const Sign sign = test::in_mode(mode, certain);
+    if (sign == CGAL::ZERO) return;
+    ASSERT_EQ(sign_at(polynomial, Algebraic_number(t)), sign);
+    const auto root = first_root_after(polynomial, t);
+    ASSERT_TRUE(!root || root->value > Algebraic_number(interval.upper));
+  };
+  expect_sign([&] { return certain_gap(p, q, diameter, interval); }, gap);
+  expect_sign([&] { return certain_distance_slope(p, q, interval); }, derivative(gap));
+  const Filter_result later =
+      test::in_mode(mode, [&] { return filter_contact(p, q, diameter, interval); });
+  if (later.kind != Filter_result::Kind::unknown && !later.may_be_zero) {
+    expect_sign([] { return CGAL::POSITIVE; }, gap);
+  }
+}
+
+TEST_P(Image_filter, of_contacts_never_contradicts_exact_arithmetic) {
+  test::Images source(54);
+  Decided_contacts decided;
   const int cases = 1200 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     SCOPED_TRACE(test::describe(m));
     const double t = source.time();
-    const int mode = test::rounding_mode(i);
     const Image_motion_2& p = m[0];
     const Image_motion_2& q = m[1];
     // Of the size of a distance soon; at times exactly a coordinate of a difference.
@@ -283,52 +338,13 @@ TEST_P(Image_filter, of_contacts_never_contradicts_exact_arithmetic) {
                       to_rational(diameter) * to_rational(diameter));
     });
     const Double_interval interval = {t, t + std::ldexp(1, -10 - source.integer(50))};
-    const Filter_result result = test::in_mode(mode, [&] {
-      return filter_contact(p, q, diameter, {t, t});
-    });
-    if (result.kind != Filter_result::Kind::unknown) {
-      ++decided;
-      const auto contact = first_contact(gap, t);
-      ASSERT_EQ(contact.has_value(), result.kind == Filter_result::Kind::fails);
-      if (contact) {
-        ++contacts;
-        ASSERT_GT(*contact, Algebraic_number(result.bounds.lower));
-        ASSERT_LT(*contact, Algebraic_number(result.bounds.upper));
-        if (const auto rounding = rounded_contact(p, q, diameter, result.bounds)) {
-          ++rounded;
-          ASSERT_EQ(rounding->nearest, contact->to_double());
-        }
-        // As near to the root as two numbers can be, where the sign is difficult.
-        const auto [high, low] = nearest_sum(*contact);
-        if (std::isfinite(high)) {
-          const double value = precise_contact(p, q, diameter, high, low);
-          const Sign expected = gap.sign_at(to_rational(high) + to_rational(low));
-          if (value != 0) {
-            ASSERT_EQ(value > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE, expected);
-          }
-        }
-      }
-    }
-    const auto expect_sign = [&](const auto& certain, const Polynomial& polynomial) {
-      const Sign sign = test::in_mode(mode, certain);
-      if (sign == CGAL::ZERO) return;
-      ASSERT_EQ(sign_at(polynomial, Algebraic_number(t)), sign);
-      const auto root = first_root_after(polynomial, t);
-      ASSERT_TRUE(!root || root->value > Algebraic_number(interval.upper));
-    };
-    expect_sign([&] { return certain_gap(p, q, diameter, interval); }, gap);
-    expect_sign([&] { return certain_distance_slope(p, q, interval); }, derivative(gap));
-    const Filter_result later =
-        test::in_mode(mode, [&] { return filter_contact(p, q, diameter, interval); });
-    if (later.kind != Filter_result::Kind::unknown && !later.may_be_zero) {
-      expect_sign([] { return CGAL::POSITIVE; }, gap);
-    }
+    expect_true_contacts(p, q, diameter, gap, interval, test::rounding_mode(i), decided);
     if (HasFatalFailure()) return;
   }
   if (GetParam() < 3) {
-    EXPECT_GT(decided, cases / 2);
-    EXPECT_GT(contacts, cases / 40);
-    EXPECT_GT(rounded, contacts / 2);
+    EXPECT_GT(decided.all, cases / 2);
+    EXPECT_GT(decided.contacts, cases / 40);
+    EXPECT_GT(decided.rounded, decided.contacts / 2);
   }
 }
 
@@ -445,6 +461,52 @@ TEST_P(Image_filter, of_discs_never_contradicts_exact_arithmetic) {
     EXPECT_GT(decided.failures, cases / 30);
     EXPECT_GT(pairs, cases / 2);
     EXPECT_GT(counts.flips, cases / 30);
+  }
+}
+
+// Radii that grow faster than the centers move, or as fast, make gaps that are not convex.
+TEST_P(Image_filter, of_contacts_of_discs_never_contradicts_exact_arithmetic) {
+  test::Images source(58);
+  Decided_contacts decided;
+  const int cases = 1200 * test::multiplier();
+  for (int i = 0; i < cases; ++i) {
+    const auto centers = source.next(GetParam());
+    SCOPED_TRACE(test::describe(centers));
+    const double t = source.time();
+    auto m = discs_about(centers, t, source);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vector_2& velocity = centers[k].motion.velocity;
+      m[k].weight = 0;
+      m[k].radius *= std::ldexp(1, -source.integer(4));
+      if (m[k].growth != 0) {
+        m[k].growth = source.integer(2) == 0 ? std::abs(m[k].growth) : std::abs(velocity.x);
+      }
+    }
+    const Image_disc_motion_2& p = m[0];
+    const Image_disc_motion_2& q = m[1];
+    if (!std::isfinite(p.radius + p.growth + q.radius + q.growth)) continue;
+    const auto reach = [&](const Rational& time) {
+      Rational result = 0;
+      for (const Image_disc_motion_2* disc : {&p, &q}) {
+        result += to_rational(disc->radius) +
+                  to_rational(disc->growth) * (time - to_rational(epoch_of(*disc)));
+      }
+      return result;
+    };
+    if (reach(to_rational(t)) < 0) continue;
+    const Polynomial gap = test::interpolate(2, [&](const Rational& time) {
+      return Rational(
+          CGAL::squared_distance(test::place_at(center(p), time), test::place_at(center(q), time)) -
+          reach(time) * reach(time));
+    });
+    const Double_interval interval = {t, t + std::ldexp(1, -10 - source.integer(50))};
+    expect_true_contacts(p, q, 0, gap, interval, test::rounding_mode(i), decided);
+    if (HasFatalFailure()) return;
+  }
+  if (GetParam() < 3) {
+    EXPECT_GT(decided.all, cases / 3);
+    EXPECT_GT(decided.contacts, cases / 40);
+    EXPECT_GT(decided.rounded, decided.contacts / 2);
   }
 }
 
