@@ -110,5 +110,6 @@ template class Motion_log_writer<Polynomial_kinetic_traits_2>;
 template class Motion_log_writer<Disc_kinetic_traits_2>;
 template class Motion_log_writer<Polynomial_disc_kinetic_traits_2>;
 template class Motion_log_writer<Periodic_kinetic_traits_2>;
+template class Motion_log_writer<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri

@@ -188,5 +188,6 @@ template double mean_radius(const Simulation_2<Disc_kinetic_traits_2>&, double);
 template double mean_radius(const Simulation_2<Polynomial_disc_kinetic_traits_2>&, double);
 template bool Jam_watch::look(const Simulation_2<Disc_kinetic_traits_2>&, std::uint64_t);
 template bool Jam_watch::look(const Simulation_2<Polynomial_disc_kinetic_traits_2>&, std::uint64_t);
+template bool Jam_watch::look(const Simulation_2<Periodic_disc_kinetic_traits_2>&, std::uint64_t);
 
 }  // namespace kinetri

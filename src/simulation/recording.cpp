@@ -485,5 +485,6 @@ template class Recorder<Polynomial_kinetic_traits_2>;
 template class Recorder<Disc_kinetic_traits_2>;
 template class Recorder<Polynomial_disc_kinetic_traits_2>;
 template class Recorder<Periodic_kinetic_traits_2>;
+template class Recorder<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri

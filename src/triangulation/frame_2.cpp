@@ -45,8 +45,8 @@ void add_faces(Frame_2& frame, const Triangulation& triangulation) {
 }
 
 // Moves the places into the box, and adds the edges and triangles.
-void add_periodic(Frame_2& frame,
-                  const Kinetic_triangulation_2<Periodic_kinetic_traits_2>& kinetic) {
+template <class Traits>
+void add_periodic(Frame_2& frame, const Kinetic_triangulation_2<Traits>& kinetic) {
   const Drawn_box_2 box(kinetic.traits().box(), frame.time);
   Frame_2::Periodic& periodic = frame.periodic.emplace();
   periodic.corners = box.corners();
@@ -121,5 +121,6 @@ template Frame_2 frame_of(const Kinetic_triangulation_2<Polynomial_kinetic_trait
 template Frame_2 frame_of(const Kinetic_triangulation_2<Disc_kinetic_traits_2>&);
 template Frame_2 frame_of(const Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>&);
 template Frame_2 frame_of(const Kinetic_triangulation_2<Periodic_kinetic_traits_2>&);
+template Frame_2 frame_of(const Kinetic_triangulation_2<Periodic_disc_kinetic_traits_2>&);
 
 }  // namespace kinetri

@@ -100,7 +100,7 @@ def periodic_cases():
     yield simulate("--shear 0.5")
     yield simulate("--periodic 1,1e300 --shear 1e10", rate="1e10", height="1e+300")
     yield simulate("--periodic 1,1e-300 --shear 1e-100", rate="1e-100", height="1e-300")
-    for option in ("--box 0,0,9,9", "--rim", "--growth 1", "--regular", "--replay e", "--certificates c",
+    for option in ("--box 0,0,9,9", "--rim", "--regular", "--replay e", "--certificates c",
                    "--checkpoint c", "--range 1",
                    "--neighbors n", "--exchanges n", "--nearest n", "--components n --range 1",
                    "--connected n --between 0,1 --range 1", "--spanning-tree n", "--areas n --cutoff 1",
@@ -116,9 +116,8 @@ def periodic_cases():
     yield simulate("--periodic 9,9 --collisions log --radius 1 --verify")
     collide = box + " --collisions elastic"
     yield points("x,y,vx,vy\n0,0,0,0\n6,8,4,0\n", collide + " --radius 1", line=3, first=2)
-    yield points("x,y,vx,vy,radius\n0,0,0,0,1\n2,2,0,0,0.5\n", collide, line=3, id=1, radius=0.5, first=2, other=1)
-    yield points("x,y,vx,vy,radius,growth\n0,0,0,0,1,0\n2,2,0,0,1,0.5\n", collide, line=3, id=1, growth=0.5)
     yield points("x,y,vx,vy\n0,0,0,0\n", collide + " --radius 2.125", line=2, id=0, x=1, y=0, time=0)
+    yield points("x,y,vx,vy,radius\n0,0,0,0,0.5\n2,2,0,0,2.125\n", collide, line=3, id=1, x=1, y=0, time=0)
     yield case("simulate p.csv --until 2 --periodic 1,1", time="0.6465", a=0, b=1, x=2147483648, y=1,
                files={"p.csv": "x,y,vx,vy\n0,0,0,0\n2147483000.5,0.25,1000,0\n"})
 

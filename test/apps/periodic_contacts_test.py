@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Discs that collide in periodic boxes: each contact of the log, and that there is no other one, from the motions
-that the program has written, by all pairs of images in rational numbers; the velocities after each contact; that
-runs give the same bytes; pictures; and what ends a run.
+that the program has written, by all pairs of images in rational numbers, for discs of one radius and of any; the
+velocities after each contact; that runs give the same bytes; pictures; and what ends a run.
 
 usage: periodic_contacts_test.py PROGRAM
 """
@@ -33,25 +33,37 @@ class Box:
         self.rate = Fraction(shear) * self.height
 
     def places(self, motion, time):
-        x, y, vx, vy, epoch = motion
+        x, y, vx, vy, _, _, epoch = motion
         return x + vx * (time - epoch), y + vy * (time - epoch)
 
 
-class Approach:
-    """The squared distance of a disc and an image of another one, less that at which they touch: a t^2 + 2 b t + c."""
+def radius_at(motion, time):
+    *_, radius, growth, epoch = motion
+    return radius + growth * (time - epoch)
 
-    def __init__(self, box, first, second, offset, diameter):
+
+class Approach:
+    """The squared distance of a disc and an image of another one, less that at which they touch: a t^2 + 2 b t + c.
+
+    The distance of the boundaries is convex in time: so the two come into contact once at most."""
+
+    def __init__(self, box, first, second, offset):
         k, l = offset
         x, y = (Fraction(there - here) for here, there in zip(box.places(first, 0), box.places(second, 0)))
         x, y = x + k * box.width + l * box.tilt, y + l * box.height
         vx, vy = second[2] + l * box.rate - first[2], second[3] - first[3]
-        self.a, self.b, self.c = vx * vx + vy * vy, x * vx + y * vy, x * x + y * y - diameter * diameter
+        reach, growth = radius_at(first, 0) + radius_at(second, 0), first[5] + second[5]
+        self.a = vx * vx + vy * vy - growth * growth
+        self.b = x * vx + y * vy - reach * growth
+        self.c = x * x + y * y - reach * reach
 
     def at(self, time):
         return self.a * time * time + 2 * self.b * time + self.c
 
     def is_before(self, time):
         """Whether the two come into contact before the time."""
+        if self.a <= 0:  # the radii grow as fast as the centers move, or faster
+            return self.at(time) < 0
         if self.b * self.b <= self.a * self.c:
             return False
         return self.at(time) < 0 or self.a * time + self.b >= 0
@@ -61,11 +73,24 @@ class Approach:
         return self.is_before(time) or (self.at(time) == 0 and self.a * time + self.b < 0)
 
 
+class At_once:
+    """The contact of two that overlap and approach."""
+
+    def __init__(self, now):
+        self.now = now
+
+    def is_before(self, time):
+        return self.now < time
+
+    def is_reached(self, time):
+        return self.now <= time
+
+
 class All_pairs:
     """The contacts to come of all images, up to a time."""
 
-    def __init__(self, box, motions, diameter, start, until):
-        self.box, self.motions, self.diameter, self.until = box, motions, diameter, until
+    def __init__(self, box, motions, start, until):
+        self.box, self.motions, self.until = box, motions, until
         self.contacts = {}
         for a in motions:
             for b in motions:
@@ -73,8 +98,8 @@ class All_pairs:
                     self.add(a, b, start)
 
     def add(self, a, b, now):
-        box, d = self.box, self.diameter
-        first, second = self.motions[a], self.motions[b]
+        box, first, second = self.box, self.motions[a], self.motions[b]
+        d = max(radius_at(first, time) + radius_at(second, time) for time in (now, self.until))
         # Between the two times, x and y of the vector from one disc to an image of the other are linear.
         ends = []
         for time in (now, self.until):
@@ -84,8 +109,10 @@ class All_pairs:
         for l in range(math.ceil((-d - max(ys)) / box.height), math.floor((d - min(ys)) / box.height) + 1):
             xs = [x + l * tilt for x, _, tilt in ends]
             for k in range(math.ceil((-d - max(xs)) / box.width), math.floor((d - min(xs)) / box.width) + 1):
-                approach = Approach(box, first, second, (k, l), d)
-                if not approach.is_before(now) and approach.is_reached(self.until):
+                approach = Approach(box, first, second, (k, l))
+                if approach.at(now) < 0 and approach.a * now + approach.b < 0:
+                    self.contacts[a, b, (k, l)] = At_once(now)
+                elif not approach.is_before(now) and approach.is_reached(self.until):
                     self.contacts[a, b, (k, l)] = approach
 
     def change(self, changed, now):
@@ -118,24 +145,25 @@ class Periodic_contacts(In_folder):
     def rows(self, name):
         return list(csv.DictReader(self.read(name).splitlines()))
 
-    def discs(self, generator, side, masses=False):
+    def discs(self, generator, side, masses=False, radii=(), growths=()):
         """A disc for each unit square of a lattice, in it or an image of it; numbers are multiples of 1/64."""
         def number(least, most):
             return generator.randint(64 * least, 64 * most) / 64
 
-        rows = ["x,y,vx,vy" + (",mass" if masses else "")]
+        rows = ["x,y,vx,vy" + ",mass" * masses + ",radius" * bool(radii) + ",growth" * bool(growths)]
         for i in range(side):
             for j in range(side):
                 x = i + number(0, 1) / 8 + side * generator.randint(-1, 1)
-                row = [x, j + number(0, 1) / 8, number(-2, 2), number(-2, 2)]
-                rows.append(",".join(map(repr, row + [number(1, 3)] * masses)))
+                row = [x, j + number(0, 1) / 8, number(-2, 2), number(-2, 2)] + [number(1, 3)] * masses
+                row += [generator.choice(choices) for choices in (radii, growths) if choices]
+                rows.append(",".join(map(repr, row)))
         return "\n".join(rows) + "\n"
 
     def motions(self):
         """Those at the start, and those that each event changes: {event: {id: motion}}."""
         changes = {}
         for row in self.rows("m.csv"):
-            motion = row["x"] and tuple(Fraction(float(row[name])) for name in ("x", "y", "vx", "vy", "epoch"))
+            motion = row["x"] and tuple(Fraction(float(row[name])) for name in ("x", "y", "vx", "vy", "radius", "growth", "epoch"))
             changes.setdefault(row["event"], {})[int(row["id"])] = motion or None
         return changes.pop(""), changes
 
@@ -146,7 +174,13 @@ class Periodic_contacts(In_folder):
         if response == "remove":
             return self.assertEqual(after, {a: None, b: None})
         for point, motion in after.items():
-            self.assertEqual(motion[4], time)
+            self.assertEqual(motion[6], time)
+            if before[point][5] == 0 or response == "stop":
+                self.assertEqual(motion[5], 0)
+            # A radius that does not change is not rounded; one that does is rounded down.
+            most = radius_at(before[point], time)
+            self.assertLessEqual(motion[4], most)
+            self.assertGreaterEqual(motion[4], most if before[point][5] == 0 else most - 16 * math.ulp(8))
             for place, expected in zip(motion[:2], box.places(before[point], time)):
                 self.assertLessEqual(abs(place - expected), 2 * math.ulp(float(expected)))
         if response == "stop":
@@ -160,7 +194,8 @@ class Periodic_contacts(In_folder):
             k = event["pair"][2][0]
             x = to_x + k * box.width + l * (box.tilt + box.rate * time) - x
             y = to_y + l * box.height - y
-            push = 2 * ((w[0] - v[0]) * x + (w[1] - v[1]) * y) / ((x * x + y * y) * (masses[a] + masses[b]))
+            growth = Fraction(math.hypot(x, y)) * (before[a][5] + before[b][5])
+            push = 2 * ((w[0] - v[0]) * x + (w[1] - v[1]) * y - growth) / ((x * x + y * y) * (masses[a] + masses[b]))
             expected = {a: (v[0] + push * masses[b] * x, v[1] + push * masses[b] * y),
                         b: (w[0] - push * masses[a] * x, w[1] - push * masses[a] * y)}
         expected[b] = expected[b][0] - drift, expected[b][1]
@@ -168,12 +203,13 @@ class Periodic_contacts(In_folder):
             for found, wanted in zip(after.get(point, before[point])[2:4], expected[point]):
                 self.assertLessEqual(abs(found - wanted), 1e-12)
 
-    def check_run(self, response, box, points, radius, until, masses=None):
-        """Compares a run with all pairs of images; the offsets of its contacts."""
-        self.run_program(f"simulate p.csv --until {until} {box.options} --radius {radius} --collisions {response} "
+    def check_run(self, response, box, points, radius, until, masses=None, more=""):
+        """Compares a run with all pairs of images; the offsets of its contacts. Without a radius it is a column."""
+        radius = "" if radius is None else f"--radius {radius}"
+        self.run_program(f"simulate p.csv --until {until} {box.options} {radius} --collisions {response} {more} "
                          "--events e.csv --motions m.csv --edges f.csv --audit end --quiet", points)
         start, changes = self.motions()
-        pairs = All_pairs(box, start, 2 * Fraction(radius), Fraction(0), Fraction(until))
+        pairs = All_pairs(box, start, Fraction(0), Fraction(until))
         offsets = []
         for row in self.rows("e.csv"):
             if row["kind"] != "collision":
@@ -184,7 +220,7 @@ class Periodic_contacts(In_folder):
             self.assertLess(a, b)
             key = a, b, tuple(map(int, row["added_offset"].split(" ")))
             lower, upper = Fraction(float(row["time_lo"])), Fraction(float(row["time_hi"]))
-            self.assertIn(key, pairs.contacts, row)
+            self.assertTrue(key in pairs.contacts, row)
             self.assertTrue(pairs.contacts[key].is_reached(upper), row)
             early = [other for other, approach in pairs.contacts.items() if approach.is_before(lower)]
             self.assertEqual(early, [], row)
@@ -215,6 +251,47 @@ class Periodic_contacts(In_folder):
             self.assertGreater(sum(offset != (0, 0) for offset in offsets), 5, response)
         self.assertGreater(len(found["elastic"]), 60)
 
+    def check_all_responses(self, name, radii, growths, until):
+        """Runs of discs with radii of their own; `growths` has those by response."""
+        found = {}
+        for response in ("log", "swap", "elastic", "stop", "remove"):
+            for seed, shear in enumerate((0, 0.25, -0.5)):
+                if response == "stop" and shear != 0:
+                    continue  # images of discs that are stopped go on
+                generator = random.Random(f"{name} {response} {seed}")
+                box = Box(5, 5, generator.choice([0, 1, -2]), shear)
+                points = self.discs(generator, 5, radii=radii, growths=growths.get(response, growths.get("")))
+                found.setdefault(response, []).extend(self.check_run(response, box, points, None, until))
+        for response, offsets in found.items():
+            self.assertGreater(len(offsets), 10, response)
+            self.assertGreater(sum(offset != (0, 0) for offset in offsets), 5, response)
+
+    def test_radii_may_differ(self):
+        """Points, tiny and large discs."""
+        self.check_all_responses("radii", (0, 2 ** -20, 0.125, 0.3, 0.4), {}, 2)
+
+    def test_radii_may_grow(self):
+        """At different rates; discs that shrink, and that grow from nothing. Swapped velocities do not part such discs."""
+        growths = {"": (0, 0.03125, 0.0625, -0.0625), "swap": None}
+        self.check_all_responses("growth", (0.125, 0.25, 0.3), growths, 1.5)
+        generator = random.Random("from nothing")
+        offsets = self.check_run("elastic", Box(4, 4, 1, 0.25), self.discs(generator, 4), None, 2, more="--growth 0.125")
+        self.assertGreater(len(offsets), 5)
+
+    def test_discs_that_overlap_pass_through_each_other(self):
+        """Most of them are hidden by large ones."""
+        for seed in range(4):
+            generator = random.Random(f"overlap {seed}")
+            points = self.discs(generator, 5, radii=(0, 0, 0.125, 0.5, 2))
+            offsets = self.check_run("log", Box(5, 5, seed - 1, 0.25 * (seed - 2)), points, None, 2)
+            self.assertGreater(len(offsets), 30)
+
+    def test_masses_may_be_areas(self):
+        generator = random.Random(7)
+        points = self.discs(generator, 5, radii=(0.125, 0.25, 0.4))
+        masses = {i: Fraction(float(line.split(",")[4])) ** 2 for i, line in enumerate(points.splitlines()[1:])}
+        self.assertGreater(len(self.check_run("elastic", Box(5, 5), points, None, 2, masses, "--mass area")), 15)
+
     def test_elastic_collisions_have_masses(self):
         generator = random.Random(5)
         points = self.discs(generator, 4, masses=True)
@@ -242,16 +319,17 @@ class Periodic_contacts(In_folder):
         self.assertEqual(self.run_program(run + "--mass area").stdout, expected)
 
     def test_same_run_gives_the_same_bytes(self):
-        points = self.discs(random.Random(9), 6)
+        radii = self.discs(random.Random(9), 6, radii=(0, 0.25, 0.375), growths=(0, 0.0625))
         names = ("e.csv", "m.csv", "i.csv", "f.csv", "r.html")
-        run = ("simulate p.csv --until 2 --periodic 6,6,1 --shear 0.25 --collisions elastic --radius 0.25 --quiet "
-               "--events e.csv --motions m.csv --initial-edges i.csv --edges f.csv --html r.html")
-        self.run_program(run, points)
-        expected = [self.read(name) for name in names]
-        self.assertGreater(expected[0].count(",collision,"), 50)
-        for more in ("", " --threads 2", " --exact-only", " --audit events"):
-            self.run_program(run + more)
-            self.assertEqual([self.read(name) for name in names], expected, more)
+        for points, radius in (self.discs(random.Random(9), 6), "--radius 0.25"), (radii, ""):
+            run = (f"simulate p.csv --until 2 --periodic 6,6,1 --shear 0.25 --collisions elastic {radius} --quiet "
+                   "--events e.csv --motions m.csv --initial-edges i.csv --edges f.csv --html r.html")
+            self.run_program(run, points)
+            expected = [self.read(name) for name in names]
+            self.assertGreater(expected[0].count(",collision,"), 50)
+            for more in ("", " --threads 2", " --exact-only", " --audit events"):
+                self.run_program(run + more)
+                self.assertEqual([self.read(name) for name in names], expected, more)
 
     def test_what_a_run_says(self):
         done = self.run_program("simulate p.csv --until 1 --periodic 4,4 --collisions log --radius 0.25 --stats s.json",
@@ -287,18 +365,21 @@ class Periodic_contacts(In_folder):
                 for l in range(-2, 3):
                     p = complex(x, y) + k * (b - a) + l * (d - a)
                     if (k, l) != (0, 0) and gap(p) < r - 0.1:
-                        self.assertTrue(any(abs(complex(u, v) - p) < 0.1 for u, v, _ in images), (x, y, k, l))
+                        self.assertTrue(any(abs(complex(u, v) - p) < 0.1 and abs(radius - r) < 0.02 for u, v, radius in images),
+                                        (x, y, k, l))
         return len(images)
 
     def test_pictures_have_images_of_discs_at_the_border(self):
-        self.run_program("simulate p.csv --until 2 --periodic 5,5,1 --shear 0.25 --collisions elastic --radius 0.25 --quiet "
-                         "--frames f --frames-per-time 1 --html r.html", self.discs(random.Random(8), 5))
-        images = 0
-        for i in range(3):
-            images += self.check_picture(self.read(f"f/frame_00000{i}.svg"))
-            self.run_program(f"render r.html --at {i} --output p.svg")
-            images += self.check_picture(self.read("p.svg"))
-        self.assertGreater(images, 30)
+        radii = self.discs(random.Random(8), 5, radii=(0.125, 0.25, 0.375), growths=(0, 0.0625))
+        for name, points, radius in ("one", self.discs(random.Random(8), 5), "--radius 0.25"), ("many", radii, ""):
+            self.run_program(f"simulate p.csv --until 2 --periodic 5,5,1 --shear 0.25 --collisions elastic {radius} --quiet "
+                             f"--frames {name} --frames-per-time 1 --html r.html", points)
+            images = 0
+            for i in range(3):
+                images += self.check_picture(self.read(f"{name}/frame_00000{i}.svg"))
+                self.run_program(f"render r.html --at {i} --output p.svg")
+                images += self.check_picture(self.read("p.svg"))
+            self.assertGreater(images, 30)
 
     def test_disc_that_meets_its_own_image_ends_the_run(self):
         """The upper vector is (7 - 3 t, 3), and the diameter 5."""
@@ -308,6 +389,13 @@ class Periodic_contacts(In_folder):
         self.assertIn("from t = 0 to 1, at a disc that meets its own image\n", done.stderr)
         self.assertEqual(self.read("f.csv").count("\n"), 4)
         self.assertNotIn("collision", self.read("e.csv"))
+
+    def test_disc_that_grows_ends_the_run_at_its_own_image(self):
+        """The second one has the diameter 8 at the time 3."""
+        run = "simulate p.csv --until 9 --periodic 16,8 --collisions log --events e.csv --edges f.csv"
+        done = self.run_program(run, "x,y,vx,vy,radius,growth\n0,0,0,0,3.75,0\n8,0,0,0,1,1\n", code=130)
+        self.assertIn("from t = 0 to 3, at a disc that meets its own image\n", done.stderr)
+        self.assertIn("disc 1 meets its own image (0, 1) at t = 3;", done.stderr)
 
 
 if __name__ == "__main__":

@@ -20,8 +20,8 @@ struct Geometry_part {
   using Motion = typename Traits::Motion;
 
   Geometry_part(const std::vector<Motion>& discs, const Simulation_options& options,
-                const Algebraic_number& start = 0.0)
-      : setup(Traits(), options), triangulation(discs, start) {}
+                const Algebraic_number& start = 0.0, const Traits& traits = Traits())
+      : setup(traits, options), triangulation(discs, start, traits) {}
 
   /// The pairs of discs that overlap at a rational time, found among all pairs.
   std::set<Edge_ids> overlaps_at(const Rational& t) const {

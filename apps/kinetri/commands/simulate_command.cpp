@@ -51,7 +51,6 @@ void expect_periodic_options(const Simulate_options& options) {
   expect_periodic(options.run);
   if (options.box) refuse_with_periodic("--box");
   if (options.rim) refuse_with_periodic("--rim");
-  if (options.growth) refuse_with_periodic("--growth");
   if (options.regular) refuse_with_periodic("--regular");
   if (options.replay) refuse_with_periodic("--replay");
   const bool collide = collisions_argument(options.collisions, named_responses).response != nullptr;
@@ -164,8 +163,8 @@ Command simulate_command() {
       "touch are neighbors. Else it is the Delaunay triangulation of the centers.",
       "In a periodic box (--periodic) the triangulation is that of all images of the points: one "
       "of the torus, without a hull. Edges have offsets: how often the two vectors of the box are "
-      "added to the position of the second end. Such a run has no walls, and its discs have one "
-      "radius: they collide with images of others, whose offsets are in the log.",
+      "added to the position of the second end. Such a run has no walls; its discs collide with "
+      "images of others, whose offsets are in the log.",
       "Discs that grow may become jammed, with any response: they have no free area left between "
       "one another or between walls. The run then ends, and the outputs hold what happened until "
       "then. It ends in the same way if points are accelerated against a wall or each other, and "

@@ -39,7 +39,7 @@ class Viewer_output {
   Viewer_settings settings_;
   std::variant<Recorder_of<Linear_kinetic_traits_2>, Recorder_of<Polynomial_kinetic_traits_2>,
                Recorder_of<Disc_kinetic_traits_2>, Recorder_of<Polynomial_disc_kinetic_traits_2>,
-               Recorder_of<Periodic_kinetic_traits_2>>
+               Recorder_of<Periodic_kinetic_traits_2>, Recorder_of<Periodic_disc_kinetic_traits_2>>
       recorder_;
   std::function<Viewer_encounters()> encounters_;  // up to now; empty if there is no range
 };

@@ -234,7 +234,7 @@ double Simulation_run::end_of_run() const {
   if (!settings_.until_share) return *source_.until();
   const std::optional<double> end =
       simulation_.visit([&]<class Traits>(const Simulation_2<Traits>& s) -> std::optional<double> {
-        if constexpr (HasWeight<typename Traits::Motion>) {
+        if constexpr (HasWeight<typename Traits::Motion> && PlanarKineticTraits_2<Traits>) {
           if (s.options().rim_touches && source_.response() == "elastic") {
             return time_of_share(s, *settings_.until_share);
           }
@@ -277,7 +277,10 @@ void Simulation_run::watch_growth() {
       // Discs can jam if contacts change their velocities, or if one fills the box.
       const std::string response = source_.response();
       const bool do_turn = response == "elastic" || response == "swap";
-      const bool is_filled = s.options().rim_touches && does_disc_fill_box(s, statistics_.until);
+      bool is_filled = false;
+      if constexpr (PlanarKineticTraits_2<Traits>) {
+        is_filled = s.options().rim_touches && does_disc_fill_box(s, statistics_.until);
+      }
       if (do_grow && (do_turn || is_filled)) {
         jam_watch_.emplace(Jam_watch::until(statistics_.until));
         s.add_observer(*jam_watch_);
@@ -298,7 +301,7 @@ bool Simulation_run::is_jammed() {
 std::optional<double> Simulation_run::share_of_box() const {
   return simulation_.visit(
       []<class Traits>(const Simulation_2<Traits>& s) -> std::optional<double> {
-        if constexpr (HasWeight<typename Traits::Motion>) {
+        if constexpr (HasWeight<typename Traits::Motion> && PlanarKineticTraits_2<Traits>) {
           if (s.options().rim_touches && s.options().refuses_overlaps) return covered_share(s);
         }
         return std::nullopt;

@@ -23,6 +23,7 @@ class Any_simulation {
   using Discs = Simulation_2<Disc_kinetic_traits_2>;
   using Polynomial_discs = Simulation_2<Polynomial_disc_kinetic_traits_2>;
   using Periodic = Simulation_2<Periodic_kinetic_traits_2>;
+  using Periodic_discs = Simulation_2<Periodic_disc_kinetic_traits_2>;
 
   /// Holds no simulation until one is assigned.
   Any_simulation() = default;
@@ -38,11 +39,14 @@ class Any_simulation {
       : simulation_(std::move(simulation)) {}
   /// NOLINTNEXTLINE(google-explicit-constructor)
   Any_simulation(std::unique_ptr<Periodic> simulation) : simulation_(std::move(simulation)) {}
+  /// NOLINTNEXTLINE(google-explicit-constructor)
+  Any_simulation(std::unique_ptr<Periodic_discs> simulation) : simulation_(std::move(simulation)) {}
   /// @}
 
   /// Whether the box is periodic.
   bool is_periodic() const {
-    return std::holds_alternative<std::unique_ptr<Periodic>>(simulation_);
+    return std::holds_alternative<std::unique_ptr<Periodic>>(simulation_) ||
+           std::holds_alternative<std::unique_ptr<Periodic_discs>>(simulation_);
   }
   /// Those of its event log.
   Event_columns event_columns() const {
@@ -66,9 +70,9 @@ class Any_simulation {
   template <class Function>
   std::invoke_result_t<Function, Linear&> visit_plane(Function function) const {
     return std::visit(
-        [&]<class Simulation>(
-            const std::unique_ptr<Simulation>& s) -> std::invoke_result_t<Function, Linear&> {
-          if constexpr (std::is_same_v<Simulation, Periodic>) {
+        [&]<class Traits>(const std::unique_ptr<Simulation_2<Traits>>& s)
+            -> std::invoke_result_t<Function, Linear&> {
+          if constexpr (PeriodicKineticTraits_2<Traits>) {
             throw Internal_error("an output for the plane in a periodic box");
           } else {
             return function(*s);
@@ -79,7 +83,8 @@ class Any_simulation {
 
  private:
   std::variant<std::unique_ptr<Linear>, std::unique_ptr<Polynomial>, std::unique_ptr<Discs>,
-               std::unique_ptr<Polynomial_discs>, std::unique_ptr<Periodic>>
+               std::unique_ptr<Polynomial_discs>, std::unique_ptr<Periodic>,
+               std::unique_ptr<Periodic_discs>>
       simulation_;
 };
 

@@ -2,6 +2,7 @@
 #include "sources/points_source.h"
 
 #include <algorithm>
+#include <concepts>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -44,7 +45,6 @@ class Points_source final : public Run_source {
                             Arithmetic arithmetic) const;
   Input_error overlap(const Overlapping_discs_error& error) const;
   Input_error coincident(const Coincident_trajectories_error& error) const;
-  void expect_equal(const Point_discs& discs) const;
   double equal_radius(const Point_discs& discs) const;
   std::string equal_numbers() const;
 
@@ -69,7 +69,6 @@ Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
   try {
     if (!has_discs()) return simulation(nullptr, options(), arithmetic);
     const Point_discs discs = point_discs(points_, settings_);
-    if (settings_.periodic) expect_equal(discs);
     Simulation_options with_discs = options();
     with_discs.masses = point_masses(points_, discs, settings_);
     if (!discs.are_equal() || settings_.is_regular) {
@@ -107,25 +106,6 @@ Input_error Points_source::coincident(const Coincident_trajectories_error& error
                      "; expected points that differ in one of them, or --coincident hide");
   }
   return Input_error(input_name(path()), points_.lines[second], problem);
-}
-
-// Discs in a periodic box have one radius, which is constant.
-void Points_source::expect_equal(const Point_discs& discs) const {
-  for (std::size_t id = 0; id < discs.radii.size(); ++id) {
-    const auto fail = [&](const std::string& problem) {
-      throw Input_error(input_name(path()), points_.lines[id], problem);
-    };
-    if (discs.growths[id] != 0) {
-      fail(joined("disc ", id, " has the growth ", discs.growths[id],
-                  ", but discs in a periodic box neither grow nor shrink; expected no column "
-                  "growth, or no --periodic"));
-    }
-    if (discs.radii[id] == discs.radii[0]) continue;
-    fail(joined("disc ", id, " has the radius ", discs.radii[id], ", and disc 0 in line ",
-                points_.lines[0], " the radius ", discs.radii[0],
-                ", but discs in a periodic box have one radius; expected equal radii, or no "
-                "--periodic"));
-  }
 }
 
 // The numbers that points with one trajectory have in common.
@@ -177,15 +157,19 @@ Simulation_options Points_source::options() const {
 Any_simulation Points_source::simulation(const Point_discs* discs,
                                          const Simulation_options& simulation_options,
                                          Arithmetic arithmetic) const {
-  if (settings_.periodic) {
-    return std::make_unique<Any_simulation::Periodic>(
-        points_.motions, simulation_options, settings_.from,
-        Periodic_kinetic_traits_2(settings_.periodic->box, arithmetic));
-  }
-  const auto of = [&]<class Motion>(const std::vector<Motion>& motions) -> Any_simulation {
-    using Traits = Basic_kinetic_traits_2<Motion>;
+  const auto make = [&]<class Motion, class Traits>(const std::vector<Motion>& motions,
+                                                    const Traits& traits) -> Any_simulation {
     return std::make_unique<Simulation_2<Traits>>(motions, simulation_options, settings_.from,
-                                                  Traits(arithmetic));
+                                                  traits);
+  };
+  const auto of = [&]<class Motion>(const std::vector<Motion>& motions) -> Any_simulation {
+    if constexpr (std::same_as<Center_motion_of<Motion>, Linear_motion_2>) {
+      if (settings_.periodic) {
+        const Periodic_box_2& box = settings_.periodic->box;
+        return make(motions, Basic_periodic_kinetic_traits_2<Motion>(box, arithmetic));
+      }
+    }
+    return make(motions, Basic_kinetic_traits_2<Motion>(arithmetic));
   };
   return points_.with_motions([&]<class Center>(const std::vector<Center>& centers) {
     if (discs == nullptr) return of(centers);

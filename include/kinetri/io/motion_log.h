@@ -68,6 +68,7 @@ extern template class Motion_log_writer<Polynomial_kinetic_traits_2>;
 extern template class Motion_log_writer<Disc_kinetic_traits_2>;
 extern template class Motion_log_writer<Polynomial_disc_kinetic_traits_2>;
 extern template class Motion_log_writer<Periodic_kinetic_traits_2>;
+extern template class Motion_log_writer<Periodic_disc_kinetic_traits_2>;
 
 /// A row of a motion log.
 struct Logged_motion {

@@ -167,6 +167,7 @@ extern template class Recorder<Polynomial_kinetic_traits_2>;
 extern template class Recorder<Disc_kinetic_traits_2>;
 extern template class Recorder<Polynomial_disc_kinetic_traits_2>;
 extern template class Recorder<Periodic_kinetic_traits_2>;
+extern template class Recorder<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 

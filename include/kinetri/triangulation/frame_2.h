@@ -73,6 +73,7 @@ extern template Frame_2 frame_of(const Kinetic_triangulation_2<Polynomial_kineti
 extern template Frame_2 frame_of(const Kinetic_triangulation_2<Disc_kinetic_traits_2>&);
 extern template Frame_2 frame_of(const Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>&);
 extern template Frame_2 frame_of(const Kinetic_triangulation_2<Periodic_kinetic_traits_2>&);
+extern template Frame_2 frame_of(const Kinetic_triangulation_2<Periodic_disc_kinetic_traits_2>&);
 
 }  // namespace kinetri
 
