@@ -1515,20 +1515,6 @@ class KineticRegular(KineticDelaunay):
                             weight=weight)
 
 
-def _expect_equal_discs(radius: Floats | None, growth: Floats | None) -> None:
-    """Raises an error unless discs in a periodic box have one radius; the arguments are None if they have."""
-    if growth is not None and np.any(growth != 0):
-        raise PreconditionError(f"disc {int(np.flatnonzero(growth)[0])} grows or shrinks, which is not possible in a periodic "
-                                "box; expected no growth")
-    if radius is None or len(radius) == 0:
-        return
-    others = np.flatnonzero(radius != radius[0])
-    if len(others) > 0:
-        other = int(others[0])
-        raise PreconditionError(f"disc {other} has the radius {radius[other].item()!r}, and disc 0 {radius[0].item()!r}, but "
-                                "discs in a periodic box have one radius; expected equal radii")
-
-
 class Simulation(MovingPoints):
     """Moving points or discs in a box, with collisions; every contact is exact.
 
@@ -1543,10 +1529,10 @@ class Simulation(MovingPoints):
     mass : float, array_like of float, shape (n,), or 'area', optional
         Greater than 0; 1 by default; 'area' is the square of the radius.
     box : (xmin, ymin, xmax, ymax) or Box, optional
-        Walls that reflect; or a periodic box: a `Box`, a box of freud or an Atoms of ASE. In it discs have one radius, which
-        is constant, and collide with images of others: an event has the offset of the image of the second point in
-        `added_offset`. With collisions points must not coincide for a while, whatever `coincident` says. What is not
-        possible there raises a PreconditionError that says so: what `KineticDelaunay` lists, and snapshots.
+        Walls that reflect; or a periodic box: a `Box`, a box of freud or an Atoms of ASE. In it discs collide with images
+        of others: an event has the offset of the image of the second point in `added_offset`. With collisions points must
+        not coincide for a while, whatever `coincident` says. What is not possible there raises a PreconditionError that
+        says so: what `KineticDelaunay` lists, snapshots and, if radii differ or grow, queries.
     rim : bool
         Whether walls reflect the boundary of a disc, instead of its center.
     collisions : {None, 'log', 'swap', 'elastic', 'stop', 'remove'} or callable
@@ -1565,7 +1551,7 @@ class Simulation(MovingPoints):
         If the start is impossible.
     OwnImageError
         If a disc overlaps its own image; `advance_to` raises it when a disc would meet its own image, since the box
-        moves.
+        moves or the disc grows.
 
     Examples
     --------
@@ -1612,10 +1598,8 @@ class Simulation(MovingPoints):
                               radius if differs else None, growth, None, float(start))
         walls = _arrays.box_tuple("box", box) if is_walls(box) else None
         lattice = None if is_walls(box) else box_of(box)
-        if lattice is not None:
-            _expect_equal_discs(radius, growth)
-            if rim:
-                raise PreconditionError("rim is True, but a periodic box has no walls; expected rim=False")
+        if lattice is not None and rim:
+            raise PreconditionError("rim is True, but a periodic box has no walls; expected rim=False")
         if differs and radius is None:
             raise PreconditionError("growth without radius; expected the radii at the start")
         if refuse_overlaps is None:
@@ -1675,7 +1659,7 @@ class Simulation(MovingPoints):
 
         Raises
         ------
-        OutsideBoxError, CoincidentTrajectoriesError, NegativeRadiusError
+        OutsideBoxError, CoincidentTrajectoriesError, NegativeRadiusError, OwnImageError
             Nothing is changed then.
         """
         self._set_motions(ids, positions, velocities, acceleration, jerk, radius=radius, growth=growth)

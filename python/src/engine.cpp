@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "kinetri/base/error.h"
+#include "kinetri/impl/base/check.h"
 #include "kinetri/kinetic/periodic_kinetic_traits_2.h"
 #include "make_engine.h"
 
@@ -23,10 +24,10 @@ double number_at(const double* column, std::size_t i) {
 
 // Throws if points of the kind cannot be in a periodic box.
 void check_in_box(const Motion_kind& kind) {
-  if (!kind.is_polynomial && !kind.has_weight) return;
+  if (!kind.is_polynomial) return;
   throw Precondition_error(
-      "acceleration, jerk and radii that differ or grow are not possible in a periodic box; "
-      "expected points on straight lines, with one radius");
+      "acceleration and jerk are not possible in a periodic box; expected points on straight "
+      "lines");
 }
 
 // Calls `function` with the traits of the kind of motion.
@@ -56,6 +57,8 @@ std::unique_ptr<Engine> make_triangulation(const Motion_columns& motions, const 
                                            const std::optional<Periodic_box_2>& box) {
   if (box) {
     check_in_box(kind);
+    KINETRI_PRECONDITION(!kind.has_weight,
+                         "a triangulation of discs in a periodic box; expected points");
     return make_engine(motions, start, coincident, Periodic_kinetic_traits_2(*box));
   }
   return with_traits(kind, [&]<class Traits>(std::type_identity<Traits>) {
@@ -69,6 +72,9 @@ std::unique_ptr<Engine> make_simulation(const Motion_columns& motions, const Mot
                                         const std::optional<Periodic_box_2>& box) {
   if (box) {
     check_in_box(kind);
+    if (kind.has_weight) {
+      return make_engine(motions, start, options, Periodic_disc_kinetic_traits_2(*box));
+    }
     return make_engine(motions, start, options, Periodic_kinetic_traits_2(*box));
   }
   return with_traits(kind, [&]<class Traits>(std::type_identity<Traits>) {

@@ -204,8 +204,7 @@ std::unique_ptr<Engine> make_triangulation(const Motion_columns& motions, const 
                                            Coincident_points coincident,
                                            const std::optional<Periodic_box_2>& box);
 
-/// A simulation of motions of that kind. In a periodic box points neither accelerate nor have radii
-/// of their own.
+/// A simulation of motions of that kind. In a periodic box points do not accelerate.
 std::unique_ptr<Engine> make_simulation(const Motion_columns& motions, const Motion_kind& kind,
                                         const Algebraic_number& start,
                                         const Simulation_options& options,

@@ -123,7 +123,7 @@ class Engine_of final : public Engine {
   std::vector<double> wrapped_positions() const override {
     if constexpr (is_periodic) {
       return positions_by_id([this](Point_id id) {
-        return wrapped(kinetic().motion(id), kinetic().traits().box(), current_time());
+        return wrapped(center(kinetic().motion(id)), kinetic().traits().box(), current_time());
       });
     }
     refuse_without_box();
@@ -211,13 +211,21 @@ class Engine_of final : public Engine {
 
   std::optional<Periodic_image> nearest_vertex(const Vector_2& place) const override;
   Location locate(const Vector_2& place) const override {
-    auto [kind, points] = queries().locate(place);
-    return {kind, images_of(std::move(points))};
+    if constexpr (has_queries) {
+      auto [kind, points] = queries().locate(place);
+      return {kind, images_of(std::move(points))};
+    }
+    refuse_queries();
   }
-  Images neighbors(Point_id id) const override { return images_of(queries().neighbors(id)); }
+  Images neighbors(Point_id id) const override {
+    if constexpr (has_queries) return images_of(queries().neighbors(id));
+    refuse_queries();
+  }
   Cell voronoi_cell(Point_id id) const override;
   std::vector<double> voronoi_areas(std::span<const Vector_2> polygon) const override {
-    if constexpr (is_periodic) {
+    if constexpr (!has_queries) {
+      refuse_queries();
+    } else if constexpr (is_periodic) {
       if (!polygon.empty()) refuse_in_box("areas within a polygon");
       return queries().rounded_voronoi_areas();
     } else {
@@ -245,7 +253,8 @@ class Engine_of final : public Engine {
   std::optional<Periodic_edge> closest_pair() const override;
   std::vector<double> positions() const override {
     if constexpr (is_periodic) {
-      return positions_by_id([this](Point_id id) { return Image_motion_2{kinetic().motion(id)}; });
+      return positions_by_id(
+          [this](Point_id id) { return Image_motion_2{center(kinetic().motion(id))}; });
     } else {
       return queries().rounded_positions();
     }
@@ -304,6 +313,10 @@ class Engine_of final : public Engine {
   }
   [[noreturn]] static void refuse_schedule() {
     refuse("a triangulation has no scheduled changes; expected a Simulation");
+  }
+  static constexpr bool has_queries = !is_periodic || !HasWeight<Motion>;
+  [[noreturn]] static void refuse_queries() {
+    refuse("queries about discs with radii of their own are not possible in a periodic box");
   }
   static constexpr bool has_proximity_graphs = HasNearestNeighbors<Traits> && !is_periodic;
   [[noreturn]] static void refuse_graphs() {
@@ -432,7 +445,7 @@ std::vector<double> Engine_of<Core, Traits>::positions_of(
   std::vector<double> result;
   if constexpr (is_periodic) {
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      const Image_motion_2 image = {kinetic().motion(ids[i]), offsets[i],
+      const Image_motion_2 image = {center(kinetic().motion(ids[i])), offsets[i],
                                     &kinetic().traits().box()};
       const Vector_2 position = rounded_position(image, current_time());
       result.insert(result.end(), {position.x, position.y});
@@ -547,24 +560,30 @@ Images Engine_of<Core, Traits>::images_of(const std::vector<Periodic_image>& ima
 
 template <template <class> class Core, class Traits>
 std::optional<Periodic_image> Engine_of<Core, Traits>::nearest_vertex(const Vector_2& place) const {
-  const auto nearest = queries().nearest_vertex(place);
-  if constexpr (is_periodic) {
-    return nearest;
-  } else {
-    if (!nearest) return std::nullopt;
-    return Periodic_image{*nearest, {}};
+  if constexpr (has_queries) {
+    const auto nearest = queries().nearest_vertex(place);
+    if constexpr (is_periodic) {
+      return nearest;
+    } else {
+      if (!nearest) return std::nullopt;
+      return Periodic_image{*nearest, {}};
+    }
   }
+  refuse_queries();
 }
 
 template <template <class> class Core, class Traits>
 Cell Engine_of<Core, Traits>::voronoi_cell(Point_id id) const {
-  auto cell = queries().rounded_voronoi_cell(id);
-  if constexpr (is_periodic) {
-    auto [ids, offsets] = images_of(cell.neighbors);
-    return {{std::move(ids), std::move(cell.vertices)}, std::move(offsets)};
-  } else {
-    return {std::move(cell)};
+  if constexpr (has_queries) {
+    auto cell = queries().rounded_voronoi_cell(id);
+    if constexpr (is_periodic) {
+      auto [ids, offsets] = images_of(cell.neighbors);
+      return {{std::move(ids), std::move(cell.vertices)}, std::move(offsets)};
+    } else {
+      return {std::move(cell)};
+    }
   }
+  refuse_queries();
 }
 
 template <template <class> class Core, class Traits>
