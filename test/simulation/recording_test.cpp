@@ -439,8 +439,6 @@ TEST(Recording, says_how_far_it_got) {
 
 // ---- periodic boxes ----
 
-using Periodic_triangulation = Kinetic_triangulation_2<Periodic_kinetic_traits_2>;
-
 struct Periodic_state {
   std::vector<Periodic_edge> edges;
   std::set<Periodic_triangle> triangles;
@@ -449,7 +447,8 @@ struct Periodic_state {
 };
 
 // Each triangle by the least of its three names.
-Periodic_state state_of(const Periodic_triangulation& triangulation) {
+template <class Traits>
+Periodic_state state_of(const Kinetic_triangulation_2<Traits>& triangulation) {
   Periodic_state result = {triangulation.periodic_edges(), {}};
   for (const auto face : triangulation.triangulation().finite_face_handles()) {
     std::set<Periodic_triangle> names;
@@ -471,18 +470,18 @@ Periodic_state state_of(const Periodic_triangulation& triangulation) {
 }
 
 // Advances by an instant, up to `until`; returns whether there was one.
-bool step_only(Periodic_triangulation& kinetic, double until) {
+constexpr auto step_only = [](auto& kinetic, double until) {
   return kinetic.step(Algebraic_number(until)) > 0;
-}
+};
 
 // Plays a recording of a run in a periodic box. Returns the number of rows.
-template <class Step = decltype(&step_only)>
-std::size_t expect_plays_in_box(const std::vector<Linear_motion_2>& motions,
-                                const Periodic_box_2& box, double until, std::size_t most_rows,
-                                Step step = &step_only) {
-  Periodic_triangulation kinetic(motions, 0, Periodic_kinetic_traits_2(box));
-  Recorder<Periodic_kinetic_traits_2> recorder(kinetic, until, most_rows);
-  Recorder<Periodic_kinetic_traits_2> parts(kinetic, until, 1'000'000'000);
+template <class Motion, class Step = decltype(step_only)>
+std::size_t expect_plays_in_box(const std::vector<Motion>& motions, const Periodic_box_2& box,
+                                double until, std::size_t most_rows, Step step = step_only) {
+  using Traits = Basic_periodic_kinetic_traits_2<Motion>;
+  Kinetic_triangulation_2<Traits> kinetic(motions, 0, Traits(box));
+  Recorder<Traits> recorder(kinetic, until, most_rows);
+  Recorder<Traits> parts(kinetic, until, 1'000'000'000);
   kinetic.add_observer(recorder);
   kinetic.add_observer(parts);
   const Periodic_state start = state_of(kinetic);
@@ -551,6 +550,20 @@ TEST(Recording, plays_runs_in_periodic_boxes) {
   }
 }
 
+// Discs of any radii, some of which are hidden for a while.
+TEST(Recording, plays_runs_of_discs_in_periodic_boxes) {
+  const Periodic_box_2 sheared({{10, 0}, {0, 0}}, {{3, 9}, {5, 0}});
+  for (const std::size_t points : {1U, 3U, 40U}) {
+    std::vector<Disc_motion_2> discs;
+    for (const Linear_motion_2& motion : test::random_motions(points, 10, 3, 6)) {
+      const auto number = static_cast<double>(discs.size());
+      discs.push_back({motion, 0.5 * std::fmod(number, 5), 0.01 * number, 0});
+    }
+    const std::size_t rows = expect_plays_in_box(discs, sheared, 4, 100'000);
+    EXPECT_GT(rows, points) << points;
+  }
+}
+
 TEST(Recording, plays_degenerate_instants_in_periodic_boxes) {
   std::vector<Linear_motion_2> motions;
   for (int x = 0; x < 4; ++x) {
@@ -570,7 +583,8 @@ TEST(Recording, plays_changes_of_points_in_periodic_boxes) {
   };
   // Between the events of the run, changes of one or of many points.
   int changes = 0;
-  const auto change = [&](Periodic_triangulation& kinetic, double until) {
+  const auto change = [&](Kinetic_triangulation_2<Periodic_kinetic_traits_2>& kinetic,
+                          double until) {
     const double next = until * (changes + 1) / 61;
     if (changes == 60) return step_only(kinetic, until);
     if (step_only(kinetic, next)) return true;
