@@ -84,8 +84,7 @@ class Short_vectors {
     const auto& [a, b] = basis_;
     for (std::int64_t i = least; i <= most; ++i) {
       for (std::int64_t j = least; j <= most; ++j) {
-        const auto vector = to_offset(i * a.x + j * b.x, i * a.y + j * b.y);
-        function(sum(offset, vector.value_or(Lattice_offset_2())));
+        function(offset_of_image(offset.x + i * a.x + j * b.x, offset.y + i * a.y + j * b.y));
       }
     }
   }

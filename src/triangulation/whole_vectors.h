@@ -21,13 +21,18 @@ inline Lattice_offset_2 reversed(const Lattice_offset_2& offset) {
   return {-offset.x, -offset.y};  // The smallest integer is none.
 }
 
-/// Throws Periodic_box_error if the sum is 2^31 or more.
-inline Lattice_offset_2 sum(const Lattice_offset_2& a, const Lattice_offset_2& b) {
-  const auto result = to_offset(std::int64_t{a.x} + b.x, std::int64_t{a.y} + b.y);
+/// The offset of an image. Throws Periodic_box_error if it is 2^31 or more.
+inline Lattice_offset_2 offset_of_image(std::int64_t x, std::int64_t y) {
+  const auto result = to_offset(x, y);
   if (result) return *result;
   throw Periodic_box_error(
       "an image of a point is 2^31 or more lattice vectors away from the position of the point; "
       "give positions that are closer together");
+}
+
+/// Throws Periodic_box_error if the sum is 2^31 or more.
+inline Lattice_offset_2 sum(const Lattice_offset_2& a, const Lattice_offset_2& b) {
+  return offset_of_image(std::int64_t{a.x} + b.x, std::int64_t{a.y} + b.y);
 }
 
 /// The greatest integer for which `is_reached` holds, which holds for all lesser ones and for no
