@@ -47,9 +47,8 @@ class Kinetic_types<Traits>::Hidden_events {
       const Location beyond = Topology::beyond(v->point(), location, failure.index);
       if (!triangulation_.is_infinite(beyond.face)) {
         updates_.hide_in(v, beyond);
-        schedule_.schedule_hidden(
-            v, schedule_.current_time(),
-            has_just_crossed ? static_cast<std::uint8_t>(i) : no_condition);
+        schedule_.schedule_hidden(v, schedule_.current_time(),
+                                  has_just_crossed ? static_cast<std::uint8_t>(i) : no_condition);
         return true;
       }
     } else if (failure.changes_sign && updates_.is_inside(v->point(), location, true)) {
