@@ -189,7 +189,8 @@ class Image_contacts {
   }
 
   void collide(const Periodic_edge& pair) {
-    const auto [a, b] = pair.ids;
+    const Point_id a = pair.ids[0];
+    const Point_id b = pair.ids[1];
     const double time = time_.to_double();
     const Vector_2 shift = drift(pair.offset);
     const Vector_2 place_a = rounded_place(*motions_[a], time);

@@ -93,7 +93,7 @@ TEST_P(Image_filter, never_contradicts_exact_arithmetic) {
     expect_sign([&] { return certain_in_circle(m[0], m[1], m[2], m[3], interval); }, in_circle);
     if (HasFatalFailure()) return;
     const auto [range, gap, closer] = distances_of(m, t, source.integer(4));
-    expect_sign([&] { return certain_gap(m[0], m[1], range, interval); }, gap);
+    expect_sign([&, range = range] { return certain_gap(m[0], m[1], range, interval); }, gap);
     expect_sign([&] { return certain_distance_comparison(m[0], m[1], m[2], m[3], interval); },
                 closer);
     const auto expect_distance = [&](const Polynomial& p, const auto& filter,
@@ -110,10 +110,10 @@ TEST_P(Image_filter, never_contradicts_exact_arithmetic) {
           test::in_mode(mode, [&] { return filter_of_negation(result.bounds, true); }), -p,
           first_root_after(p, t).value().value);
     };
-    const auto apart = [&](const Double_interval& after, bool vanishes) {
+    const auto apart = [&, range = range](const Double_interval& after, bool vanishes) {
       return filter_apart(m[0], m[1], range, after, vanishes);
     };
-    const auto near = [&](const Double_interval& after, bool vanishes) {
+    const auto near = [&, range = range](const Double_interval& after, bool vanishes) {
       return filter_near(m[0], m[1], range, after, vanishes);
     };
     expect_distance(gap, apart, near);
