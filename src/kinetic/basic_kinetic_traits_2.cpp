@@ -582,72 +582,79 @@ template class Basic_kinetic_traits_2<Polynomial_motion_2>;
 template class Basic_kinetic_traits_2<Disc_motion_2>;
 template class Basic_kinetic_traits_2<Polynomial_disc_motion_2>;
 
-// Of images, the certificates of triangulations.
-#define KINETRI_OF_IMAGES(Traits, Image)                                                           \
-  template Certificate Traits::in_circle_certificate(const Image&, const Image&, const Image&,     \
-                                                     const Image&, const Time&, Certificate_state) \
-      const;                                                                                       \
-  template Certificate Traits::orientation_certificate(const Image&, const Image&, const Image&,   \
-                                                       const Time&, Certificate_state) const;      \
-  template Certificate Traits::flatness_certificate(const Image&, const Image&, const Image&,      \
-                                                    const Time&, Certificate_state) const;         \
-  template Certificate Traits::coincidence_certificate(const Image&, const Image&, const Time&,    \
-                                                       const Double_interval&) const;              \
-  template Time Traits::in_circle_failure(const Image&, const Image&, const Image&, const Image&,  \
-                                          const Double_interval&) const;                           \
-  template Time Traits::orientation_failure(const Image&, const Image&, const Image&,              \
-                                            const Double_interval&) const;                         \
-  template std::array<Certificate, 2> Traits::in_circle_certificates(                              \
-      const std::array<Quadruple<Image>, 2>&, const Time&) const;                                  \
-  template std::array<Certificate, 5> Traits::certificates_after_flip(                             \
-      const Flip_neighborhood<Image>&, const Double_interval&) const;                              \
-  template bool Traits::is_surrounded(const Image&, std::span<const Image* const>,                 \
-                                      const Double_interval&) const
-using Of_images = Basic_kinetic_traits_2<Image_motion_2>;
-using Of_discs = Basic_kinetic_traits_2<Image_disc_motion_2>;
-KINETRI_OF_IMAGES(Of_images, Moving_image_2);
-KINETRI_OF_IMAGES(Of_discs, Moving_image_disc_2);
+// Of images, the certificates of triangulations. clang takes no alias here.
+#define KINETRI_OF_IMAGES(Motion, Image)                                                       \
+  template Certificate Basic_kinetic_traits_2<Motion>::in_circle_certificate(                  \
+      const Image&, const Image&, const Image&, const Image&, const Time&, Certificate_state)  \
+      const;                                                                                   \
+  template Certificate Basic_kinetic_traits_2<Motion>::orientation_certificate(                \
+      const Image&, const Image&, const Image&, const Time&, Certificate_state) const;         \
+  template Certificate Basic_kinetic_traits_2<Motion>::flatness_certificate(                   \
+      const Image&, const Image&, const Image&, const Time&, Certificate_state) const;         \
+  template Certificate Basic_kinetic_traits_2<Motion>::coincidence_certificate(                \
+      const Image&, const Image&, const Time&, const Double_interval&) const;                  \
+  template Time Basic_kinetic_traits_2<Motion>::in_circle_failure(                             \
+      const Image&, const Image&, const Image&, const Image&, const Double_interval&) const;   \
+  template Time Basic_kinetic_traits_2<Motion>::orientation_failure(                           \
+      const Image&, const Image&, const Image&, const Double_interval&) const;                 \
+  template std::array<Certificate, 2> Basic_kinetic_traits_2<Motion>::in_circle_certificates(  \
+      const std::array<Quadruple<Image>, 2>&, const Time&) const;                              \
+  template std::array<Certificate, 5> Basic_kinetic_traits_2<Motion>::certificates_after_flip( \
+      const Flip_neighborhood<Image>&, const Double_interval&) const;                          \
+  template bool Basic_kinetic_traits_2<Motion>::is_surrounded(                                 \
+      const Image&, std::span<const Image* const>, const Double_interval&) const
+KINETRI_OF_IMAGES(Image_motion_2, Moving_image_2);
+KINETRI_OF_IMAGES(Image_disc_motion_2, Moving_image_disc_2);
 #undef KINETRI_OF_IMAGES
-template Certificate Of_discs::segment_certificate(const Moving_image_disc_2&,
-                                                   const Moving_image_disc_2&,
-                                                   const Moving_image_disc_2&, const Time&) const;
-template Certificate Of_discs::hiding_certificate(const Moving_image_disc_2&,
-                                                  const Moving_image_disc_2&,
-                                                  const Moving_image_disc_2&, const Time&) const;
-template Certificate Of_discs::weight_certificate(const Moving_image_disc_2&,
-                                                  const Moving_image_disc_2&, const Time&) const;
-template Certificate Of_discs::meeting_certificate(const Moving_image_disc_2&,
-                                                   const Moving_image_disc_2&, const Time&,
-                                                   const Double_interval&) const;
-template Sign Of_discs::certain_turn(const Moving_image_disc_2&, const Moving_image_disc_2&,
-                                     const Moving_image_disc_2&, const Double_interval&) const;
+template Certificate Basic_kinetic_traits_2<Image_disc_motion_2>::segment_certificate(
+    const Moving_image_disc_2&, const Moving_image_disc_2&, const Moving_image_disc_2&,
+    const Time&) const;
+template Certificate Basic_kinetic_traits_2<Image_disc_motion_2>::hiding_certificate(
+    const Moving_image_disc_2&, const Moving_image_disc_2&, const Moving_image_disc_2&,
+    const Time&) const;
+template Certificate Basic_kinetic_traits_2<Image_disc_motion_2>::weight_certificate(
+    const Moving_image_disc_2&, const Moving_image_disc_2&, const Time&) const;
+template Certificate Basic_kinetic_traits_2<Image_disc_motion_2>::meeting_certificate(
+    const Moving_image_disc_2&, const Moving_image_disc_2&, const Time&,
+    const Double_interval&) const;
+template Sign Basic_kinetic_traits_2<Image_disc_motion_2>::certain_turn(
+    const Moving_image_disc_2&, const Moving_image_disc_2&, const Moving_image_disc_2&,
+    const Double_interval&) const;
 // Of images of points, the certificates of distances.
-template Certificate Of_images::apart_certificate(const Moving_image_2&, const Moving_image_2&,
-                                                  double, const Time&) const;
-template Certificate Of_images::next_apart_certificate(const Moving_image_2&, const Moving_image_2&,
-                                                       double, const Time&) const;
-template Certificate Of_images::near_certificate(const Moving_image_2&, const Moving_image_2&,
-                                                 double, const Time&) const;
-template Certificate Of_images::closer_certificate(const Moving_image_2&, const Moving_image_2&,
-                                                   const Moving_image_2&, const Moving_image_2&,
-                                                   const Time&) const;
-template Time Of_images::closer_failure(const Moving_image_2&, const Moving_image_2&,
-                                        const Moving_image_2&, const Moving_image_2&,
-                                        const Double_interval&) const;
+template Certificate Basic_kinetic_traits_2<Image_motion_2>::apart_certificate(
+    const Moving_image_2&, const Moving_image_2&, double, const Time&) const;
+template Certificate Basic_kinetic_traits_2<Image_motion_2>::next_apart_certificate(
+    const Moving_image_2&, const Moving_image_2&, double, const Time&) const;
+template Certificate Basic_kinetic_traits_2<Image_motion_2>::near_certificate(const Moving_image_2&,
+                                                                              const Moving_image_2&,
+                                                                              double,
+                                                                              const Time&) const;
+template Certificate Basic_kinetic_traits_2<Image_motion_2>::closer_certificate(
+    const Moving_image_2&, const Moving_image_2&, const Moving_image_2&, const Moving_image_2&,
+    const Time&) const;
+template Time Basic_kinetic_traits_2<Image_motion_2>::closer_failure(const Moving_image_2&,
+                                                                     const Moving_image_2&,
+                                                                     const Moving_image_2&,
+                                                                     const Moving_image_2&,
+                                                                     const Double_interval&) const;
 // The certificates of contacts.
-#define KINETRI_CONTACTS_OF_IMAGES(Traits, Image)                                           \
-  template Certificate Traits::contact_certificate(const Image&, const Image&, double,      \
-                                                   const Time&) const;                      \
-  template Certificate Traits::next_contact_certificate(const Image&, const Image&, double, \
-                                                        const Time&) const;                 \
-  template Time Traits::contact_failure(const Image&, const Image&, double,                 \
-                                        const Double_interval&) const;                      \
-  template bool Traits::do_approach(const Image&, const Image&, const Time&) const;         \
-  template bool Traits::has_approach_speed(const Image&, const Image&, const Time&) const;  \
-  template bool Traits::do_touch(const Image&, const Image&, double, const Time&) const;    \
-  template bool Traits::may_overlap(const Image&, const Image&, double, const Time&) const
-KINETRI_CONTACTS_OF_IMAGES(Of_images, Moving_image_2);
-KINETRI_CONTACTS_OF_IMAGES(Of_discs, Moving_image_disc_2);
+#define KINETRI_CONTACTS_OF_IMAGES(Motion, Image)                                               \
+  template Certificate Basic_kinetic_traits_2<Motion>::contact_certificate(                     \
+      const Image&, const Image&, double, const Time&) const;                                   \
+  template Certificate Basic_kinetic_traits_2<Motion>::next_contact_certificate(                \
+      const Image&, const Image&, double, const Time&) const;                                   \
+  template Time Basic_kinetic_traits_2<Motion>::contact_failure(                                \
+      const Image&, const Image&, double, const Double_interval&) const;                        \
+  template bool Basic_kinetic_traits_2<Motion>::do_approach(const Image&, const Image&,         \
+                                                            const Time&) const;                 \
+  template bool Basic_kinetic_traits_2<Motion>::has_approach_speed(const Image&, const Image&,  \
+                                                                   const Time&) const;          \
+  template bool Basic_kinetic_traits_2<Motion>::do_touch(const Image&, const Image&, double,    \
+                                                         const Time&) const;                    \
+  template bool Basic_kinetic_traits_2<Motion>::may_overlap(const Image&, const Image&, double, \
+                                                            const Time&) const
+KINETRI_CONTACTS_OF_IMAGES(Image_motion_2, Moving_image_2);
+KINETRI_CONTACTS_OF_IMAGES(Image_disc_motion_2, Moving_image_disc_2);
 #undef KINETRI_CONTACTS_OF_IMAGES
 
 }  // namespace kinetri
