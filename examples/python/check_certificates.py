@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks a file of kinetri's --certificates with fractions alone: python3 check_certificates.py FILE"""
+import functools
 import json
 import sys
 from fractions import Fraction
@@ -9,11 +10,11 @@ POINTS = {"flip": (4,), "hull_insert": (3,), "hull_remove": (3,), "hide": (3, 4)
 
 
 def value(p, t):  # p by ascending power
-    return sum(c * t**i for i, c in enumerate(p))
+    return functools.reduce(lambda sum_, c: sum_ * t + c, reversed(p), 0)
 
 
 def derivative(p):
-    return [i * c for i, c in enumerate(p)][1:]
+    return tuple(i * c for i, c in enumerate(p))[1:]
 
 
 def divided(a, b):  # quotient and remainder
@@ -24,10 +25,12 @@ def divided(a, b):  # quotient and remainder
     return quotient, a[:max((i + 1 for i, c in enumerate(a) if c), default=0)]
 
 
+@functools.lru_cache
 def sturm(p):
     terms = [p, derivative(p)]
     while terms[-1]:
-        terms.append([-c for c in divided(terms[-2], terms[-1])[1]])
+        rest = divided(terms[-2], terms[-1])[1]
+        terms.append(tuple(-c / abs(rest[-1]) for c in rest))  # a positive factor: the same signs, of shorter numbers
     return terms[:-1]
 
 
@@ -38,7 +41,8 @@ def signs(terms, t):
 def roots(p, lower, upper):  # the number of distinct ones in (lower, upper]; in [lower, lower] if both are equal
     if lower == upper:
         return int(value(p, lower) == 0)
-    simple = sturm(divided(p, sturm(p)[-1])[0])
+    common = sturm(p)[-1]  # with the derivative
+    simple = sturm(tuple(divided(p, common)[0]) if len(common) > 1 else p)
     rows = [[s for s in signs(simple, t) if s] for t in (lower, upper)]
     return sum(s != t for s, t in zip(rows[0], rows[0][1:])) - sum(s != t for s, t in zip(rows[1], rows[1][1:]))
 
@@ -57,7 +61,7 @@ def check(row):
         assert row["reason"] and row.keys() == {"event", "kind", "points", "polynomial", "reason"}, "no reason"
         return
     assert len(set(row["points"])) == len(row["points"]) in POINTS[row["kind"]], "points of another kind of event"
-    p = [Fraction(int(c)) for c in row["polynomial"]]
+    p = tuple(Fraction(int(c)) for c in row["polynomial"])
     start, lower, upper, *touches = (int(m) * Fraction(2)**e for m, e in (
         row["from"], row["lower"], row["upper"], *(end for touch in row["touches"] for end in touch)))
     assert len(p) > 1 and p[-1] and row["signs"] == [signs(sturm(p), t) for t in (start, lower, upper)], "signs"
