@@ -12,6 +12,7 @@
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/certificates.h"
 #include "support/motions.h"
+#include "support/on_failure.h"
 
 namespace kinetri::basic_kinetic_traits_2_test {
 namespace {
@@ -297,7 +298,7 @@ TEST_P(Rounded_failure_times, are_those_of_the_exact_roots) {
   int compared = 0;
   for (int i = 0; i < 1500 * test::multiplier(); ++i) {
     const auto m = source.next(GetParam());
-    SCOPED_TRACE(test::describe({m.begin(), m.end()}));
+    const test::On_failure trace([&] { return test::describe({m.begin(), m.end()}); });
     const Algebraic_number t(source.time(GetParam()));
     const Moving_point_2 p(m[0]);
     const Moving_point_2 q(m[1]);
@@ -344,7 +345,7 @@ TEST(Linear_kinetic_traits_2, random_failure_times_are_where_the_static_predicat
   int failures = 0;
   for (unsigned i = 0; i < 300u * static_cast<unsigned>(test::multiplier()); ++i) {
     const auto m = test::random_motions(4, 10, 5, seed + i);
-    SCOPED_TRACE(test::describe(m));
+    const test::On_failure trace([&] { return test::describe(m); });
     const Moving_point_2 p(m[0]);
     const Moving_point_2 q(m[1]);
     const Moving_point_2 r(m[2]);

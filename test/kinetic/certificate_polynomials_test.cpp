@@ -9,6 +9,7 @@
 #include <random>
 
 #include "support/motions.h"
+#include "support/on_failure.h"
 #include "support/precondition_error.h"
 
 namespace kinetri::certificate_polynomials_test {
@@ -72,7 +73,7 @@ TEST(Certificate_polynomials, at_rational_times_have_the_signs_of_the_static_pre
       const Static_point sr = place_at(m[2], t);
       const Static_point ss = place_at(m[3], t);
       const std::vector<Linear_motion_2> motions(m.begin(), m.end());
-      SCOPED_TRACE(test::describe(motions) + "t = " + t.str());
+      const test::On_failure trace([&] { return test::describe(motions) + "t = " + t.str(); });
 
       ASSERT_EQ(x_difference(p, q).sign_at(t), CGAL::compare_x(sp, sq));
       ASSERT_EQ(y_difference(p, q).sign_at(t), CGAL::compare_y(sp, sq));

@@ -8,6 +8,7 @@
 
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "support/discs.h"
+#include "support/on_failure.h"
 
 namespace kinetri::disc_kinetic_traits_2_test {
 namespace {
@@ -233,7 +234,7 @@ TYPED_TEST(Certificates_of_discs, agree_with_static_predicates_at_many_times) {
       if (m[k].growth < 0) m[k].growth = -m[k].growth;
       p[k] = Point(m[k]);
     }
-    SCOPED_TRACE(test::describe_discs(m) + "t = " + t.str());
+    const test::On_failure trace([&] { return test::describe_discs(m) + "t = " + t.str(); });
     const auto circle = failure_of(
         [&](const Algebraic_number& after) {
           return traits.in_circle_certificate(p[0], p[1], p[2], p[3], after,

@@ -8,6 +8,7 @@
 
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/discs.h"
+#include "support/on_failure.h"
 
 namespace kinetri::disc_polynomials_test {
 namespace {
@@ -43,7 +44,7 @@ TYPED_TEST(Disc_polynomials, at_rational_times_have_the_signs_of_the_static_pred
         p[k] = Point(m[k]);
         s[k] = disc_at(m[k], t);
       }
-      SCOPED_TRACE(test::describe_discs(m) + "t = " + t.str());
+      const test::On_failure trace([&] { return test::describe_discs(m) + "t = " + t.str(); });
       const Sign in_circle = in_circle_polynomial(p[0], p[1], p[2], p[3]).sign_at(t);
       ASSERT_EQ(in_circle, power_side(s[0], s[1], s[2], s[3]));
       if (in_circle == CGAL::ZERO) ++zeros;
@@ -106,7 +107,7 @@ TYPED_TEST(Disc_polynomials, of_collinear_discs_have_the_signs_of_the_static_pre
       s[k] = disc_at(m[k], t);
     }
     if (s[0].point() == s[2].point()) continue;
-    SCOPED_TRACE(test::describe_discs(m) + "t = " + t.str());
+    const test::On_failure trace([&] { return test::describe_discs(m) + "t = " + t.str(); });
     const Sign sign = segment_polynomial(p[0], p[1], p[2]).sign_at(t);
     ASSERT_EQ(sign, power_side(s[0], s[2], s[1]));
     ++signs[static_cast<std::size_t>(sign + 1)];

@@ -18,6 +18,7 @@
 #include "support/disc_certificates.h"
 #include "support/discs.h"
 #include "support/motions.h"
+#include "support/on_failure.h"
 
 namespace kinetri::distance_certificates_test {
 namespace {
@@ -280,7 +281,9 @@ void expect_definition(const std::vector<Motion>& m, unsigned seed, int& failure
     const double t = static_cast<double>(random() % 5);
     const std::array points = {Point(m[i]), Point(m[i + 1]), Point(m[i + 2]), Point(m[i + 3])};
     const auto& [p, q, r, s] = points;
-    SCOPED_TRACE(testing::Message() << p << '\n' << q << "\nrange " << range << ", time " << t);
+    const test::On_failure trace([&] {
+      return testing::Message() << p << '\n' << q << "\nrange " << range << ", time " << t;
+    });
     const auto excess = [&](const Rational& time) {
       return excess_at(m[i], m[i + 1], range, time);
     };
@@ -417,7 +420,9 @@ void expect_same_as_exact(int flavor, int cases, int greatest_exact_share) {
     auto m = next<Motion>(lines, discs, curved, random, flavor, i, t);
     if (i % 3 == 1) m[2] = m[0];
     if (i % 8 == 3) m[3].velocity = m[1].velocity;
-    SCOPED_TRACE(testing::Message() << test::describe_discs(m) << "case " << i << ", time " << t);
+    const test::On_failure trace([&] {
+      return testing::Message() << test::describe_discs(m) << "case " << i << ", time " << t;
+    });
     const Vector_2 a = rounded_place(center(m[0]), i % 4 == 0 ? t : t + 1);
     const Vector_2 b = rounded_place(center(m[1]), i % 4 == 0 ? t : t + 1);
     double range = std::abs(a.x - b.x);

@@ -13,6 +13,7 @@
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "kinetri/kinetic/image_motion_2.h"
 #include "support/images.h"
+#include "support/on_failure.h"
 #include "support/precondition_error.h"
 
 namespace kinetri::image_kinetic_traits_2_test {
@@ -64,7 +65,7 @@ TEST_P(Image_traits, decide_as_polynomials_by_definition) {
   test::Images source(61);
   for (int i = 0; i < 60 * test::multiplier(); ++i) {
     const auto m = source.next(GetParam());
-    SCOPED_TRACE(test::describe(m));
+    const test::On_failure trace([&] { return test::describe(m); });
     const auto all = points(m);
     const auto& [p, q, r, s] = all;
     const Polynomial outside = -test::perturbed_determinant(m);

@@ -17,6 +17,7 @@
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/filter_results.h"
 #include "support/images.h"
+#include "support/on_failure.h"
 
 namespace kinetri::image_motion_2_test {
 namespace {
@@ -41,7 +42,7 @@ TEST_P(Images_of_points, have_the_polynomials_of_their_definition) {
   const int cases = 200 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
-    SCOPED_TRACE(test::describe(m));
+    const test::On_failure trace([&] { return test::describe(m); });
     const auto [p, q, r, s] = points(m);
     const auto paths = test::paths_of(m);
     expect_same(x_difference(p, q), paths[0][0] - paths[1][0]);
@@ -78,7 +79,7 @@ TEST_P(Images_of_points, depend_on_differences_of_offsets_alone) {
   test::Images source(42);
   for (int i = 0; i < 100 * test::multiplier(); ++i) {
     auto m = source.next(GetParam());
-    SCOPED_TRACE(test::describe(m));
+    const test::On_failure trace([&] { return test::describe(m); });
     const auto [p, q, r, s] = points(m);
     const int dx = source.integer(9) - 4;
     const int dy = source.integer(9) - 4;
@@ -100,7 +101,7 @@ TEST_P(Images_of_points, are_within_the_error_of_their_rounded_places) {
   test::Images source(43);
   for (int i = 0; i < 300 * test::multiplier(); ++i) {
     const auto m = source.next(GetParam());
-    SCOPED_TRACE(test::describe(m));
+    const test::On_failure trace([&] { return test::describe(m); });
     const double t = source.time();
     const Double_interval times = {t, t + std::ldexp(1, -source.integer(60))};
     for (const Image_motion_2& image : m) {

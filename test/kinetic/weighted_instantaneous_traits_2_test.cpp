@@ -16,6 +16,7 @@
 #include "kinetri/events/event.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
 #include "support/discs.h"
+#include "support/on_failure.h"
 
 namespace kinetri::weighted_instantaneous_traits_2_test {
 namespace {
@@ -75,7 +76,7 @@ class Ids {
 
 template <class Disc>
 void compare_with_static(const std::vector<Disc>& motions, const Rational& t) {
-  SCOPED_TRACE(test::describe_discs(motions) + "t = " + t.str());
+  const test::On_failure trace([&] { return test::describe_discs(motions) + "t = " + t.str(); });
   using Point = Basic_moving_point_2<Disc>;
   const Algebraic_number time(t);
   Triangulation<Disc> moving{Basic_weighted_instantaneous_traits_2<Disc>(Instant{time})};

@@ -6,11 +6,21 @@
 
 namespace kinetri::test {
 
-/// The factor for the number of random cases: KINETRI_TEST_MULTIPLIER, or 1.
-inline int multiplier() {
-  const char* text = std::getenv("KINETRI_TEST_MULTIPLIER");
+inline int at_least_one(const char* environment_variable) {
+  const char* text = std::getenv(environment_variable);
   const int value = text == nullptr ? 1 : std::atoi(text);
   return value < 1 ? 1 : value;
+}
+
+/// The factor for the number of random cases: KINETRI_TEST_MULTIPLIER, or 1.
+inline int multiplier() {
+  return at_least_one("KINETRI_TEST_MULTIPLIER");
+}
+
+/// So many random cases, times the multiplier; and divided by KINETRI_TEST_DIVISOR, for tests of
+/// which some of the cases are run a second time in another way.
+inline int cases(int number) {
+  return number * multiplier() / at_least_one("KINETRI_TEST_DIVISOR");
 }
 
 }  // namespace kinetri::test

@@ -14,6 +14,7 @@
 #include "kinetri/kinetic/certificate_polynomials.h"
 #include "support/certificates.h"
 #include "support/motions.h"
+#include "support/on_failure.h"
 
 namespace kinetri::contact_filter_test {
 namespace {
@@ -75,10 +76,10 @@ TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
   int signs = 0;
   int apart = 0;
   int overlapping = 0;
-  const int cases = 4000 * test::multiplier();
+  const int cases = test::cases(4000);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
-    SCOPED_TRACE(test::describe({m.begin(), m.begin() + 2}));
+    const test::On_failure trace([&] { return test::describe({m.begin(), m.begin() + 2}); });
     const double t = source.time(GetParam());
     const double later = t + 1;
     const Moving_point_2 p(m[0]);
@@ -142,10 +143,10 @@ TEST_P(Contact_filter, of_signs_at_an_instant_never_contradicts_exact_arithmetic
   test::Certificates source(272);
   int decided = 0;
   int surrounded = 0;
-  const int cases = 1500 * test::multiplier();
+  const int cases = test::cases(1500);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
-    SCOPED_TRACE(test::describe({m.begin(), m.end()}));
+    const test::On_failure trace([&] { return test::describe({m.begin(), m.end()}); });
     const double t = source.time(GetParam());
     const Moving_point_2 p(m[0]);
     const Moving_point_2 q(m[1]);

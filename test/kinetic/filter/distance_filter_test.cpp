@@ -19,6 +19,7 @@
 #include "support/disc_certificates.h"
 #include "support/discs.h"
 #include "support/filter_results.h"
+#include "support/on_failure.h"
 
 namespace kinetri::distance_filter_test {
 namespace {
@@ -124,8 +125,10 @@ Counts expect_true_ranges(int flavor, int cases) {
     const auto m = source.next(i, t);
     const double range = range_of(m[0], m[1], t, i);
     if (!std::isfinite(range)) continue;
-    SCOPED_TRACE(testing::Message() << test::describe_discs(std::array{m[0], m[1]}) << "range "
-                                    << range << ", time " << t);
+    const test::On_failure trace([&] {
+      return testing::Message() << test::describe_discs(std::array{m[0], m[1]}) << "range " << range
+                                << ", time " << t;
+    });
     const int mode = test::rounding_mode(i);
     const Polynomial distance = contact_polynomial(Point(m[0]), Point(m[1]), range);
     const auto near = [&](const Double_interval& after, bool vanishes_at) {
@@ -181,7 +184,8 @@ Counts expect_true_comparisons(int flavor, int cases) {
     if (i % 16 == 5) m[3].velocity = m[1].velocity;
     const bool are_nearly_equal = i % 7 == 6;
     if (are_nearly_equal) mirror(m, i);
-    SCOPED_TRACE(testing::Message() << test::describe_discs(m) << "time " << t);
+    const test::On_failure trace(
+        [&] { return testing::Message() << test::describe_discs(m) << "time " << t; });
     const int mode = test::rounding_mode(i);
     const Polynomial p =
         distance_comparison_polynomial(Point(m[0]), Point(m[1]), Point(m[2]), Point(m[3]));
@@ -217,34 +221,31 @@ void expect_most_decided(const Counts& counts, int share, int share_after_root) 
 }
 
 TEST_P(Distance_filter, of_ranges_never_contradicts_exact_arithmetic) {
-  const Counts counts = expect_true_ranges<Linear_motion_2>(GetParam(), 2000 * test::multiplier());
+  const Counts counts = expect_true_ranges<Linear_motion_2>(GetParam(), test::cases(2000));
   if (GetParam() == 0) expect_most_decided(counts, 99, 99);
 }
 TEST_P(Distance_filter, of_ranges_of_curves_never_contradicts_exact_arithmetic) {
-  const Counts counts =
-      expect_true_ranges<Polynomial_motion_2>(GetParam(), 500 * test::multiplier());
+  const Counts counts = expect_true_ranges<Polynomial_motion_2>(GetParam(), test::cases(500));
   if (GetParam() == 0) expect_most_decided(counts, 95, 60);
 }
 TEST_P(Distance_filter, of_ranges_of_discs_never_contradicts_exact_arithmetic) {
-  const Counts counts = expect_true_ranges<Disc_motion_2>(GetParam(), 1600 * test::multiplier());
+  const Counts counts = expect_true_ranges<Disc_motion_2>(GetParam(), test::cases(1600));
   if (GetParam() == 0) expect_most_decided(counts, 85, 60);
 }
 TEST_P(Distance_filter, of_ranges_of_curved_discs_never_contradicts_exact_arithmetic) {
-  expect_true_ranges<Polynomial_disc_motion_2>(GetParam(), 400 * test::multiplier());
+  expect_true_ranges<Polynomial_disc_motion_2>(GetParam(), test::cases(400));
 }
 
 TEST_P(Distance_filter, of_comparisons_never_contradicts_exact_arithmetic) {
-  const Counts counts =
-      expect_true_comparisons<Linear_motion_2>(GetParam(), 2000 * test::multiplier());
+  const Counts counts = expect_true_comparisons<Linear_motion_2>(GetParam(), test::cases(2000));
   if (GetParam() == 0) expect_most_decided(counts, 98, 95);
 }
 TEST_P(Distance_filter, of_comparisons_of_curves_never_contradicts_exact_arithmetic) {
-  const Counts counts =
-      expect_true_comparisons<Polynomial_motion_2>(GetParam(), 500 * test::multiplier());
+  const Counts counts = expect_true_comparisons<Polynomial_motion_2>(GetParam(), test::cases(500));
   if (GetParam() == 0) expect_most_decided(counts, 95, 60);
 }
 TEST_P(Distance_filter, of_comparisons_of_discs_is_about_centers) {
-  expect_true_comparisons<Disc_motion_2>(GetParam(), 200 * test::multiplier());
+  expect_true_comparisons<Disc_motion_2>(GetParam(), test::cases(200));
 }
 
 INSTANTIATE_TEST_SUITE_P(Flavors, Distance_filter, testing::Range(0, test::Certificates::flavors),

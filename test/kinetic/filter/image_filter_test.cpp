@@ -15,6 +15,7 @@
 #include "support/brute_force_simulator.h"
 #include "support/filter_results.h"
 #include "support/images.h"
+#include "support/on_failure.h"
 
 namespace kinetri::image_filter_test {
 namespace {
@@ -52,10 +53,10 @@ TEST_P(Image_filter, never_contradicts_exact_arithmetic) {
   int undecided = 0;
   int decided_distances = 0;
   int undecided_distances = 0;
-  const int cases = 1200 * test::multiplier();
+  const int cases = test::cases(1200);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
-    SCOPED_TRACE(test::describe(m));
+    const test::On_failure trace([&] { return test::describe(m); });
     const double t = source.time();
     const int mode = test::rounding_mode(i);
     test::expect_true_certificates(m, t, mode, decided);
@@ -155,10 +156,10 @@ TEST_P(Image_filter, of_several_certificates_never_contradicts_exact_arithmetic)
   test::Images source(52);
   test::Decided_after_flips counts;
   int decided = 0;
-  const int cases = 700 * test::multiplier();
+  const int cases = test::cases(700);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
-    SCOPED_TRACE(test::describe(m));
+    const test::On_failure trace([&] { return test::describe(m); });
     // Others of the same box, near by.
     std::array<Image_motion_2, 4> beyond = m;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -196,10 +197,10 @@ TEST_P(Image_filter, of_twice_the_precision_has_the_signs_of_exact_arithmetic_or
   int known = 0;
   int rounded = 0;
   int failures = 0;
-  const int cases = 600 * test::multiplier();
+  const int cases = test::cases(600);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
-    SCOPED_TRACE(test::describe(m));
+    const test::On_failure trace([&] { return test::describe(m); });
     const double t = source.time();
     const Polynomial in_circle = test::lifted_determinant(0, m);
     const auto paths = test::paths_of(m);
@@ -320,10 +321,10 @@ void expect_true_contacts(const Motion& p, const Motion& q, double diameter, con
 TEST_P(Image_filter, of_contacts_never_contradicts_exact_arithmetic) {
   test::Images source(54);
   Decided_contacts decided;
-  const int cases = 1200 * test::multiplier();
+  const int cases = test::cases(1200);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
-    SCOPED_TRACE(test::describe(m));
+    const test::On_failure trace([&] { return test::describe(m); });
     const double t = source.time();
     const Image_motion_2& p = m[0];
     const Image_motion_2& q = m[1];
@@ -401,10 +402,10 @@ TEST_P(Image_filter, of_discs_never_contradicts_exact_arithmetic) {
   test::Decided decided;
   test::Decided_after_flips counts;
   int pairs = 0;
-  const int cases = 500 * test::multiplier();
+  const int cases = test::cases(500);
   for (int i = 0; i < cases; ++i) {
     const auto centers = source.next(GetParam());
-    SCOPED_TRACE(test::describe(centers));
+    const test::On_failure trace([&] { return test::describe(centers); });
     const double t = source.time();
     const auto m = discs_about(centers, t, source);
     auto beyond = discs_about(centers, t, source);
@@ -468,7 +469,7 @@ TEST_P(Image_filter, of_discs_never_contradicts_exact_arithmetic) {
 TEST_P(Image_filter, of_contacts_of_discs_never_contradicts_exact_arithmetic) {
   test::Images source(58);
   Decided_contacts decided;
-  const int cases = 1200 * test::multiplier();
+  const int cases = test::cases(1200);
   for (int i = 0; i < cases; ++i) {
     const auto centers = source.next(GetParam());
     SCOPED_TRACE(test::describe(centers));
@@ -528,7 +529,7 @@ TEST(Image_filter, of_equal_offsets_has_the_results_of_points) {
   std::uniform_real_distribution<double> real(-10, 10);
   constexpr std::array<Lattice_offset_2, 3> offsets = {
       {{0, 0}, {-5, 3}, {2147483647, -2147483648}}};
-  for (int i = 0; i < 3000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(3000); ++i) {
     std::array<Linear_motion_2, 8> m;
     const bool is_coarse = i % 4 == 0;
     const auto number = [&] { return is_coarse ? std::round(real(random) / 3) : real(random); };
@@ -583,7 +584,7 @@ TEST(Image_filter, takes_no_small_slope_for_what_it_is) {
   std::mt19937_64 random(55);
   std::uniform_real_distribution<double> real(0, 10);
   int rounded_to_zero = 0;
-  for (int i = 0; i < 2000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(2000); ++i) {
     std::array<Image_motion_2, 4> m;
     for (Image_motion_2& image : m) {
       image = {{}, {static_cast<int>(random() % 7) - 3, static_cast<int>(random() % 7) - 3}, &box};
@@ -604,7 +605,7 @@ TEST(Image_filter, takes_no_small_slope_for_what_it_is) {
     rounded_to_zero += in_circle.degree() > 0;
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(rounded_to_zero, 1000) << "the images move, by what has been rounded";
+  EXPECT_GT(rounded_to_zero, test::cases(1000)) << "the images move, by what has been rounded";
 }
 
 // The rounded slope has another direction than the exact one, along which they meet.

@@ -92,7 +92,7 @@ class Least_distance : public testing::TestWithParam<int> {};
 TEST_P(Least_distance, is_rounded_as_exact_arithmetic_rounds_it) {
   test::Certificates source(95);
   Counts counts;
-  for (int i = 0; i < 2000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(2000); ++i) {
     const auto m = source.next(GetParam());
     const double time = source.time(GetParam());
     SCOPED_TRACE(testing::Message() << "case " << i);

@@ -17,6 +17,7 @@
 #include "support/certificates.h"
 #include "support/filter_results.h"
 #include "support/motions.h"
+#include "support/on_failure.h"
 
 namespace kinetri::linear_filter_test {
 namespace {
@@ -27,10 +28,10 @@ TEST_P(Linear_filter, never_contradicts_exact_arithmetic) {
   constexpr unsigned seed = 314;
   test::Certificates source(seed);
   test::Decided decided;
-  const int cases = 1500 * test::multiplier();
+  const int cases = test::cases(1500);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
-    SCOPED_TRACE(test::describe({m.begin(), m.end()}));
+    const test::On_failure trace([&] { return test::describe({m.begin(), m.end()}); });
     const double t = source.time(GetParam());
     test::expect_true_certificates(m, t, test::rounding_mode(i), decided);
     if (HasFatalFailure()) return;
@@ -52,11 +53,13 @@ TEST_P(Linear_filter, two_at_once_never_contradict_exact_arithmetic) {
   constexpr unsigned seed = 316;
   test::Certificates source(seed);
   int decided = 0;
-  const int cases = 1500 * test::multiplier();
+  const int cases = test::cases(1500);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const auto n = source.next(GetParam());
-    SCOPED_TRACE(test::describe({m.begin(), m.end()}) + test::describe({n.begin(), n.end()}));
+    const test::On_failure trace([&] {
+      return test::describe({m.begin(), m.end()}) + test::describe({n.begin(), n.end()});
+    });
     test::expect_true_pair(m, n, source.time(GetParam()), test::rounding_mode(i), decided);
     if (HasFatalFailure()) return;
   }
@@ -70,12 +73,13 @@ TEST_P(Linear_filter, after_a_flip_never_contradicts_exact_arithmetic) {
   constexpr unsigned seed = 315;
   test::Certificates source(seed);
   test::Decided_after_flips counts;
-  const int cases = 1500 * test::multiplier();
+  const int cases = test::cases(1500);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const auto beyond = source.next(GetParam());
-    SCOPED_TRACE(test::describe({m.begin(), m.end()}) +
-                 test::describe({beyond.begin(), beyond.end()}));
+    const test::On_failure trace([&] {
+      return test::describe({m.begin(), m.end()}) + test::describe({beyond.begin(), beyond.end()});
+    });
     test::expect_true_after_flip(m, beyond, source.time(GetParam()), test::rounding_mode(i),
                                  counts);
     if (HasFatalFailure()) return;
@@ -102,10 +106,10 @@ TEST_P(Linear_filter, rounds_a_failure_time_to_what_it_is_exactly_or_not_at_all)
   test::Certificates source(seed);
   int failures = 0;
   int rounded = 0;
-  const int cases = 3000 * test::multiplier();
+  const int cases = test::cases(3000);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
-    SCOPED_TRACE(test::describe({m.begin(), m.end()}));
+    const test::On_failure trace([&] { return test::describe({m.begin(), m.end()}); });
     const double t = source.time(GetParam());
     const Filter_result result = filter_in_circle(m[0], m[1], m[2], m[3], {t, t}, false);
     if (result.kind != Filter_result::Kind::fails) continue;

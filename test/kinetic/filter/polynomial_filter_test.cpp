@@ -22,6 +22,7 @@
 #include "support/certificates.h"
 #include "support/filter_results.h"
 #include "support/motions.h"
+#include "support/on_failure.h"
 
 namespace kinetri::polynomial_filter_test {
 namespace {
@@ -43,10 +44,10 @@ class Polynomial_filter : public testing::TestWithParam<int> {
 
 TEST_P(Polynomial_filter, never_contradicts_exact_arithmetic) {
   test::Decided decided;
-  const int cases = 500 * test::multiplier();
+  const int cases = test::cases(500);
   for (int i = 0; i < cases; ++i) {
     const Motions m = next();
-    SCOPED_TRACE(test::describe(m));
+    const test::On_failure trace([&] { return test::describe(m); });
     test::expect_true_certificates(m, time(), test::rounding_mode(i), decided);
     if (HasFatalFailure()) return;
   }
@@ -58,11 +59,11 @@ TEST_P(Polynomial_filter, never_contradicts_exact_arithmetic) {
 
 TEST_P(Polynomial_filter, two_at_once_never_contradict_exact_arithmetic) {
   int decided = 0;
-  const int cases = 300 * test::multiplier();
+  const int cases = test::cases(300);
   for (int i = 0; i < cases; ++i) {
     const Motions m = next();
     const Motions n = next();
-    SCOPED_TRACE(test::describe(m) + test::describe(n));
+    const test::On_failure trace([&] { return test::describe(m) + test::describe(n); });
     test::expect_true_pair(m, n, time(), test::rounding_mode(i), decided);
     if (HasFatalFailure()) return;
   }
@@ -73,11 +74,11 @@ TEST_P(Polynomial_filter, two_at_once_never_contradict_exact_arithmetic) {
 
 TEST_P(Polynomial_filter, after_a_flip_never_contradicts_exact_arithmetic) {
   test::Decided_after_flips counts;
-  const int cases = 600 * test::multiplier();
+  const int cases = test::cases(600);
   for (int i = 0; i < cases; ++i) {
     const Motions m = next();
     const Motions beyond = next();
-    SCOPED_TRACE(test::describe(m) + test::describe(beyond));
+    const test::On_failure trace([&] { return test::describe(m) + test::describe(beyond); });
     test::expect_true_after_flip(m, beyond, time(), test::rounding_mode(i), counts);
     if (HasFatalFailure()) return;
   }
@@ -98,12 +99,12 @@ void expect_sign(Sign sign, const Polynomial& p, const Double_interval& interval
 }
 
 TEST_P(Polynomial_filter, has_right_signs_at_instants) {
-  const int cases = 1000 * test::multiplier();
+  const int cases = test::cases(1000);
   int certain = 0;
   for (int i = 0; i < cases; ++i) {
     const int mode = test::rounding_mode(i);
     const Motions m = next();
-    SCOPED_TRACE(test::describe(m));
+    const test::On_failure trace([&] { return test::describe(m); });
     const double t = time();
     const Double_interval interval = {t, i % 3 == 0 ? t : t + std::abs(t) * 0x1p-52};
     const Point p(m[0]);
@@ -181,7 +182,7 @@ bool expect_contact(const Filter_result& result, const Polynomial& distance, dou
 }
 
 TEST_P(Polynomial_filter, never_contradicts_exact_contacts) {
-  const int cases = 1000 * test::multiplier();
+  const int cases = test::cases(1000);
   int decided = 0;
   int signs = 0;
   int apart = 0;
@@ -189,7 +190,7 @@ TEST_P(Polynomial_filter, never_contradicts_exact_contacts) {
   for (int i = 0; i < cases; ++i) {
     const int mode = test::rounding_mode(i);
     const Motions m = next();
-    SCOPED_TRACE(test::describe(m));
+    const test::On_failure trace([&] { return test::describe(m); });
     const double t = time();
     const Point p(m[0]);
     const Point q(m[1]);
@@ -298,7 +299,7 @@ TEST(Polynomial_filter, rounds_failures_as_exact_arithmetic_does) {
   test::Certificates source(100);
   const Polynomial_kinetic_traits_2 traits;
   int rounded = 0;
-  for (int i = 0; i < 2000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(2000); ++i) {
     const Motions m = bent(source.next(0), random);
     const Point p(m[0]);
     const Point q(m[1]);
@@ -314,7 +315,7 @@ TEST(Polynomial_filter, rounds_failures_as_exact_arithmetic_does) {
     EXPECT_EQ(failure.tight_interval(), root->value.tight_interval());
     EXPECT_EQ(failure, root->value);
   }
-  EXPECT_GT(rounded, 40);
+  EXPECT_GT(rounded, test::cases(40));
 }
 
 }  // namespace
