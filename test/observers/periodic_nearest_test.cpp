@@ -3,12 +3,13 @@
 // Nearest images over runs in periodic boxes, compared with all images.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "kinetri/observers/nearest_neighbors.h"
@@ -24,33 +25,43 @@ using Time = Algebraic_number;
 using test::Periodic_run;
 using test::seeds;
 
-/// The squared distance of an image from a point, and its derivatives: by them in this order images
-/// are compared just after a time.
-using Distance = std::tuple<Rational, Rational, Rational>;
+Rational squared_distance_at(const Linear_motion_2& p, const Image_motion_2& q, const Rational& t) {
+  return CGAL::squared_distance(test::place_at(p, t), test::place_at(q, t));
+}
 
-Distance distance_at(const Linear_motion_2& p, const Image_motion_2& q, const Rational& now) {
-  const auto value = [&](const Rational& t) {
-    return Rational(CGAL::squared_distance(test::place_at(p, t), test::place_at(q, t)));
-  };
-  const Rational here = value(now);
-  return {here, (value(now + 1) - value(now - 1)) / 2, value(now + 1) - 2 * here + value(now - 1)};
+/// The derivatives of the squared distance of an image from a point: by them, in this order, images
+/// that are equally far at a time are compared just after it.
+std::pair<Rational, Rational> derivatives_at(const Linear_motion_2& p, const Image_motion_2& q,
+                                             const Rational& now) {
+  const Rational before = squared_distance_at(p, q, now - 1);
+  const Rational after = squared_distance_at(p, q, now + 1);
+  return {(after - before) / 2, after - 2 * squared_distance_at(p, q, now) + before};
 }
 
 /// The nearest image just after a time, of all points and of offsets around.
 Periodic_image nearest_of_all(const Periodic_run& run, Kinetic& kinetic, Point_id id,
                               const Rational& now) {
-  std::optional<std::tuple<Distance, Periodic_image>> least;
+  std::optional<Rational> least;
+  std::vector<Periodic_image> nearest;  // all that are equally far
   const Linear_motion_2& p = kinetic.motion(id);
+  const auto image = [&](const Periodic_image& of) {
+    return Image_motion_2{kinetic.motion(of.id), of.offset, &run.box()};
+  };
   for (Point_id other = 0; other < kinetic.next_id(); ++other) {
     if (!kinetic.contains(other)) continue;
     for (const Lattice_offset_2& offset : run.offsets_near(p, kinetic.motion(other), now)) {
       if (other == id && offset == Lattice_offset_2()) continue;
-      const std::tuple candidate(distance_at(p, {kinetic.motion(other), offset, &run.box()}, now),
-                                 Periodic_image{other, offset});
-      if (!least || candidate < *least) least = candidate;
+      const Periodic_image candidate{other, offset};
+      const Rational distance = squared_distance_at(p, image(candidate), now);
+      if (least && distance > *least) continue;
+      if (!least || distance < *least) nearest.clear();
+      least = distance;
+      nearest.push_back(candidate);
     }
   }
-  return std::get<1>(least.value());
+  return std::ranges::min(nearest, {}, [&](const Periodic_image& candidate) {
+    return std::pair(derivatives_at(p, image(candidate), now), candidate);
+  });
 }
 
 // What is not made for periodic boxes refuses them.

@@ -136,27 +136,31 @@ Rational radius_of(const Motion& motion, double radius, const Rational& t) {
 /// Functions of time of a pair with given motions.
 struct Functions {
   Coefficients squared_distance;
-  Coefficients radii;   // their sum
-  Polynomial excess;    // negative if the gap is less than the range
-  Polynomial critical;  // zero at minima of the gap
+  Coefficients radii;  // their sum
+  Polynomial excess;   // negative if the gap is less than the range
 
   template <class Motion>
   Functions(const Motion& p, const Motion& q, double radius, double range) {
     constexpr bool is_linear = std::is_same_v<Center_motion_of<Motion>, Linear_motion_2> ||
                                std::is_same_v<Motion, Image_motion_2>;
     constexpr int degree = is_linear ? 2 : 6;
-    const auto distance = [&](const Rational& t) {
+    squared_distance = interpolation(degree, [&](const Rational& t) {
       return Rational(CGAL::squared_distance(place_at(center(p), t), place_at(center(q), t)));
-    };
-    const auto sum = [&](const Rational& t) {
+    });
+    radii = interpolation(1, [&](const Rational& t) {
       return Rational(radius_of(p, radius, t) + radius_of(q, radius, t));
-    };
-    squared_distance = interpolation(degree, distance);
-    radii = interpolation(1, sum);
-    excess = primitive_polynomial(interpolation(degree, [&](const Rational& t) {
-      const Rational reach = sum(t) + to_rational(range);
-      return Rational(distance(t) - reach * reach);
-    }));
+    });
+    // Less the square of the greatest distance within the range.
+    const Rational reach = radii[0] + to_rational(range);
+    Coefficients difference = squared_distance;
+    difference[0] -= reach * reach;
+    difference[1] -= 2 * reach * radii[1];
+    difference[2] -= radii[1] * radii[1];
+    excess = primitive_polynomial(difference);
+  }
+
+  /// Zero at minima of the gap.
+  Polynomial critical() const {
     Coefficients slope;
     for (std::size_t i = 1; i < squared_distance.size(); ++i) {
       slope.push_back(squared_distance[i] * Rational(i));
@@ -166,12 +170,14 @@ struct Functions {
       for (std::size_t i = f.size(); i-- > 0;) result = result * t + f[i];
       return result;
     };
-    critical = primitive_polynomial(interpolation(2 * degree, [&](const Rational& t) {
-      const Rational s = value(slope, t);
-      return Rational(s * s - 4 * radii[1] * radii[1] * value(squared_distance, t));
-    }));
+    const int degree = static_cast<int>(squared_distance.size()) - 1;
+    const Polynomial result =
+        primitive_polynomial(interpolation(2 * degree, [&](const Rational& t) {
+          const Rational s = value(slope, t);
+          return Rational(s * s - 4 * radii[1] * radii[1] * value(squared_distance, t));
+        }));
     // Zero if the gap is piecewise linear.
-    if (critical.is_zero()) critical = primitive_polynomial(slope);
+    return result.is_zero() ? primitive_polynomial(slope) : result;
   }
 };
 
@@ -244,7 +250,9 @@ void add_encounters(const std::vector<Legs>& legs_a, const std::vector<Legs>& le
     const Algebraic_number until = std::min(*p.until, *q.until);
     if (since < until || (since == until && are_at_one_time(p, q, i == 0, j == 0, since))) {
       const Functions functions(p.motion, q.motion, radius, range);
-      for (const auto& [from, to] : not_positive(functions.excess, since, until)) {
+      const auto intervals = not_positive(functions.excess, since, until);
+      const Polynomial critical = intervals.empty() ? Polynomial() : functions.critical();
+      for (const auto& [from, to] : intervals) {
         const bool goes_on = is_present && from == since && present.end == since;
         if (!goes_on) {
           close();
@@ -253,7 +261,7 @@ void add_encounters(const std::vector<Legs>& legs_a, const std::vector<Legs>& le
         }
         present.end = to;
         std::vector<Algebraic_number> times = {from};
-        for (const auto& root : roots_between(functions.critical, from, to)) {
+        for (const auto& root : roots_between(critical, from, to)) {
           times.push_back(root);
         }
         times.push_back(to);

@@ -221,8 +221,8 @@ class Periodic_run {
     return result;
   }
 
-  // Whether p and an image of q may be within the range: by the least distance of straight lines,
-  // in numbers that are exact but for the last division.
+  // Whether p and an image of q may be within the range while both have one of their motions: by
+  // the least distance of straight lines, in numbers that are exact but for the last division.
   bool may_be_near(const std::vector<Leg>& p, const std::vector<Leg>& q,
                    const Lattice_offset_2& offset, double range) const {
     const Vector_2 place_zero = rounded_place(Image_motion_2{{}, offset, &box_}, 0);
@@ -230,6 +230,9 @@ class Periodic_run {
     for (const Leg& a : p) {
       const Vector_2 place_a = rounded_place(a.motion, 0);
       for (const Leg& b : q) {
+        const double since = std::max(a.since, b.since).to_double();
+        const double until = std::min(*a.until, *b.until).to_double();
+        if (since > until) continue;
         const Vector_2 place_b = rounded_place(b.motion, 0);
         const Vector_2 d = {place_a.x - place_b.x - place_zero.x,
                             place_a.y - place_b.y - place_zero.y};
@@ -237,7 +240,7 @@ class Periodic_run {
                             a.motion.velocity.y - b.motion.velocity.y - speed_zero.y};
         const double speed = v.x * v.x + v.y * v.y;
         const double least =
-            speed > 0 ? std::clamp(-(d.x * v.x + d.y * v.y) / speed, 0.0, end) : 0.0;
+            speed > 0 ? std::clamp(-(d.x * v.x + d.y * v.y) / speed, since, until) : since;
         const double x = d.x + least * v.x;
         const double y = d.y + least * v.y;
         if (x * x + y * y <= range * range + 0.001) return true;
