@@ -76,7 +76,7 @@ TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
   int signs = 0;
   int apart = 0;
   int overlapping = 0;
-  const int cases = test::cases(4000);
+  const int cases = 4000 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe({m.begin(), m.begin() + 2}); });

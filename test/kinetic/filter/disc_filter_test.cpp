@@ -268,7 +268,7 @@ void expect_true_contacts(int flavor, int cases) {
   }
   if (flavor == 0) {
     EXPECT_GT(decided, cases * 60 / 100) << "all but the discs that overlap and approach";
-    EXPECT_GE(contacts, cases / (std::same_as<Disc, Disc_motion_2> ? 30 : 100));
+    EXPECT_GT(contacts, cases / (std::same_as<Disc, Disc_motion_2> ? 30 : 100));
     if constexpr (std::same_as<Disc, Disc_motion_2>) {
       EXPECT_GT(rounded, contacts * 75 / 100);
     }
@@ -276,10 +276,10 @@ void expect_true_contacts(int flavor, int cases) {
 }
 
 TEST_P(Disc_filter, of_contacts_never_contradicts_exact_arithmetic) {
-  expect_true_contacts<Disc_motion_2>(GetParam(), test::cases(2000));
+  expect_true_contacts<Disc_motion_2>(GetParam(), 2000 * test::multiplier());
 }
 TEST_P(Disc_filter, of_contacts_of_curves_never_contradicts_exact_arithmetic) {
-  expect_true_contacts<Polynomial_disc_motion_2>(GetParam(), test::cases(600));
+  expect_true_contacts<Polynomial_disc_motion_2>(GetParam(), 600 * test::multiplier());
 }
 
 INSTANTIATE_TEST_SUITE_P(Flavors, Disc_filter, testing::Range(0, test::Certificates::flavors),

@@ -321,7 +321,7 @@ void expect_true_contacts(const Motion& p, const Motion& q, double diameter, con
 TEST_P(Image_filter, of_contacts_never_contradicts_exact_arithmetic) {
   test::Images source(54);
   Decided_contacts decided;
-  const int cases = test::cases(1200);
+  const int cases = 1200 * test::multiplier();
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe(m); });
