@@ -182,7 +182,7 @@ bool expect_contact(const Filter_result& result, const Polynomial& distance, dou
 }
 
 TEST_P(Polynomial_filter, never_contradicts_exact_contacts) {
-  const int cases = test::cases(1000);
+  const int cases = 1000 * test::multiplier();
   int decided = 0;
   int signs = 0;
   int apart = 0;
