@@ -126,9 +126,8 @@ TEST_P(Grid_properties, is_the_same_run_however_it_is_seen) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Grids, Grid_properties,
-                         testing::Values(Grid{4, 2, 1, 1000}, Grid{5, 3, 1, 700},
-                                         Grid{6, 3, 1, 400}, Grid{6, 4, 2, 300},
-                                         Grid{7, 3, 1, 100}),
+                         testing::Values(Grid{4, 2, 1, 600}, Grid{5, 3, 1, 420}, Grid{6, 3, 1, 240},
+                                         Grid{6, 4, 2, 180}, Grid{7, 3, 1, 60}),
                          [](const testing::TestParamInfo<Grid>& grid) {
                            return std::to_string(grid.param.points) + "_points_of_" +
                                   std::to_string(grid.param.size) + "_by_" +
@@ -137,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Grids, Grid_properties,
                          });
 
 TEST(Large_grid_properties, passes_audits_with_and_without_filters) {
-  expect_for_all(200, [] {
+  expect_for_all(120, [] {
     const auto motions = distinct_motions(*grid_points(20, 5, 1));
     const Algebraic_number until(Rational(*integer_in(0, 8), 2));
     Kinetic_delaunay kinetic(motions);

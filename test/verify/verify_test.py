@@ -500,7 +500,7 @@ def main():
     what, kinetri, verify, folder = sys.argv[1:]
     case = Case(kinetri, verify, folder)
     if what == "true":
-        check_true(case, 8)
+        check_true(case, 5)
         check_instants(case)
         check_circle(case)
         check_resumed(case)
