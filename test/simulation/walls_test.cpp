@@ -105,7 +105,7 @@ TEST(Walls, keep_points_inside_through_many_bounces) {
   for (const Linear_motion_2& m : motions) {
     speeds.push_back({std::abs(m.velocity.x), std::abs(m.velocity.y)});
   }
-  const std::uint64_t bounces = 200'000u * static_cast<std::uint64_t>(test::multiplier());
+  const std::uint64_t bounces = 100'000u * static_cast<std::uint64_t>(test::multiplier());
   std::uint64_t exact_in_first_half = 0;
   while (count(simulation, Event_kind::wall) < bounces) {
     simulation.step();

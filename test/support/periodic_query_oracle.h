@@ -205,17 +205,28 @@ class Periodic_query_oracle {
     for (const auto& [x, y] : {std::array{-far, -far}, {far, -far}, {far, far}, {-far, far}}) {
       polygon.push_back({p.x + x, p.y + y});
     }
-    const auto beyond = [&](const Exact_place& v, const Exact_copy& u) -> Rational {
-      return squared_distance(v, p) - squared_distance(v, u.place);
+    // By how much a place is nearer to a copy than to p: the difference of the squared distances.
+    struct Side {
+      const Exact_copy* copy;
+      Exact_place normal;
+      Rational constant;
+      Rational beyond(const Exact_place& v) const { return dot(normal, v) + constant; }
     };
+    std::vector<Side> sides;
     for (const Exact_copy& u : copies_) {
       if (u.place == p) continue;
+      const Exact_place away = u.place - p;
+      sides.push_back({&u, {2 * away.x, 2 * away.y}, dot(p, p) - dot(u.place, u.place)});
+    }
+    for (const Side& side : sides) {
+      std::vector<Rational> beyond;
+      for (const Exact_place& v : polygon) beyond.push_back(side.beyond(v));
       std::vector<Exact_place> left;
       for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Exact_place& v = polygon[i];
         const Exact_place& w = polygon[(i + 1) % polygon.size()];
-        const Rational here = beyond(v, u);
-        const Rational there = beyond(w, u);
+        const Rational& here = beyond[i];
+        const Rational& there = beyond[(i + 1) % polygon.size()];
         if (here <= 0) left.push_back(v);
         if (!(here * there < 0)) continue;
         const Rational part = here / (here - there);
@@ -230,8 +241,9 @@ class Periodic_query_oracle {
       const Exact_place& v = polygon[i];
       const Exact_place& w = polygon[(i + 1) % polygon.size()];
       std::optional<std::tuple<Rational, Periodic_image>> least;
-      for (const Exact_copy& u : copies_) {
-        if (u.place == p || beyond(v, u) != 0 || beyond(w, u) != 0) continue;
+      for (const Side& side : sides) {
+        if (side.beyond(v) != 0 || side.beyond(w) != 0) continue;
+        const Exact_copy& u = *side.copy;
         const std::tuple key(squared_distance(p, u.place), u.image);
         if (!least || key < *least) least = key;
       }
