@@ -125,8 +125,9 @@ void compare(unsigned seed, bool overlap, bool grow, int runs, double most_time,
           Motions motions = source.discs(number, is_whole, 2, is_alone ? 3.5 : overlap ? 2.5 : 1.5);
           if (grow) motions = source.growing(std::move(motions), is_whole, until);
           options.masses.clear();
-          for (std::size_t i = 0; i < number; ++i)
-            options.masses.push_back(1 + source.random() % 3);
+          for (std::size_t i = 0; i < number; ++i) {
+            options.masses.push_back(static_cast<double>(1 + source.random() % 3));
+          }
           const std::vector<Periodic_edge> overlaps =
               Oracle(named.box, motions, options).overlaps();
           const auto is_own = [](const Periodic_edge& pair) { return pair.ids[0] == pair.ids[1]; };
