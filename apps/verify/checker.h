@@ -48,6 +48,10 @@ class Checker : Certified_triangulation {
   // ---- rows ----
 
   static bool is_contact(const Row& row) { return row.kind == "wall" || row.kind == "collision"; }
+  // The discs of a contact; of a wall, twice its disc.
+  static Edge pair_of(const Row& row) {
+    return {row.points.front(), row.points.back(), row.offset};
+  }
 
   void enter(const Row& row) {
     blamed_ = row_;
@@ -112,6 +116,10 @@ class Checker : Certified_triangulation {
     // An exact time that is no binary64 number is inside its interval.
     if (!is_binary64(row) || !is_now) pass_before(time, !is_binary64(row));
     if (!is_binary64(row)) time = time_of_instant(row);
+    Time start = exactly(options_.from);
+    if (!changes_motions(row) && !continues() && compare(time, start) <= 0) {
+      refute("it is not after the start");
+    }
     if (has_rows_ && compare(time, now_) == 0) refute("it is of the time of the row before");
     open(time);
     first_row_ = row_;
@@ -195,25 +203,22 @@ class Checker : Certified_triangulation {
          ++r) {
       std::set<Id> points(r->points.begin(), r->points.end());
       for (const auto& changed : {r->removed, r->added}) {
-        for (const auto& [a, b] : changed) points.insert({a, b});
+        for (const Edge& e : changed) points.insert({e.first, e.second});
       }
       for (const Id v : points) {
         if (!is_present(v)) continue;
         const auto hidden = hidden_.find(v);
-        if (neighbors_[v].empty() && hidden != hidden_.end() && hidden->second[0] != absent) {
+        if (neighbors_[v].empty() && hidden != hidden_.end() && hidden->second[0].id != absent) {
           const auto& [a, b, c] = hidden->second;
           result.push_back(outside(course(a), course(b), course(c), course(v)));
         }
-        if (apex(v, infinite) != absent) edges.insert({v, infinite});
-        for (const Id n : neighbors_[v]) {
-          edges.insert(edge(v, n));
-          if (apex(n, infinite) != absent) edges.insert({n, infinite});
-        }
+        edges.insert({v, infinite});
+        for (const Image& n : neighbors_[v]) edges.insert({edge(v, n), {n.id, infinite}});
       }
     }
-    for (const auto& [a, b] : edges) {
-      const Points points = {a, b, apex(a, b), apex(b, a)};
-      for (Certificate& c : certifier_.certificates({edge_life, points, courses(points), {}, {}})) {
+    for (const Edge& e : edges) {
+      if (!is_there(e)) continue;
+      for (Certificate& c : certifier_.certificates(life_of(e))) {
         if (!is_about_contact(c.rule)) result.push_back(std::move(c.p));
       }
     }
@@ -224,13 +229,12 @@ class Checker : Certified_triangulation {
   // triangles that are made anew are invalid, or a certificate of one does not hold.
   bool is_false_now() {
     try {
-      if (is_witness_lost_) find_witness();
+      find_witness();
       is_on_line_ ? make_path() : remake();
-      const auto is_of_hull = [](const Edge& e) { return e.second == infinite; };
-      if (!is_on_line_ && std::ranges::any_of(changed_, is_of_hull)) check_hull();
+      check_surface();
       for (const auto& [v, t] : hidden_) {
-        if (alive_[hidden_life].contains(key(v, v))) continue;
-        const auto [a, b, c] = triangle_of(v, {absent, absent, absent});
+        if (alive_[hidden_life].contains(itself(v))) continue;
+        const auto [a, b, c] = triangle_of(v, {});
         if (sign_just_after(outside(course(a), course(b), course(c), course(v)), now_) < 0)
           return true;
       }
@@ -238,9 +242,8 @@ class Checker : Certified_triangulation {
       return true;
     }
     return std::ranges::any_of(changed_, [&](const Edge& e) {
-      const Points points = {e.first, e.second, apex(e.first, e.second), apex(e.second, e.first)};
-      if (points[2] == absent && points[3] == absent) return false;
-      const auto all = certifier_.certificates({edge_life, points, courses(points), {}, {}});
+      if (!is_there(e)) return false;
+      const auto all = certifier_.certificates(life_of(e));
       return std::ranges::any_of(all, [&](const Certificate& certificate) {
         if (is_about_contact(certificate.rule)) return false;
         const int sign = sign_just_after(certificate.p, now_);
@@ -256,10 +259,10 @@ class Checker : Certified_triangulation {
   std::vector<Edge> candidates(const Row& row) const {
     std::vector<Edge> result = row.removed;
     if (row.kind == "hull_remove") {
-      const auto [a, b] = row.added.front();
+      const auto [a, b, offset] = row.added.front();
       for (const auto& [u, w] : {std::pair(a, b), std::pair(b, a)}) {
-        const Id v = apex(u, infinite);
-        if (v != absent && apex(v, infinite) == w) result.push_back({v, infinite});
+        const Id v = apex(u, infinite).id;
+        if (v != absent && apex(v, infinite).id == w) result.push_back({v, infinite});
       }
     }
     return result;
@@ -268,11 +271,11 @@ class Checker : Certified_triangulation {
   // Whether the triangles at an edge are known, and their points are present. If other rows have
   // changed edges at both ends, the triangles are made after all rows.
   bool is_known(const Edge& e) const {
-    const auto is_there = [&](Id v) { return v == infinite || is_present(v); };
     const auto is_touched = [&](Id v) { return v == infinite || touched_.contains(v); };
-    return !(is_touched(e.first) && is_touched(e.second)) && is_there(e.first) &&
-           is_there(e.second) && is_there(apex(e.first, e.second)) &&
-           is_there(apex(e.second, e.first));
+    return !(is_touched(e.first) && is_touched(e.second)) &&
+           std::ranges::all_of(around(e), [&](const Image& image) {
+             return image.id == infinite || is_present(image.id);
+           });
   }
   // Whether all edges that the row may flip are known. The point that leaves the hull is between
   // two corners of the hull, whose edges must be known, too.
@@ -280,15 +283,12 @@ class Checker : Certified_triangulation {
     std::vector<Edge> edges = candidates(row);
     if (edges.empty()) return false;
     if (row.kind == "hull_remove") {
-      const auto [a, b] = row.added.front();
+      const auto [a, b, offset] = row.added.front();
       edges.insert(edges.end(), {{a, infinite}, {b, infinite}});
     }
     return std::ranges::all_of(edges, [&](const Edge& e) { return is_known(e); });
   }
-  Polynomial decider(const Edge& e) const {
-    const auto& [a, b] = e;
-    return Certifier::decider({edge_life, {}, courses({a, b, apex(a, b), apex(b, a)}), {}, {}});
-  }
+  Polynomial decider(const Edge& e) const { return Certifier::decider(life_of(e)); }
 
   // The edge that has to be flipped now, of those that the row may flip.
   std::optional<Edge> flipped_now(const Row& row) {
@@ -314,9 +314,7 @@ class Checker : Certified_triangulation {
       for (const Edge& e : row.added) add_edge(e);
       return;
     }
-    const auto [a, b] = *flipped;
-    const Id l = apex(a, b);
-    const Id r = apex(b, a);
+    const auto [a, b, l, r] = around(*flipped);
     const auto finite = [](const Edge& e) {
       return e.second == infinite ? std::vector<Edge>() : std::vector<Edge>{e};
     };
@@ -324,8 +322,7 @@ class Checker : Certified_triangulation {
       refute(name(*flipped) + " becomes " + name(edge(l, r)));
     }
     auto touched = std::exchange(touched_, {});
-    remove_triangle(a, b, l);
-    remove_triangle(b, a, r);
+    remove_triangles(*flipped);
     for (const Edge& e : row.removed) remove_edge(e);
     for (const Edge& e : row.added) add_edge(e);
     touched_ = std::move(touched);
@@ -336,7 +333,7 @@ class Checker : Certified_triangulation {
   // Rows of a rebuild are valid only if flips alone do not lead to the triangulation just after: if
   // more than one certificate is zero, or all points are on a line. A single flip is not a rebuild.
   void check_rebuild() {
-    if (!has_rows_ || is_on_line_ || groups_.size() - hidden_.size() < 4) return;
+    if (!has_rows_ || is_on_line_ || is_periodic() || groups_.size() - hidden_.size() < 4) return;
     std::size_t removed = 0;
     std::size_t added = 0;
     std::set<Id> points;
@@ -347,13 +344,13 @@ class Checker : Certified_triangulation {
       added += row.added.size();
       if (removed > 1 || added > 1) return;
       for (const auto& edges : {row.removed, row.added}) {
-        for (const auto& [a, b] : edges) points.insert({a, b});
+        for (const Edge& e : edges) points.insert({e.first, e.second});
       }
     }
-    std::set<std::set<Id>> vanishing;
+    std::set<std::set<Image>> vanishing;
     const auto note = [&](const Life& life) {
       const auto [a, b, c, d] = life.points;
-      const auto try_points = [&](const std::set<Id>& set, const Polynomial& p) {
+      const auto try_points = [&](const std::set<Image>& set, const Polynomial& p) {
         if (!p.empty() && !vanishing.contains(set) && sign_at(p, now_) == 0) vanishing.insert(set);
       };
       const auto [p, q, r, s] = life.courses;
@@ -371,9 +368,9 @@ class Checker : Certified_triangulation {
     };
     const auto& lives = alive_[edge_life];
     for (const Id v : points) {  // certificates that are zero are usually near each other
-      for (const Id n : neighbors_[v]) {
-        for (const Edge& e : {edge(v, n), Edge{n, infinite}}) {
-          const auto life = lives.find(key(e.first, e.second));
+      for (const Image& n : neighbors_[v]) {
+        for (const Edge& e : {edge(v, n), Edge{n.id, infinite}}) {
+          const auto life = lives.find(e);
           if (life != lives.end() && note(life->second)) return;
         }
       }
@@ -408,17 +405,16 @@ class Checker : Certified_triangulation {
     if (is_contact(row)) {
       if (row.kind == "collision" && !options_.may_collide) refute("discs do not collide");
       if (!is_contact_now(row)) refute("it is not the first contact of the two");
-      if (!contacts_.insert(row.points).second) refute("it is the row before, again");
+      if (!contacts_.insert(pair_of(row)).second) refute("it is the row before, again");
     } else if (!is_binary64(row)) {
       refute("its time is no binary64 number");
     }
     if (row.kind != "collision" && row.changes.size() != 1) refute("it has no motion");
     if (is_contact(row) && row.changes.empty()) {  // the discs pass through each other
-      if (!options_.may_pass) refute("it changes no motion");
-      const auto [a, b] = edge(row.points.front(), row.points.back());
-      renew(edge_life, key(a, b), std::nullopt);
-      changed_.insert({a, b});
-      passing_.insert_or_assign({a, b}, now_);
+      if (!may_pass(row)) refute("it changes no motion");
+      renew(edge_life, pair_of(row), std::nullopt);
+      changed_.insert(pair_of(row));
+      passing_.insert_or_assign(pair_of(row), now_);
     }
     for (const Change& change : row.changes) {
       if (std::ranges::find(row.points, change.id) == row.points.end() ||
@@ -430,20 +426,24 @@ class Checker : Certified_triangulation {
       if (!is_contact(row) && row.kind != "insert" && hits_wall(change.id)) {
         refute("it has no row of a wall that point " + std::to_string(change.id) + " hits first");
       }
-      if (row.kind != "insert") {  // the position may jump; in a contact, as it is rounded
-        touched_.insert(change.id);
-        touched_.insert(neighbors_[change.id].begin(), neighbors_[change.id].end());
-      }
+      // The position may jump; in a contact, as it is rounded.
+      if (row.kind != "insert") touch_around(change.id);
       end_passes(change.id);
       set_motion(change);
       changing_.insert(change.id);
       if (is_contact(row) && change.motion && !certifier_.goes_on(*old, course(change.id), row)) {
         refute("the motion of point " + std::to_string(change.id) + " does not go on");
       }
-      std::erase_if(contacts_, [&](const std::vector<Id>& points) {
-        return std::ranges::find(points, change.id) != points.end();
+      std::erase_if(contacts_, [&](const Edge& pair) {
+        return pair.first == change.id || pair.second == change.id;
       });
     }
+  }
+
+  bool may_pass(const Row& row) const {
+    using Passing = Options::Passing;
+    if (options_.passing != Passing::at_rest) return options_.passing == Passing::all;
+    return std::ranges::all_of(row.points, [&](Id v) { return is_at_rest(course(v).motion); });
   }
 
   // The next contact in the interval of the row that the row may mean.
@@ -451,7 +451,7 @@ class Checker : Certified_triangulation {
     if (!std::ranges::all_of(row.points, [&](Id v) { return is_present(v); })) return std::nullopt;
     std::optional<Time> first;
     if (row.kind == "collision") {
-      first = first_contact({row.points.front(), row.points.back()}, row.hi);
+      first = first_contact(pair_of(row), row.hi);
       if (first && (!is_in(*first, row) || compare(*first, now_) <= 0)) first.reset();
       return first;
     }
@@ -469,7 +469,7 @@ class Checker : Certified_triangulation {
   bool is_contact_now(const Row& row) {
     if (!std::ranges::all_of(row.points, [&](Id v) { return is_present(v); })) return false;
     if (row.kind == "collision") {
-      std::optional<Time> first = first_contact({row.points.front(), row.points.back()}, row.hi);
+      std::optional<Time> first = first_contact(pair_of(row), row.hi);
       return first && compare(*first, now_) == 0;
     }
     return hits_wall(row.points.front());
@@ -488,9 +488,8 @@ class Checker : Certified_triangulation {
     close();
     is_complete_ = true;
     if (final_edges == nullptr) return;
-    for (const auto& [a, b] : *final_edges) {
-      if (b >= neighbors_.size() || !neighbors_[a].contains(b))
-        refute("there is no " + name({a, b}));
+    for (const Edge& e : *final_edges) {
+      if (!has_edge(e)) refute("there is no " + name(e));
     }
     if (final_edges->size() != edges_) refute("the file of edges lacks an edge");
   }

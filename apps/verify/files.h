@@ -31,22 +31,22 @@
 namespace verify {
 
 using Id = std::uint32_t;
-using Edge = std::pair<Id, Id>;  // the smaller id first
 
 // How often the two vectors of a periodic box are added to a position.
 struct Offset {
   std::int64_t x = 0, y = 0;
   friend auto operator<=>(const Offset&, const Offset&) = default;
+  friend Offset operator+(const Offset& a, const Offset& b) { return {a.x + b.x, a.y + b.y}; }
   friend Offset operator-(const Offset& a, const Offset& b) { return {a.x - b.x, a.y - b.y}; }
 };
 
-// An edge from the point `first` to the image of `second` with the offset; and all images of that.
-// The smaller id first; of the two edges from a point to its own images, the one of the greater
-// offset.
-struct Periodic_edge {
+// An edge from the point `first` to the image of `second` with the offset; and, in a periodic box,
+// all images of that. The smaller id first; of the two edges from a point to its own images, the
+// one of the greater offset.
+struct Edge {
   Id first, second;
-  Offset offset;
-  friend auto operator<=>(const Periodic_edge&, const Periodic_edge&) = default;
+  Offset offset = {};
+  friend auto operator<=>(const Edge&, const Edge&) = default;
 };
 
 struct Bad_input : std::runtime_error {
@@ -75,9 +75,9 @@ struct Row {
   std::string kind;
   double time = 0;
   Dyadic lo, hi;
-  std::vector<Edge> removed, added;     // at most one edge each
-  Offset removed_offset, added_offset;  // in a periodic box
+  std::vector<Edge> removed, added;  // at most one edge each
   std::vector<Id> points;
+  Offset offset;                // of the image of the second point that the first one touches
   std::optional<Id> by;         // the point that hides the other one
   std::vector<Change> changes;  // of motions
 };
@@ -95,7 +95,9 @@ struct Options {
   bool has_rim = false;
   bool has_contacts = false;
   bool may_collide = true;
-  bool may_pass = true;  // whether discs may pass through each other after a collision
+  // Which discs may pass through each other after a collision. Of two discs at rest an image may
+  // move, in a periodic box.
+  enum class Passing { none, at_rest, all } passing = Passing::all;
   std::size_t threads = 1;
 };
 
@@ -176,10 +178,9 @@ class Table {
     fail("the column " + std::string(name) + " is '" + text + "'; expected a whole number");
   }
 
-  // An offset, as in "1 -2"; 0 0 if the field is empty and may be.
-  Offset offset(std::string_view name, bool may_be_empty) const {
+  // An offset, as in "1 -2".
+  Offset offset(std::string_view name) const {
     const std::string& text = field(name);
-    if (may_be_empty && text.empty()) return {};
     std::array<std::int32_t, 2> numbers_read = {};
     const char* const blank = text.data() + std::min(text.find(' '), text.size());
     const char* const end = text.data() + text.size();
@@ -192,10 +193,11 @@ class Table {
          "'; expected two whole numbers, separated by a blank");
   }
 
-  // Appends the edge in two columns unless they are empty.
-  void append_edge(std::string_view a, std::string_view b, std::vector<Edge>& edges) const {
-    if (field(a).empty() && field(b).empty()) return;
-    edges.emplace_back(static_cast<Id>(index(a)), static_cast<Id>(index(b)));
+  // The edge in two columns, and that of its offset in a periodic box.
+  Edge edge(std::string_view a, std::string_view b, std::string_view offset_of,
+            bool is_periodic) const {
+    return {static_cast<Id>(index(a)), static_cast<Id>(index(b)),
+            is_periodic ? offset(offset_of) : Offset()};
   }
 
   [[noreturn]] void fail(const std::string& message) const {
@@ -296,8 +298,8 @@ inline std::vector<Change> read_motions(const std::string& path, std::vector<Row
   return points;
 }
 
-// Whether an edge in a periodic box is named as Periodic_edge says.
-inline bool is_normal(const Periodic_edge& e) {
+// Whether an edge is named as Edge says.
+inline bool is_normal(const Edge& e) {
   return e.first < e.second || (e.first == e.second && e.offset > Offset() - e.offset);
 }
 
@@ -328,8 +330,11 @@ inline void read_events(const std::string& path, bool is_periodic, std::vector<R
     row.time = table.number("time");
     row.lo = dyadic(table.number("time_lo"));
     row.hi = dyadic(table.number("time_hi"));
-    table.append_edge("removed_a", "removed_b", row.removed);
-    table.append_edge("added_a", "added_b", row.added);
+    for (const std::string what : {"removed", "added"}) {
+      std::vector<Edge>& edges = what == "added" ? row.added : row.removed;
+      if (table.field(what + "_a").empty() && table.field(what + "_b").empty()) continue;
+      edges.push_back(table.edge(what + "_a", what + "_b", what + "_offset", is_periodic));
+    }
     for (const char* name : {"point_a", "point_b"}) {
       if (!table.field(name).empty()) row.points.push_back(static_cast<Id>(table.index(name)));
     }
@@ -340,23 +345,26 @@ inline void read_events(const std::string& path, bool is_periodic, std::vector<R
     const auto refute = [&](const std::string& message) {
       throw Refuted{std::ssize(rows) - 1, message};
     };
+    if (is_periodic && (row.kind.starts_with("hull") || row.kind == "wall")) {
+      refute("there is no " + row.kind + " in a periodic box");
+    }
     const std::array<std::size_t, 3> has = {row.removed.size(), row.added.size(),
                                             row.points.size()};
     if (row.kind == "rebuild" ? has[0] + has[1] != 1 || has[2] != 0 : has != expected->second) {
       refute("it has not the edges and points of a " + row.kind);
     }
-    if (is_periodic) {
-      row.removed_offset = table.offset("removed_offset", row.removed.empty());
-      row.added_offset = table.offset("added_offset", row.added.empty());
+    const bool has_offset = is_periodic && row.kind == "collision";
+    if (has_offset) row.offset = table.offset("added_offset");
+    if (is_periodic &&
+        ((row.removed.empty() && !table.field("removed_offset").empty()) ||
+         (row.added.empty() && !has_offset && !table.field("added_offset").empty()))) {
+      refute("it has an offset of no edge");
     }
-    for (const auto& [edges, offset] :
-         {std::pair(row.removed, row.removed_offset), std::pair(row.added, row.added_offset)}) {
-      if (edges.empty()) continue;
-      const auto& [a, b] = edges.front();
-      if (is_periodic ? !is_normal({a, b, offset}) : a >= b) {
-        refute(is_periodic && a == b ? "an edge from a point to its image has the lesser offset"
-                                     : "an edge has its smaller end last");
-      }
+    for (const auto& edges : {row.removed, row.added}) {
+      if (edges.empty() || is_normal(edges.front())) continue;
+      refute(is_periodic && edges.front().first == edges.front().second
+                 ? "an edge from a point to its image has the lesser offset"
+                 : "an edge has its smaller end last");
     }
     if (row.points.size() == 2 && row.points[0] >= row.points[1])
       refute("it has its smaller point last");
@@ -379,32 +387,16 @@ inline void read_events(const std::string& path, bool is_periodic, std::vector<R
   }
 }
 
-inline std::vector<Periodic_edge> read_periodic_edges(const std::string& path) {
+inline std::vector<Edge> read_edges(const std::string& path, bool is_periodic) {
   Table table(path);
-  table.expect_header("a,b,offset");
-  std::vector<Periodic_edge> edges;
-  while (table.next()) {
-    edges.push_back({static_cast<Id>(table.index("a")), static_cast<Id>(table.index("b")),
-                     table.offset("offset", false)});
-    if (!is_normal(edges.back()) ||
-        (edges.size() > 1 && !(edges[edges.size() - 2] < edges.back()))) {
-      table.fail(
-          "expected edges that differ, in order, with the smaller id first, and with the greater "
-          "offset from a point to its image");
-    }
-  }
-  return edges;
-}
-
-inline std::vector<Edge> read_edges(const std::string& path) {
-  Table table(path);
-  table.expect_header("a,b");
+  table.expect_header(is_periodic ? "a,b,offset" : "a,b");
   std::vector<Edge> edges;
   while (table.next()) {
-    table.append_edge("a", "b", edges);
-    if (edges.empty() || edges.back().first >= edges.back().second ||
+    edges.push_back(table.edge("a", "b", "offset", is_periodic));
+    if (!is_normal(edges.back()) ||
         (edges.size() > 1 && !(edges[edges.size() - 2] < edges.back()))) {
-      table.fail("expected edges that differ, in order, with the smaller id first");
+      table.fail(std::string("expected edges that differ, in order, with the smaller id first") +
+                 (is_periodic ? ", and with the greater offset from a point to its image" : ""));
     }
   }
   return edges;

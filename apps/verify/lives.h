@@ -11,8 +11,20 @@ namespace verify {
 constexpr Id infinite = static_cast<Id>(-1);  // the point outside of the hull
 constexpr Id absent = infinite - 1;
 
+// A point, moved by its offset. There are no others than points themselves without a periodic box.
+struct Image {
+  Id id;
+  Offset offset;
+  Image(Id id_of_point = absent, const Offset& by = {}) : id(id_of_point), offset(by) {}
+  friend auto operator<=>(const Image&, const Image&) = default;
+};
+
 using Place = std::array<Polynomial, 2>;
-using Points = std::array<Id, 4>;
+using Points = std::array<Image, 4>;
+
+inline bool is_at_rest(const Motion& m) {
+  return m[growth] == 0 && std::all_of(&m[vx], &m[radius], [](double n) { return n == 0; });
+}
 
 // A motion with lengths multiplied by one integer for all points.
 struct Course {
@@ -181,9 +193,8 @@ struct Life {
   Points points;  // of an edge: its ends, the apexes at the left and at the right
   std::array<const Course*, 4> courses;
   std::shared_ptr<const Instant> birth, death;
-  bool passes = false;                 // whether the discs of an edge pass through each other
-  bool goes_on = false;                // whether it must also hold just after its death
-  std::array<Offset, 4> offsets = {};  // of images of the points, in a periodic box
+  bool passes = false;   // whether the discs of an edge pass through each other
+  bool goes_on = false;  // whether it must also hold just after its death
 };
 
 // Whether two discs, or a point and a wall, make contact at t; they are apart if g is positive.
@@ -219,17 +230,19 @@ class Certifier {
   std::vector<Certificate> certificates(const Life& life) const {
     std::vector<Certificate> result;
     const auto [a, b, c, d] = life.courses;
-    const Points& ids = life.points;
+    const Points& points = life.points;
     const auto name = [&](const char* what, std::initializer_list<std::size_t> of) {
       std::string text = what;
       for (const std::size_t i : of) {
-        text.append(" ").append(std::to_string(ids[i]));
-        if (life.offsets[i] != Offset()) text.append(" ").append(name_of(life.offsets[i]));
+        const auto& [id, offset] = points[i];
+        text.append(" ").append(std::to_string(id));
+        if (offset != Offset()) text.append(" ").append(name_of(offset));
       }
       return text;
     };
     const auto add_triangle = [&](std::size_t i, std::size_t j, std::size_t apex) {
-      if (life.courses[apex] == nullptr || ids[apex] < std::max(ids[i], ids[j])) return;
+      if (life.courses[apex] == nullptr || points[apex].id < std::max(points[i].id, points[j].id))
+        return;
       result.push_back({name("triangle", {i, j, apex}),
                         orientation(*life.courses[i], *life.courses[j], *life.courses[apex]),
                         Rule::positive});
@@ -315,8 +328,7 @@ class Certifier {
     const Motion& was = old.motion;
     const Motion& is = next.motion;
     const Dyadic t = dyadic(row.time);
-    const bool has_stopped =
-        is[growth] == 0 && std::all_of(&is[vx], &is[radius], [](double n) { return n == 0; });
+    const bool has_stopped = is_at_rest(is);
     if (is[epoch] != row.time || (is[growth] != was[growth] && !has_stopped)) return false;
     const bool is_straight = std::all_of(&was[ax], &was[radius], [](double n) { return n == 0; });
     // At a lower side (1) or an upper one (-1), one component is reversed. The boundary of a disc

@@ -2,7 +2,6 @@
 // kinetri-verify: decides from the points, the event log and the motions alone whether a run of
 // kinetri was correct.
 #include "checker.h"
-#include "torus_checker.h"
 
 namespace {
 
@@ -56,26 +55,13 @@ std::vector<double> numbers_of(const std::string& option, const std::string& tex
              (most == 1 ? "a finite number" : range + std::to_string(most) + " finite numbers"));
 }
 
-verify::Edge edge_of(const verify::Edge& edge, const verify::Offset&, verify::Edge) {
-  return edge;
-}
-verify::Periodic_edge edge_of(const verify::Edge& edge, const verify::Offset& offset,
-                              verify::Periodic_edge) {
-  return {edge.first, edge.second, offset};
-}
-
 // The edges before the first row, computed backward from those after the last row.
-template <class Edge>
-std::vector<Edge> undone(const std::vector<Edge>& final_edges,
-                         const std::vector<verify::Row>& rows) {
-  std::set<Edge> edges(final_edges.begin(), final_edges.end());
+std::vector<verify::Edge> undone(const std::vector<verify::Edge>& final_edges,
+                                 const std::vector<verify::Row>& rows) {
+  std::set<verify::Edge> edges(final_edges.begin(), final_edges.end());
   for (std::size_t i = rows.size(); i-- > 0;) {
-    for (const auto& edge : rows[i].added) {
-      edges.erase(edge_of(edge, rows[i].added_offset, Edge()));
-    }
-    for (const auto& edge : rows[i].removed) {
-      edges.insert(edge_of(edge, rows[i].removed_offset, Edge()));
-    }
+    for (const auto& edge : rows[i].added) edges.erase(edge);
+    edges.insert(rows[i].removed.begin(), rows[i].removed.end());
   }
   return {edges.begin(), edges.end()};
 }
@@ -93,33 +79,23 @@ std::vector<verify::Motion> lattice(const std::vector<double>& sides, double she
   return {first, second};
 }
 
-int answer(const std::vector<verify::Change>& points, const std::vector<verify::Row>& rows,
-           std::size_t certificates) {
-  std::cout << "verified: " << points.size() << " points, " << rows.size() << " events, "
-            << certificates << " certificates\n";
-  return 0;
-}
-
-// The paths are null if the files are not given.
-int check_periodic(const verify::Options& options, const std::vector<verify::Change>& points,
-                   const std::vector<verify::Row>& rows, const std::string* initial_path,
-                   const std::string* final_path) {
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const verify::Motion& motion = *points[k].motion;
-    if (points[k].id != k) throw verify::Bad_input("expected the motions of points 0, 1, 2, ...");
-    if (motion[verify::radius] != 0 || motion[verify::growth] != 0) {
-      throw verify::Bad_input("point " + std::to_string(k) +
-                              " is a disc; expected points in a periodic box");
-    }
+// Discs in a periodic box have one radius, which is constant. No collision may change it.
+void expect_one_radius(const std::vector<verify::Change>& points,
+                       const std::vector<verify::Row>& rows) {
+  std::vector<verify::Change> all = points;
+  for (const verify::Row& row : rows) {
+    if (row.kind != "collision") all.insert(all.end(), row.changes.begin(), row.changes.end());
   }
-  std::vector<verify::Periodic_edge> final_edges;
-  if (final_path != nullptr) final_edges = verify::read_periodic_edges(*final_path);
-  const std::vector<verify::Periodic_edge> initial_edges =
-      initial_path != nullptr ? verify::read_periodic_edges(*initial_path)
-                              : undone(final_edges, rows);
-  verify::Torus_checker checker(options, points, rows);
-  return answer(points, rows,
-                checker.check(initial_edges, final_path != nullptr ? &final_edges : nullptr));
+  std::erase_if(all, [](const verify::Change& change) { return !change.motion; });
+  for (const auto& [id, motion] : all) {
+    if ((*motion)[verify::growth] == 0 &&
+        (*motion)[verify::radius] == (*all.front().motion)[verify::radius]) {
+      continue;
+    }
+    throw verify::Bad_input("point " + std::to_string(id) +
+                            " grows, or has not the radius of the first one; expected discs of one "
+                            "constant radius in a periodic box");
+  }
 }
 
 // Checks that the discs at the start have the radii and growths of the columns of the points, or
@@ -253,11 +229,13 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
   if (!responses.contains(response)) fail_usage("--collisions is '" + response + "'");
   options.has_rim = given.contains("--rim");
   options.may_collide = response != "none";
-  options.may_pass = response != "stop" && response != "remove";
+  using Passing = verify::Options::Passing;
+  if (response == "stop") options.passing = Passing::at_rest;
+  if (response == "remove") options.passing = Passing::none;
   options.has_contacts = !response.empty() && response != "none";
 
   if (given.contains("--periodic")) {
-    for (const char* name : {"--box", "--rim", "--collisions", "--threads"}) {
+    for (const char* name : {"--box", "--rim"}) {
       if (given.contains(name)) fail_usage(std::string(name) + " is not for periodic boxes");
     }
     options.lattice =
@@ -268,13 +246,6 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
   const bool is_periodic = !options.lattice.empty();
 
   verify::read_events(files[1], is_periodic, rows);
-  if (is_periodic) {
-    for (const verify::Row& row : rows) {
-      if (!changes_motions(row) && row.kind != "hide" && row.kind != "reveal") continue;
-      throw verify::Bad_input(files[1] + ": row " + std::to_string(row.number) + " is a " +
-                              row.kind + "; changes of points in periodic boxes are not supported");
-    }
-  }
   const bool has_motions = given.contains("--motions");
   std::set<std::size_t> columns;
   std::vector<verify::Change> points = verify::read_motions(files[0], has_motions ? nullptr : &rows,
@@ -295,19 +266,17 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
     check_discs(points, columns, start, !may_touch);
     points = std::move(start);
   }
-  if (is_periodic) {
-    return check_periodic(options, points, rows, has_initial ? &given["--initial-edges"] : nullptr,
-                          has_final ? &given["--edges"] : nullptr);
-  }
+  if (is_periodic) expect_one_radius(points, rows);
   for (const verify::Row& row : rows) {
     if (row.kind == "collision" && !given.contains("--collisions")) {  // must be inferred
       options.has_contacts = true;
     }
   }
   std::vector<verify::Edge> final_edges;
-  if (has_final) final_edges = verify::read_edges(given["--edges"]);
+  if (has_final) final_edges = verify::read_edges(given["--edges"], is_periodic);
   const std::vector<verify::Edge> initial_edges =
-      has_initial ? verify::read_edges(given["--initial-edges"]) : undone(final_edges, rows);
+      has_initial ? verify::read_edges(given["--initial-edges"], is_periodic)
+                  : undone(final_edges, rows);
 
   // Without --box: infers the walls from the rows, with and without --rim.
   const auto is_wall = [](const verify::Row& row) { return row.kind == "wall"; };
@@ -327,7 +296,11 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
   for (const verify::Options& tried : possible) {
     try {
       verify::Checker checker(tried, points, rows);
-      return answer(points, rows, checker.check(initial_edges, has_final ? &final_edges : nullptr));
+      const std::size_t certificates =
+          checker.check(initial_edges, has_final ? &final_edges : nullptr);
+      std::cout << "verified: " << points.size() << " points, " << rows.size() << " events, "
+                << certificates << " certificates\n";
+      return 0;
     } catch (const verify::Refuted& refuted) {
       if (!first) first = refuted;
     }

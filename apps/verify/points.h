@@ -4,7 +4,7 @@
 #ifndef KINETRI_VERIFY_POINTS_H
 #define KINETRI_VERIFY_POINTS_H
 
-#include "lives.h"
+#include "lattice.h"
 
 namespace verify {
 
@@ -13,26 +13,43 @@ class Moving_points {
  protected:
   Moving_points(const Options& options, const std::vector<Change>& points,
                 const std::vector<Row>& rows)
-      : options_(options), rows_(rows), scale_(options, points, rows) {
+      : options_(options), rows_(rows), scale_(options, points, rows), lattice_(options, scale_) {
     Id size = 0;
     const auto note_id = [&](const Change& change) { size = std::max(size, change.id + 1); };
     std::ranges::for_each(points, note_id);
     for (const Row& row : rows) std::ranges::for_each(row.changes, note_id);
     courses_.resize(size);
+    images_.resize(size);
     groups_of_.resize(size, groups_.end());
   }
 
-  using Triangle = std::array<Id, 3>;
+  using Triangle = std::array<Image, 3>;  // of offsets only the differences matter
 
-  static std::uint64_t key(Id a, Id b) { return std::uint64_t{a} << 32U | b; }
-  static Edge edge(Id a, Id b) { return {std::min(a, b), std::max(a, b)}; }
-  static std::string name(const Edge& e) {
+  bool is_periodic() const { return !options_.lattice.empty(); }
+
+  static Image begin_of(const Edge& e) { return e.first; }
+  static Image end_of(const Edge& e) { return {e.second, e.offset}; }
+  static Edge edge(const Image& a, const Image& b) {
+    const Edge e = {a.id, b.id, b.offset - a.offset};
+    return is_normal(e) ? e : Edge{b.id, a.id, a.offset - b.offset};
+  }
+  std::string name(const Edge& e) const {
     const std::string a = std::to_string(e.first);
-    return e.second == infinite ? "hull corner " + a : "edge " + a + "-" + std::to_string(e.second);
+    if (e.second == infinite) return "hull corner " + a;
+    return "edge " + a + "-" + std::to_string(e.second) +
+           (is_periodic() ? " " + name_of(e.offset) : "");
   }
 
   bool is_present(Id id) const { return id < courses_.size() && courses_[id] != nullptr; }
-  const Course& course(Id id) const { return *courses_[id]; }
+  // The trajectory of an image of a point that is present. Valid as long as this object.
+  const Course& course(const Image& image) const {
+    if (image.offset == Offset()) return *courses_[image.id];
+    const Course*& found = images_[image.id][image.offset];
+    if (found == nullptr) {
+      found = &motions_.emplace_back(lattice_.moved(*courses_[image.id], image.offset));
+    }
+    return *found;
+  }
 
   // Whether the log may be that of a resumed run, in which discs may pass through each other from
   // the start until they separate.
@@ -40,7 +57,7 @@ class Moving_points {
 
   // ---- points that coincide ----
 
-  // The point of least id with the trajectory and weight of the point.
+  // The point of least id with the trajectory and weight of the point, or of an image of it.
   Id shown(Id v) const { return *groups_of_[v]->second.begin(); }
   // Whether the point is hidden by another one (Lemma 8).
   bool is_twin(Id v) const { return is_present(v) && shown(v) != v; }
@@ -109,7 +126,9 @@ class Moving_points {
   }
 
   void join_group(Id v) {
-    const auto group = groups_.try_emplace(courses_[v]).first;
+    const Course* const wrapped =
+        is_periodic() ? &motions_.emplace_back(lattice_.wrapped(course(v))) : courses_[v];
+    const auto group = groups_.try_emplace(wrapped).first;
     groups_of_[v] = group;
     auto& points = group->second;
     if (!points.empty()) remember(regrouping_.shown[group->first], *points.begin());
@@ -126,7 +145,7 @@ class Moving_points {
       if (found != pasts.end() && regrouping_.complete >= found->second.last) values.push_back(now);
       return values;
     };
-    const auto courses = possible(regrouping_.courses, v, courses_[v]);
+    const auto courses = possible(regrouping_.courses, v, groups_of_[v]->first);
     return std::ranges::any_of(courses, [&](const Course* course) {
       const auto group = groups_.find(course);
       const Id now = group == groups_.end() ? absent : *group->second.begin();
@@ -140,13 +159,15 @@ class Moving_points {
   const Options options_;
   const std::vector<Row>& rows_;
   const Scale scale_;
-  std::deque<Course> motions_;
-  std::vector<const Course*> courses_;                       // of the points that are present
-  std::map<const Course*, std::set<Id>, Is_before> groups_;  // of points that coincide
-  std::vector<decltype(groups_)::iterator> groups_of_;       // by id, of the points present
-  bool has_one_radius_ = true;                               // all discs so far
-  std::map<Id, Triangle> hidden_;                            // in triangles
-  std::set<Id> twins_;                                       // hidden by other points
+  const Lattice lattice_;
+  mutable std::deque<Course> motions_;                           // of all times, and of images
+  std::vector<const Course*> courses_;                           // of the points that are present
+  mutable std::vector<std::map<Offset, const Course*>> images_;  // of these points
+  std::map<const Course*, std::set<Id>, Is_before> groups_;      // of points that coincide
+  std::vector<decltype(groups_)::iterator> groups_of_;           // by id, of the points present
+  bool has_one_radius_ = true;                                   // all discs so far
+  std::map<Id, Triangle> hidden_;                                // in triangles
+  std::set<Id> twins_;                                           // hidden by other points
 
   // In this instant:
   std::set<Id> regrouped_;  // points that are the least of a group now, or were

@@ -19,12 +19,16 @@ class Certified_triangulation : protected Surface {
         begins_(courses_.size()),
         past_motions_(courses_.size()),
         workers_(options.threads - 1) {
+    is_on_line_ = is_witness_lost_ = !is_periodic();
     push_instant(exactly(options.from));
     for (const Change& change : points) set_motion(change);
   }
 
+  // What concerns one point and no edge.
+  static Edge itself(Id v) { return {v, v}; }
+
   // A time at which the ends of an edge meet; or all points may be on a line (both ids are
-  // `infinite`); or a hidden point leaves its triangle (both are that point).
+  // `infinite`); or a hidden point leaves its triangle (`itself`).
   struct Special {
     Time time;
     std::set<Edge> what;
@@ -32,7 +36,7 @@ class Certified_triangulation : protected Surface {
 
   // Three points that are not always on a line, if there are any.
   void find_witness() {
-    is_witness_lost_ = false;
+    if (!std::exchange(is_witness_lost_, false)) return;
     witness_.clear();
     for (const Course* c : courses_) {
       if (c == nullptr || (witness_.size() == 1 && c->place == witness_[0]->place)) continue;
@@ -44,12 +48,12 @@ class Certified_triangulation : protected Surface {
     if (is_on_line_) return;
     if (was_on_line) {
       for (const auto& [ab, c] : left_) {
-        changed_.insert(edge(static_cast<Id>(ab >> 32U), static_cast<Id>(ab)));
+        changed_.insert(edge(ab.first, ab.second));
       }
       left_.clear();
       touch_all();
     }
-    add_specials(orientation(*witness_[0], *witness_[1], *witness_[2]), infinite, infinite);
+    add_specials(orientation(*witness_[0], *witness_[1], *witness_[2]), {infinite, infinite});
   }
 
   // ---- time ----
@@ -61,7 +65,7 @@ class Certified_triangulation : protected Surface {
     has_rows_ = false;
   }
 
-  void add_specials(const Polynomial& p, Id a, Id b) {
+  void add_specials(const Polynomial& p, const Edge& of) {
     for (Time& root : verify::roots_in(p, now_.lo, options_.until)) {
       if (compare(root, now_) <= 0) continue;
       int order = 1;
@@ -71,38 +75,36 @@ class Certified_triangulation : protected Surface {
         order = compare(specials_[middle].time, root);
         if (order < 0) first = middle + 1;
         if (order > 0) last = middle;
-        if (order == 0) specials_[middle].what.insert({a, b});
+        if (order == 0) specials_[middle].what.insert(of);
       }
       if (order == 0) continue;
-      specials_.insert(specials_.begin() + static_cast<std::ptrdiff_t>(first), {root, {{a, b}}});
+      specials_.insert(specials_.begin() + static_cast<std::ptrdiff_t>(first), {root, {of}});
     }
   }
 
   // Whether two points coincide now. Their motions may have changed since the special time was
   // found.
-  bool do_meet(Id a, Id b) {
-    return std::ranges::all_of(minus(course(a), course(b)),
+  bool do_meet(const Edge& e) {
+    return std::ranges::all_of(minus(course(begin_of(e)), course(end_of(e))),
                                [&](const Polynomial& p) { return sign_at(p, now_) == 0; });
   }
 
   void touch_specials() {
     const auto [time, what] = std::move(specials_.front());
     specials_.pop_front();
-    for (const auto& [a, b] : what) {
+    for (const Edge& e : what) {
+      const Id a = e.first;
       if (a == infinite) {
         if (is_on_line_) continue;  // the points of that time have been erased
         const auto is_flat = [&](const Course* c) {
           return c == nullptr || sign_at(orientation(*witness_[0], *witness_[1], *c), now_) == 0;
         };
         if (std::ranges::all_of(courses_, is_flat)) touch_all();
-      } else if (a == b) {
-        renew(hidden_life, key(a, a), std::nullopt);
+      } else if (e == itself(a)) {
+        renew(hidden_life, e, std::nullopt);
         if (neighbors_[a].empty()) touched_.insert(a);
-      } else if (neighbors_[a].contains(b) && do_meet(a, b)) {
-        for (const Id v : {a, b}) {
-          touched_.insert(v);
-          touched_.insert(neighbors_[v].begin(), neighbors_[v].end());
-        }
+      } else if (has_edge(e) && do_meet(e)) {
+        for (const Id v : {a, e.second}) touch_around(v);
       }
     }
   }
@@ -144,28 +146,21 @@ class Certified_triangulation : protected Surface {
     }
     end_passes();
     const long row = std::exchange(blamed_, instant_->blamed());
-    if (is_witness_lost_) find_witness();
+    find_witness();
     note_hidden();
     is_on_line_ ? make_path() : remake();
     touched_.clear();
+    check_surface();
     check_contacts_of_twins();
     for (const Id v : moved_) {
       const bool is_boxed = is_present(v) && !options_.box.empty();
-      renew(box_life, key(v, v),
+      renew(box_life, itself(v),
             is_boxed ? std::optional(Points{v, absent, absent, absent}) : std::nullopt);
     }
     moved_.clear();
-    bool is_hull_changed = false;
-    for (const auto& [a, b] : std::exchange(changed_, {})) {
-      const Points points = {a, b, apex(a, b), apex(b, a)};
-      const bool is_there = b == infinite ? points[2] != absent : neighbors_[a].contains(b);
-      if (is_there && !is_on_line_ && (points[2] == absent || points[3] == absent)) {
-        refute(name({a, b}) + " has no triangle on one side");
-      }
-      renew(edge_life, key(a, b), is_there ? std::optional(points) : std::nullopt);
-      if (b == infinite) is_hull_changed = true;
+    for (const Edge& e : std::exchange(changed_, {})) {
+      renew(edge_life, e, is_there(e) ? std::optional(around(e)) : std::nullopt);
     }
-    if (is_hull_changed && !is_on_line_) check_hull();
     place_hidden();
     blamed_ = row;
   }
@@ -174,7 +169,8 @@ class Certified_triangulation : protected Surface {
 
   // Whether the point is hidden in a triangle, if the edges are right (Lemma 6).
   bool is_in_triangle(Id v) const {
-    return is_present(v) && !is_twin(v) && neighbors_[v].empty() && groups_.size() > 1;
+    return is_present(v) && !is_twin(v) && neighbors_[v].empty() && groups_.size() > 1 &&
+           !is_periodic();
   }
   void set_hidden(Id v) {
     if (is_twin(v)) {
@@ -185,7 +181,7 @@ class Certified_triangulation : protected Surface {
     if (is_in_triangle(v)) {
       hidden_.try_emplace(v, Triangle{absent, absent, absent});
     } else if (hidden_.erase(v) > 0) {
-      renew(hidden_life, key(v, v), std::nullopt);
+      renew(hidden_life, itself(v), std::nullopt);
     }
   }
 
@@ -203,6 +199,8 @@ class Certified_triangulation : protected Surface {
         if (!is_present(v)) refute(which + " still has edges");
         if (is_twin(v))
           refute(which + " has edges, but point " + std::to_string(shown(v)) + " hides it");
+      } else if (is_periodic() && is_present(v) && !is_twin(v)) {
+        refute(which + " has no edges");
       }
       const bool is_hidden = is_twin(v) || is_in_triangle(v);
       const bool is_told = told_.erase(v) > 0;
@@ -216,16 +214,16 @@ class Certified_triangulation : protected Surface {
   // Finds the triangle of each hidden point.
   void place_hidden() {
     for (auto& [v, t] : hidden_) {
-      const auto life = alive_[hidden_life].find(key(v, v));
-      const bool is_there = t[0] != absent && apex(t[0], t[1]) == t[2];
+      const auto life = alive_[hidden_life].find(itself(v));
+      const bool is_there = t[0].id != absent && apex(t[0], t[1]) == t[2];
       if (is_there && life != alive_[hidden_life].end() &&
           life->second.courses == courses({t[0], t[1], t[2], v})) {
         continue;
       }
       t = triangle_of(v, is_there ? t : Triangle{absent, absent, absent});
-      renew(hidden_life, key(v, v), Points{t[0], t[1], t[2], v});
+      renew(hidden_life, itself(v), Points{t[0], t[1], t[2], v});
       for (std::size_t i = 0; i < 3; ++i) {
-        add_specials(orientation(course(t[i]), course(t[(i + 1) % 3]), course(v)), v, v);
+        add_specials(orientation(course(t[i]), course(t[(i + 1) % 3]), course(v)), itself(v));
       }
     }
   }
@@ -233,12 +231,11 @@ class Certified_triangulation : protected Surface {
   // Walks from triangle t, or an arbitrary one, to the triangle that contains the point just after
   // now.
   Triangle triangle_of(Id v, Triangle t) {
-    for (auto any = left_.begin(); t[0] == absent && any != left_.end(); ++any) {
-      const Triangle found = {static_cast<Id>(any->first >> 32U), static_cast<Id>(any->first),
-                              any->second};
-      if (std::ranges::max(found) != infinite) t = found;
+    for (auto any = left_.begin(); t[0].id == absent && any != left_.end(); ++any) {
+      const Triangle found = {any->first.first, any->first.second, any->second};
+      if (std::ranges::max(found).id != infinite) t = found;
     }
-    for (std::size_t steps = 0; t[0] != absent && t[2] != infinite && steps < left_.size();
+    for (std::size_t steps = 0; t[0].id != absent && t[2].id != infinite && steps < left_.size();
          ++steps) {
       const auto is_beyond = [&](std::size_t i) {
         const Polynomial p = orientation(course(t[i]), course(t[(i + 1) % 3]), course(v));
@@ -247,7 +244,7 @@ class Certified_triangulation : protected Surface {
       std::size_t side = 0;
       while (side < 3 && !is_beyond(side)) ++side;
       if (side == 3) return t;
-      const Id a = t[(side + 1) % 3];
+      const Image a = t[(side + 1) % 3];
       t = {a, t[side], apex(a, t[side])};
     }
     refute("point " + std::to_string(v) + " is in no triangle");
@@ -255,12 +252,17 @@ class Certified_triangulation : protected Surface {
 
   // ---- contacts of discs ----
 
+  Polynomial gap_of(const Edge& pair) const {
+    return gap(course(begin_of(pair)), course(end_of(pair)));
+  }
+
   // The first contact of two discs up to a time: since both got their motions and, if they passed
   // through each other, since they separated.
   std::optional<Time> first_contact(const Edge& pair, const Dyadic& last) {
-    const auto [a, b] = pair;
-    const Polynomial p = gap(course(a), course(b));
-    Time begin = compare(begins_[a], begins_[b]) < 0 ? begins_[b] : begins_[a];
+    const Polynomial p = gap_of(pair);
+    Time& begin_a = begins_[pair.first];
+    Time& begin_b = begins_[pair.second];
+    Time begin = compare(begin_a, begin_b) < 0 ? begin_b : begin_a;
     const auto passing = passing_.find(pair);
     bool passes = passing != passing_.end();
     if (passes && compare(passing->second, begin) > 0) begin = passing->second;
@@ -293,7 +295,7 @@ class Certified_triangulation : protected Surface {
       if (compare(since, begin) > 0) return false;
     }
     for (std::size_t i = 0, k = 0; i < first.size() && k < second.size();) {
-      const Polynomial p = gap(*first[i].course, *second[k].course);
+      const Polynomial p = gap(*first[i].course, lattice_.moved(*second[k].course, pair.offset));
       Time of_first = i + 1 < first.size() ? first[i + 1].begin : now_;
       Time of_second = k + 1 < second.size() ? second[k + 1].begin : now_;
       const int order = compare(of_first, of_second);
@@ -314,7 +316,7 @@ class Certified_triangulation : protected Surface {
 
   // Checks that two discs that become neighbors and overlap did not make contact without a row.
   void check_contact_before(const Edge& pair) {
-    if (sign_at(gap(course(pair.first), course(pair.second)), now_) > 0) return;
+    if (sign_at(gap_of(pair), now_) > 0) return;
     std::optional<Time> first = first_contact(pair, now_.hi);
     if (!first || compare(*first, now_) > 0) return;
     Time start = exactly(options_.from);
@@ -323,13 +325,17 @@ class Certified_triangulation : protected Surface {
       return;
     }
     refute("the contact of " + std::to_string(pair.first) + " and " + std::to_string(pair.second) +
-           " is missing");
+           (is_periodic() ? " " + name_of(pair.offset) : "") + " is missing");
   }
 
   // Checks the contacts of discs that coincide with others: with these, when they get one motion
   // and grow; and, if one of them is in contact with another disc, those of all the others with it.
   void check_contacts_of_twins() {
     if (twins_.empty() || !options_.has_contacts) return;
+    if (is_periodic()) {
+      throw Bad_input(
+          "discs coincide in a periodic box: such runs with contacts are not supported");
+    }
     for (const Id v : moved_) {
       if (!is_present(v) || derivative(course(v).radius).empty()) continue;
       for (const Id other : groups_of_[v]->second) {
@@ -337,11 +343,10 @@ class Certified_triangulation : protected Surface {
       }
     }
     std::set<Edge> done;  // points that are the least of their groups
-    for (const std::vector<Id>& points : contacts_) {
-      if (points.size() < 2) continue;
-      const Edge pair = {points.front(), points.back()};
+    for (const Edge& pair : contacts_) {
+      if (!passing_.contains(pair)) continue;
       const Edge least = {shown(pair.first), shown(pair.second)};
-      if (least.first == least.second || !passing_.contains(pair) || !done.insert(least).second) {
+      if (least.first == least.second || !done.insert(least).second) {
         continue;
       }
       for (const Id a : groups_of_[pair.first]->second) {
@@ -354,9 +359,9 @@ class Certified_triangulation : protected Surface {
   // Those whose motions change together are looked at before and after that.
   void end_passes(Id v) {
     std::erase_if(passing_, [&](const auto& entry) {
-      const auto [a, b] = entry.first;
+      const auto [a, b, offset] = entry.first;
       if ((a != v && b != v) || changing_.contains(a == v ? b : a)) return false;
-      return !is_present(a) || !is_present(b) || sign_at(gap(course(a), course(b)), now_) > 0;
+      return !is_present(a) || !is_present(b) || sign_at(gap_of(entry.first), now_) > 0;
     });
   }
 
@@ -366,18 +371,24 @@ class Certified_triangulation : protected Surface {
 
   // ---- motions ----
 
+  void touch_around(Id v) {
+    touched_.insert(v);
+    for (const Image& n : neighbors_[v]) touched_.insert(n.id);
+  }
+
   void set_motion(const Change& change) {
     const Id v = change.id;
     const Course* old = courses_[v];
-    for (const Id n : neighbors_[v]) {
+    for (const Image& n : neighbors_[v]) {
       changed_.insert(edge(v, n));
-      for (const Id m : {apex(v, n), apex(n, v)}) {
-        if (m != absent) changed_.insert(edge(n, m));
+      for (const Image& m : {apex(v, n), apex(n, v)}) {
+        if (m.id != absent) changed_.insert(edge(n, m));
       }
     }
     if (hull_.contains(v)) changed_.insert({v, infinite});
     begins_[v] = now_;
     if (old != nullptr) leave_group(v);
+    images_[v].clear();
     courses_[v] = change.motion ? &motions_.emplace_back(scale_.course(*change.motion)) : nullptr;
     if (change.motion) {
       if (continues()) past_motions_[v].push_back({now_, courses_[v]});
@@ -385,7 +396,9 @@ class Certified_triangulation : protected Surface {
       if (courses_[v]->radius != motions_.front().radius) has_one_radius_ = false;
     }
     note_regrouped(v);
-    if (is_on_line_ || std::ranges::find(witness_, old) != witness_.end()) is_witness_lost_ = true;
+    if (!is_periodic() && (is_on_line_ || std::ranges::find(witness_, old) != witness_.end())) {
+      is_witness_lost_ = true;
+    }
     moved_.insert(v);
   }
 
@@ -394,19 +407,23 @@ class Certified_triangulation : protected Surface {
   std::array<const Course*, 4> courses(const Points& points) const {
     std::array<const Course*, 4> result = {};
     for (std::size_t i = 0; i < 4; ++i) {
-      if (points[i] < absent) result[i] = courses_[points[i]];
+      if (points[i].id < absent) result[i] = &course(points[i]);
     }
     return result;
   }
 
-  // Ends the life with that key unless its points and motions are unchanged, and begins a new one
+  Life life_of(const Edge& e) const {
+    const Points points = around(e);
+    return {edge_life, points, courses(points), instant_, nullptr};
+  }
+
+  // Ends the life with that name unless its points and motions are unchanged, and begins a new one
   // if there are points.
-  void renew(Kind kind, std::uint64_t id, const std::optional<Points>& points) {
+  void renew(Kind kind, const Edge& id, const std::optional<Points>& points) {
     const auto found = alive_[kind].find(id);
     std::optional<Life> life;
     if (points) {
-      const bool passes = passing_.contains({(*points)[0], (*points)[1]});
-      life = Life{kind, *points, courses(*points), instant_, nullptr, passes};
+      life = Life{kind, *points, courses(*points), instant_, nullptr, passing_.contains(id)};
     }
     bool is_new_pair = true;
     if (found != alive_[kind].end()) {
@@ -422,10 +439,9 @@ class Certified_triangulation : protected Surface {
     const auto [a, b] = std::pair(life->courses[0], life->courses[1]);
     if (kind == edge_life && is_new_pair && b != nullptr) {
       const auto [dx, dy] = minus(*a, *b);
-      add_specials(greatest_common_divisor(dx, dy), (*points)[0], (*points)[1]);
-      const Edge pair = {(*points)[0], (*points)[1]};
-      if (options_.has_contacts) check_contact_before(pair);
-      life->passes = passing_.contains(pair);
+      add_specials(greatest_common_divisor(dx, dy), id);
+      if (options_.has_contacts) check_contact_before(id);
+      life->passes = passing_.contains(id);
     }
     alive_[kind].emplace(id, std::move(*life));
   }
@@ -462,7 +478,7 @@ class Certified_triangulation : protected Surface {
     if (refuted && (!refuted_ || refuted->row < refuted_->row)) refuted_ = refuted;
   }
   const Certifier certifier_;
-  bool is_witness_lost_ = true;
+  bool is_witness_lost_ = false;
   std::vector<Time> begins_;  // of motions
   struct Past_motion {
     Time begin;
@@ -473,14 +489,14 @@ class Certified_triangulation : protected Surface {
 
   // In this instant:
   std::set<Id> moved_;
-  std::set<Id> changing_;  // points whose motions the last rows have changed
-  std::set<std::vector<Id>> contacts_;
+  std::set<Id> changing_;    // points whose motions the last rows have changed
+  std::set<Edge> contacts_;  // of walls `itself`
   bool has_rows_ = false;
 
   std::deque<Special> specials_;  // to come, in order
   std::shared_ptr<const Instant> instant_;
 
-  std::array<std::unordered_map<std::uint64_t, Life>, kinds> alive_;
+  std::array<std::unordered_map<Edge, Life, Hash>, kinds> alive_;
   std::vector<Life> ended_;
   std::vector<std::future<std::optional<Refuted>>> workers_;
   std::optional<Refuted> refuted_;

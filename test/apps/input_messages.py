@@ -113,7 +113,6 @@ def periodic_cases():
     yield points("x,y,vx,vy\n0,0,0,0\n1e10,0,0,0\n", box, id=1)
     yield simulate("--periodic 9,9 --radius 1")
     yield simulate("--periodic 9,9 --collisions log", option="--collisions", file="p.csv")
-    yield simulate("--periodic 9,9 --collisions log --radius 1 --verify")
     collide = box + " --collisions elastic"
     yield points("x,y,vx,vy\n0,0,0,0\n6,8,4,0\n", collide + " --radius 1", line=3, first=2)
     yield points("x,y,vx,vy\n0,0,0,0\n", collide + " --radius 2.125", line=2, id=0, x=1, y=0, time=0)

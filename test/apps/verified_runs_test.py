@@ -87,6 +87,7 @@ class Runs(Verified_runs):
         for response in ("elastic", "swap", "stop", "remove", "log"):
             self.expect_verified(f"simulate p.csv --until 6 --box -6,-6,66,66 --collisions {response} --radius 3", 20)
             self.expect_verified(f"simulate p.csv --until 4 --collisions {response} --radius 3 --rim --box -6,-6,66,66", 20)
+            self.expect_verified(f"simulate p.csv --until 2 --periodic 70,70,9 --shear 0.25 --collisions {response} --radius 3", 20)
 
     def test_discs_of_many_sizes(self):
         self.write("p.csv", ON_A_LATTICE)

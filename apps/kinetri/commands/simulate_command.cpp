@@ -53,11 +53,6 @@ void expect_periodic_options(const Simulate_options& options) {
   if (options.rim) refuse_with_periodic("--rim");
   if (options.regular) refuse_with_periodic("--regular");
   if (options.replay) refuse_with_periodic("--replay");
-  const bool collide = collisions_argument(options.collisions, named_responses).response != nullptr;
-  if (!collide || !options.run.verify) return;
-  throw Usage_error(
-      "--verify: kinetri-verify does not verify contacts in periodic boxes; expected no --verify, "
-      "or no --collisions");
 }
 
 Points_settings points_settings(const Simulate_options& options) {

@@ -55,10 +55,9 @@ double upper_bound_of_now(const Any_simulation& simulation) {
   return simulation.visit([](const auto& s) { return s.current_time().tight_interval().upper; });
 }
 
-// The options of the box and of the discs. A run in a periodic box that is verified has no discs.
+// The options of the box and of the discs.
 std::vector<std::string> options_of(const Any_simulation& simulation, const Run_source& source) {
-  if (simulation.is_periodic()) return source.periodic_options();
-  std::vector<std::string> result;
+  std::vector<std::string> result = source.periodic_options();
   simulation.visit([&](const auto& s) {
     if (!s.options().box) return;
     const auto& [xmin, ymin, xmax, ymax] = *s.options().box;
