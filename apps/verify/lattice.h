@@ -26,18 +26,18 @@ class Lattice {
   // The image that is in the box at time 0. Two points have the same one if and only if their
   // images are the same at all times (Lemma 8), as moves by whole multiples of the two vectors do
   // not change it.
-  Course wrapped(Course point) const {
-    const auto constant = [](const Polynomial& p) { return p.empty() ? Integer(0) : p[0]; };
-    for (const std::size_t i :
-         {1UL, 0UL}) {  // the second vector is along x and y, the first along x
+  Course wrapped(const Course& point) const {
+    Course result = point;
+    for (const std::size_t i : {0UL, 1UL}) {  // how often vector i is in the place, rounded down
+      const Place& other = vectors_[1 - i].place;
       Integer count;
-      const Integer size = constant(vectors_[i].place[i]);
-      mpz_fdiv_q(count.get_mpz_t(), constant(point.place[i]).get_mpz_t(), size.get_mpz_t());
+      mpz_fdiv_q(count.get_mpz_t(), constant(cross(point.place, other)).get_mpz_t(),
+                 constant(cross(vectors_[i].place, other)).get_mpz_t());
       for (std::size_t k = 0; k < 2; ++k) {
-        point.place[k] = point.place[k] - times(vectors_[i].place[k], count);
+        result.place[k] = result.place[k] - times(vectors_[i].place[k], count);
       }
     }
-    return point;
+    return result;
   }
 
   // Twice the area of a triangle over that of the box, if all points were at the origin.
@@ -48,6 +48,8 @@ class Lattice {
   }
 
  private:
+  // The value at time 0.
+  static Integer constant(const Polynomial& p) { return p.empty() ? Integer(0) : p[0]; }
   static Polynomial times(const Polynomial& p, const Integer& factor) {
     return p * trimmed({factor});
   }

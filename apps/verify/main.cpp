@@ -18,7 +18,8 @@ constexpr const char* usage =
     "the run; without them, the log tells where its walls are, and whether discs\n"
     "collide.\n"
     "--threads 2 checks certificates on a second thread.\n"
-    "--periodic and --shear are those of the run, whose logs have offsets.\n"
+    "--periodic and --shear are those of the run, whose logs have offsets. Four numbers\n"
+    "AX,AY,BX,BY are the two vectors of a box of recorded atoms.\n"
     "\n"
     "Exit code: 0 verified, 1 refuted, 2 bad usage or bad input, 3 internal error.\n"
     "\n"
@@ -50,7 +51,7 @@ std::vector<double> numbers_of(const std::string& option, const std::string& tex
   const auto fields = static_cast<std::size_t>(std::ranges::count(text, ',')) + 1;
   const std::size_t count = result.size();
   if (are_numbers && fields == count && least <= count && count <= most) return result;
-  const std::string range = (least == most ? "" : std::to_string(least) + " or ");
+  const std::string range = (least == most ? "" : std::to_string(least) + " to ");
   fail_usage(option + " is '" + text + "'; expected " +
              (most == 1 ? "a finite number" : range + std::to_string(most) + " finite numbers"));
 }
@@ -66,15 +67,23 @@ std::vector<verify::Edge> undone(const std::vector<verify::Edge>& final_edges,
   return {edges.begin(), edges.end()};
 }
 
-// The vectors of a periodic box. The rate of the second one is rounded, as that of the run is.
-std::vector<verify::Motion> lattice(const std::vector<double>& sides, double shear) {
+// The vectors of a periodic box, from the numbers LX,LY or LX,LY,XY or AX,AY,BX,BY. The rate of the
+// second one is rounded, as that of the run is.
+std::vector<verify::Motion> lattice(const std::vector<double>& numbers, double shear) {
+  const bool has_both = numbers.size() == 4;
   verify::Motion first = {};
   verify::Motion second = {};
-  first[verify::x] = sides[0];
-  second[verify::x] = sides.size() > 2 ? sides[2] : 0;
-  second[verify::y] = sides[1];
-  second[verify::vx] = shear * sides[1];
-  if (sides[0] <= 0 || sides[1] <= 0) fail_usage("the --periodic box is empty");
+  first[verify::x] = numbers[0];
+  first[verify::y] = has_both ? numbers[1] : 0;
+  second[verify::x] = numbers.size() > 2 ? numbers[2] : 0;
+  second[verify::y] = numbers[has_both ? 3 : 1];
+  second[verify::vx] = shear * second[verify::y];
+  if (has_both ? mpq_class(first[verify::x]) * mpq_class(second[verify::y]) <=
+                     mpq_class(first[verify::y]) * mpq_class(second[verify::x])
+               : numbers[0] <= 0 || numbers[1] <= 0) {
+    fail_usage("the --periodic box is empty");
+  }
+  if (has_both && shear != 0) fail_usage("--shear needs --periodic LX,LY or LX,LY,XY");
   if (!std::isfinite(second[verify::vx])) fail_usage("the --shear is too fast");
   return {first, second};
 }
@@ -239,7 +248,7 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
       if (given.contains(name)) fail_usage(std::string(name) + " is not for periodic boxes");
     }
     options.lattice =
-        lattice(numbers_of("--periodic", given["--periodic"], 2, 3), number("--shear", 0));
+        lattice(numbers_of("--periodic", given["--periodic"], 2, 4), number("--shear", 0));
   } else if (given.contains("--shear")) {
     fail_usage("--shear needs --periodic");
   }

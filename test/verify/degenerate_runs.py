@@ -157,7 +157,31 @@ def periodic(generator):
                                      f"--collisions {response}")
 
 
-KINDS = (plain, accelerated, in_box, regular, discs, sizes, growing, wave, tracks, copies, crowds, periodic)
+def atoms(generator):
+    """Atoms on a tiny grid in a periodic box at rest, oblique or not, given as an XYZ or as a dump from which some are
+    missing now and then: many go the same way for a while, or are images of each other."""
+    number = generator.randint(1, 9)
+    is_dump = generator.random() < 0.5
+    width, height, tilt = generator.randint(3, 5), generator.randint(3, 5), generator.choice((0, 0, 1))
+    rise = 0 if is_dump else generator.choice((0, 1, -1))
+    places = [[generator.randint(0, 4), generator.randint(0, 4)] for _ in range(number)]
+    lines = []
+    for t in range(generator.randint(2, 6)):
+        here = [i for i in range(number) if not is_dump or generator.random() < 0.85]
+        if is_dump:
+            lines += ["ITEM: TIMESTEP", str(t), "ITEM: NUMBER OF ATOMS", str(len(here)),
+                      "ITEM: BOX BOUNDS xy xz yz pp pp pp", f"0 {width + tilt} {tilt}", f"0 {height} 0", "0 1 0",
+                      "ITEM: ATOMS id xu yu", *(f"{i} {places[i][0]} {places[i][1]}" for i in here)]
+        else:
+            lines += [str(number), f'Lattice="{width} {rise} 0 {tilt} {height} 0 0 0 1" pbc="T T T"',
+                      *(f"Ar {x} {y} 0" for x, y in places)]
+        for place in places:
+            place[0] += generator.randint(-1, 1)
+            place[1] += generator.randint(-1, 1)
+    return "\n".join(lines) + "\n", "tracks FILE --periodic"
+
+
+KINDS = (plain, accelerated, in_box, regular, discs, sizes, growing, wave, tracks, copies, crowds, periodic, atoms)
 
 
 def main():

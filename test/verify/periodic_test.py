@@ -57,7 +57,7 @@ def make_points(kind, generator):
 
 
 def make_discs(kind, generator):
-    """Points whose discs are apart, the box, and a radius. On a lattice many contacts have one time."""
+    """Points whose discs are apart, the box, a response and a radius. On a lattice many contacts have one time."""
     n, m = generator.randint(1, 3), generator.randint(2, 3)
     shear = generator.choice([0, 0, 0.5, -1])
     box = 3 * n, 3 * m, generator.choice([0, 0, 1, -2]), shear
@@ -76,7 +76,10 @@ def make_discs(kind, generator):
         else:
             place = x + generator.uniform(-0.5, 0.5), y + generator.uniform(-0.5, 0.5)
             points.append((*place, generator.uniform(-2, 2), generator.uniform(-2, 2)))
-    return points, box, generator.choice([0.5, 0.75, 1])
+    response = generator.choice(RESPONSES)
+    # With little room in a sheared box these two make discs faster and faster.
+    is_wild = shear and response in ("swap", "elastic")
+    return points, box, response, 0.5 if is_wild else generator.choice([0.5, 0.75, 1])
 
 
 class Row(list):
@@ -91,8 +94,7 @@ class Run:
     def __init__(self, kind, generator, folder):
         self.response, self.told = None, None  # told to the verifier, if it is another one
         if kind in DISCS:
-            self.points, self.box, self.radius = make_discs(kind, generator)
-            self.response = generator.choice(RESPONSES)
+            self.points, self.box, self.response, self.radius = make_discs(kind, generator)
         else:
             self.points, self.box = make_points(kind, generator)
         self.start, self.until = generator.choice([0, 0, 0.5, -1]), 4 if kind in DISCS else 2
@@ -662,6 +664,8 @@ def check_lies():
     for kind in (*KINDS, *DISCS):
         for seed, run in runs(kind, 8 * TIMES if kind in DISCS else 8, FOLDER / kind):
             for name, time in itertools.product(LIES, range(2)):
+                if kind in DISCS and name not in CONTACT_LIES and seed % 2 == 1:
+                    continue
                 changed = copy.deepcopy(run)
                 generator = random.Random(f"{kind} {seed} {name}" + " again" * time)
                 if (time == 1 and name not in CONTACT_LIES) or not LIES[name](changed, generator):
