@@ -632,6 +632,15 @@ def check_refusals():
         changed.rows = []
         changed.until = changed.start
 
+    def take_box(*options):
+        def change(changed):
+            changed.box_options = lambda: options
+        return change
+
+    expect(2, "the --periodic box is empty", take_box("--periodic=1,2,2,4"))
+    expect(2, "the --periodic box is empty", take_box("--periodic=-1,2"))
+    expect(2, "--shear needs --periodic LX,LY", take_box("--periodic=1,0,0,1", "--shear=1"))
+    expect(2, "expected 2 to 4 finite numbers", take_box("--periodic=1,0,0,1,1"))
     expect(2, "expected discs of one constant radius", edit("motions", 1, 9, "0.125"), points="motions.csv")
     expect(2, "expected discs of one constant radius", edit("motions", 1, 10, "0.125"), points="motions.csv")
     expect(2, "discs coincide in a periodic box", double_a_point, points="motions.csv", edges=["initial"],
