@@ -112,10 +112,10 @@ void Simulation_types<Traits>::Disc_geometry::for_each_end_of_edge(Point_id id,
                                                                    Function function) const {
   const auto vertex = triangulation_.vertex(id);
   if constexpr (is_periodic) {
-    using Triangulation = typename Triangulation::Triangulation;
+    using Torus = typename Triangulation::Triangulation;
     for_each_face_at(triangulation_.triangulation(), vertex, [&](auto face, int i) {
-      const int k = Triangulation::ccw(i);
-      function(Disc{face->vertex(k)->point().id(), Triangulation::offset(face, i, k)});
+      const int k = Torus::ccw(i);
+      function(Disc{face->vertex(k)->point().id(), Torus::offset(face, i, k)});
     });
   } else {
     detail::for_each_neighbor(triangulation_.triangulation(), vertex,

@@ -381,6 +381,11 @@ class Periodic_contacts(In_folder):
                 images += self.check_picture(self.read("p.svg"))
             self.assertGreater(images, 30)
 
+    def test_runs_of_several_radii_are_not_verified(self):
+        run = "simulate p.csv --until 1 --periodic 8,8 --collisions elastic --verify"
+        done = self.run_program(run, "x,y,vx,vy,radius\n0,0,1,0,1\n4,4,0,0,0.5\n", code=2)
+        self.assertIn("expected no --verify, or one --radius\n", done.stderr)
+
     def test_disc_that_meets_its_own_image_ends_the_run(self):
         """The upper vector is (7 - 3 t, 3), and the diameter 5."""
         run = ("simulate p.csv --until 2 --periodic 16,3,7 --shear=-1 --collisions elastic --radius 2.5 "

@@ -61,6 +61,7 @@ Points_settings points_settings(const Simulate_options& options) {
     expect_periodic_options(options);
     result.periodic = periodic_settings(options.periodic);
   }
+  result.is_verified = options.run.verify;
   result.points = options.points;
   result.from = number_argument("--from", options.from);
   result.until = until_argument(options.run);

@@ -71,6 +71,12 @@ Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
     const Point_discs discs = point_discs(points_, settings_);
     Simulation_options with_discs = options();
     with_discs.masses = point_masses(points_, discs, settings_);
+    if (!discs.are_equal() && settings_.periodic && settings_.is_verified) {
+      throw Usage_error(
+          "--verify: in a periodic box kinetri-verify expects discs of one constant radius; "
+          "expected "
+          "no --verify, or one --radius");
+    }
     if (!discs.are_equal() || settings_.is_regular) {
       // Equal discs may overlap: they have no contact until they approach.
       with_discs.refuses_overlaps =

@@ -34,6 +34,7 @@ struct Points_settings {
   double from = 0;
   std::optional<double> until;                ///< at least `from`; if none, see Run_source::until
   std::optional<Periodic_settings> periodic;  ///< instead of walls
+  bool is_verified = false;                   ///< whether kinetri-verify checks the run
   std::optional<Box_2> box;
   bool rim_touches = false;
   std::optional<double> radius;  ///< of all discs, instead of the column of the points
