@@ -62,7 +62,7 @@ struct Totals {
   std::size_t full = 0;  // runs with as many contacts as wanted
   std::size_t own_images = 0;
   std::size_t endless = 0;  // runs with more contacts at one time than allowed
-  std::size_t hidden = 0;   // sums of the hidden discs at all audits
+  std::size_t hidden = 0;   // sums of the hidden discs at all instants
 };
 
 /// Runs a simulation and the oracle, for at most so many contacts. Returns the first difference.
@@ -77,7 +77,6 @@ std::string difference(const Periodic_box_2& box,
   simulation.add_observer(recorder);
   std::size_t compared = 0;
   const auto audit_problem = [&](Audit_level level) {
-    totals.hidden += simulation.triangulation().number_of_hidden_points();
     const Audit_report report = simulation.audit(level);
     return report.passed() ? std::string() : "audit: " + report.failures.front();
   };
@@ -113,6 +112,7 @@ std::string difference(const Periodic_box_2& box,
                (expected ? text(*expected) : "none");
       }
     }
+    totals.hidden += simulation.triangulation().number_of_hidden_points();
     if (compared % 4 == 0) {
       problem =
           audit_problem(compared % 16 == 0 ? Audit_level::certificates : Audit_level::delaunay);
