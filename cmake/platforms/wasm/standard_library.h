@@ -11,9 +11,11 @@
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 14000
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <compare>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -40,6 +42,14 @@ To bit_cast(const From& from) noexcept {
   To result;
   memcpy(&result, &from, sizeof(To));
   return result;
+}
+
+template <class T, size_t n>
+constexpr auto operator<=>(const array<T, n>& a, const array<T, n>& b) -> decltype(a[0] <=> b[0]) {
+  for (size_t i = 0; i < n; ++i) {
+    if (const auto order = a[i] <=> b[i]; order != 0) return order;
+  }
+  return strong_ordering::equal;
 }
 
 namespace ranges {
