@@ -399,22 +399,7 @@ TEST(Periodic_simulation, continues_from_a_snapshot) {
     const Motions motions = random_discs(random, 5, false, 2);
     Simulation simulation(motions, discs(1, response), 0, traits);
     simulation.schedule_motion(6, 1, {{3, 3}, {1, 1}, 6});
-    simulation.advance_to(4);
-    Simulation restored = Simulation::restore(simulation.snapshot(), response, traits);
-    Contact_recorder before;
-    Contact_recorder after;
-    simulation.add_observer(before);
-    restored.add_observer(after);
-    simulation.advance_to(9);
-    restored.advance_to(9);
-    EXPECT_GT(before.contacts.size(), 2U);
-    ASSERT_EQ(after.contacts.size(), before.contacts.size());
-    for (std::size_t i = 0; i < after.contacts.size(); ++i) {
-      EXPECT_EQ(after.contacts[i].number, before.contacts[i].number);
-      EXPECT_EQ(after.contacts[i].time, before.contacts[i].time);
-      EXPECT_EQ(after.contacts[i].added_offset, before.contacts[i].added_offset);
-    }
-    EXPECT_EQ(restored.snapshot().in_contact, simulation.snapshot().in_contact);
+    test::expect_same_contacts_if_restored(simulation, response, traits, 2);
   }
 }
 

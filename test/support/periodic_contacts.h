@@ -4,6 +4,9 @@
 #ifndef KINETRI_TEST_SUPPORT_PERIODIC_CONTACTS_H
 #define KINETRI_TEST_SUPPORT_PERIODIC_CONTACTS_H
 
+#include <gtest/gtest.h>
+
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -137,6 +140,32 @@ std::string difference(const Periodic_box_2& box,
     }
   }
   return audit_problem(Audit_level::certificates);
+}
+
+/// Expects that the simulation, restored at the time 4, has the same contacts up to the time 9,
+/// more than `least`.
+template <class Traits>
+void expect_same_contacts_if_restored(Simulation_2<Traits>& simulation,
+                                      const Collision_response& response, const Traits& traits,
+                                      std::size_t least) {
+  simulation.advance_to(4);
+  auto restored = Simulation_2<Traits>::restore(simulation.snapshot(), response, traits);
+  Contact_recorder before;
+  Contact_recorder after;
+  simulation.add_observer(before);
+  restored.add_observer(after);
+  simulation.advance_to(9);
+  restored.advance_to(9);
+  EXPECT_GT(before.contacts.size(), least);
+  ASSERT_EQ(after.contacts.size(), before.contacts.size());
+  for (std::size_t i = 0; i < after.contacts.size(); ++i) {
+    EXPECT_EQ(after.contacts[i].number, before.contacts[i].number);
+    EXPECT_EQ(after.contacts[i].time, before.contacts[i].time);
+    EXPECT_EQ(after.contacts[i].added_offset, before.contacts[i].added_offset);
+  }
+  EXPECT_EQ(restored.snapshot().in_contact, simulation.snapshot().in_contact);
+  simulation.remove_observer(before);
+  restored.remove_observer(after);
 }
 
 }  // namespace kinetri::test
