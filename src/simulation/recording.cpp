@@ -484,7 +484,9 @@ template class Recorder<Linear_kinetic_traits_2>;
 template class Recorder<Polynomial_kinetic_traits_2>;
 template class Recorder<Disc_kinetic_traits_2>;
 template class Recorder<Polynomial_disc_kinetic_traits_2>;
+#ifndef KINETRI_WITHOUT_PERIODIC_BOXES
 template class Recorder<Periodic_kinetic_traits_2>;
 template class Recorder<Periodic_disc_kinetic_traits_2>;
+#endif
 
 }  // namespace kinetri

@@ -90,6 +90,7 @@ std::unique_ptr<Simulation_2<>> simulate_tracks(std::span<const std::vector<Obse
   });
 }
 
+#ifndef KINETRI_WITHOUT_PERIODIC_BOXES
 std::unique_ptr<Simulation_2<Periodic_kinetic_traits_2>> simulate_tracks(
     std::span<const std::vector<Observation_2>> tracks, std::span<const Stay> stays, double start,
     const Simulation_options& options, const Periodic_kinetic_traits_2& traits) {
@@ -97,6 +98,7 @@ std::unique_ptr<Simulation_2<Periodic_kinetic_traits_2>> simulate_tracks(
     return motion_after(tracks[stay.track], i);
   });
 }
+#endif
 
 std::unique_ptr<Simulation_2<Disc_kinetic_traits_2>> simulate_tracks(
     std::span<const std::vector<Observation_2>> tracks, std::span<const double> radii,

@@ -22,31 +22,21 @@ class Any_simulation {
   using Polynomial = Simulation_2<Polynomial_kinetic_traits_2>;
   using Discs = Simulation_2<Disc_kinetic_traits_2>;
   using Polynomial_discs = Simulation_2<Polynomial_disc_kinetic_traits_2>;
-  using Periodic = Simulation_2<Periodic_kinetic_traits_2>;
-  using Periodic_discs = Simulation_2<Periodic_disc_kinetic_traits_2>;
 
   /// Holds no simulation until one is assigned.
   Any_simulation() = default;
-  /// @{
   /// Holds the simulation. NOLINTNEXTLINE(google-explicit-constructor)
-  Any_simulation(std::unique_ptr<Linear> simulation) : simulation_(std::move(simulation)) {}
-  /// NOLINTNEXTLINE(google-explicit-constructor)
-  Any_simulation(std::unique_ptr<Polynomial> simulation) : simulation_(std::move(simulation)) {}
-  /// NOLINTNEXTLINE(google-explicit-constructor)
-  Any_simulation(std::unique_ptr<Discs> simulation) : simulation_(std::move(simulation)) {}
-  /// NOLINTNEXTLINE(google-explicit-constructor)
-  Any_simulation(std::unique_ptr<Polynomial_discs> simulation)
+  template <class Traits>
+  Any_simulation(std::unique_ptr<Simulation_2<Traits>> simulation)
       : simulation_(std::move(simulation)) {}
-  /// NOLINTNEXTLINE(google-explicit-constructor)
-  Any_simulation(std::unique_ptr<Periodic> simulation) : simulation_(std::move(simulation)) {}
-  /// NOLINTNEXTLINE(google-explicit-constructor)
-  Any_simulation(std::unique_ptr<Periodic_discs> simulation) : simulation_(std::move(simulation)) {}
-  /// @}
 
   /// Whether the box is periodic.
   bool is_periodic() const {
-    return std::holds_alternative<std::unique_ptr<Periodic>>(simulation_) ||
-           std::holds_alternative<std::unique_ptr<Periodic_discs>>(simulation_);
+    return std::visit(
+        []<class Traits>(const std::unique_ptr<Simulation_2<Traits>>&) {
+          return PeriodicKineticTraits_2<Traits>;
+        },
+        simulation_);
   }
   /// Those of its event log.
   Event_columns event_columns() const {
@@ -83,8 +73,13 @@ class Any_simulation {
 
  private:
   std::variant<std::unique_ptr<Linear>, std::unique_ptr<Polynomial>, std::unique_ptr<Discs>,
-               std::unique_ptr<Polynomial_discs>, std::unique_ptr<Periodic>,
-               std::unique_ptr<Periodic_discs>>
+               std::unique_ptr<Polynomial_discs>
+#ifndef KINETRI_WITHOUT_PERIODIC_BOXES
+               ,
+               std::unique_ptr<Simulation_2<Periodic_kinetic_traits_2>>,
+               std::unique_ptr<Simulation_2<Periodic_disc_kinetic_traits_2>>
+#endif
+               >
       simulation_;
 };
 

@@ -169,12 +169,14 @@ Any_simulation Points_source::simulation(const Point_discs* discs,
                                                   traits);
   };
   const auto of = [&]<class Motion>(const std::vector<Motion>& motions) -> Any_simulation {
+#ifndef KINETRI_WITHOUT_PERIODIC_BOXES
     if constexpr (std::same_as<Center_motion_of<Motion>, Linear_motion_2>) {
       if (settings_.periodic) {
         const Periodic_box_2& box = settings_.periodic->box;
         return make(motions, Basic_periodic_kinetic_traits_2<Motion>(box, arithmetic));
       }
     }
+#endif
     return make(motions, Basic_kinetic_traits_2<Motion>(arithmetic));
   };
   return points_.with_motions([&]<class Center>(const std::vector<Center>& centers) {
