@@ -25,8 +25,8 @@ class Any_simulation {
 
   /// Holds no simulation until one is assigned.
   Any_simulation() = default;
-  /// Holds the simulation. NOLINTNEXTLINE(google-explicit-constructor)
-  template <class Traits>
+  /// Holds the simulation.
+  template <class Traits>  // NOLINTNEXTLINE(google-explicit-constructor)
   Any_simulation(std::unique_ptr<Simulation_2<Traits>> simulation)
       : simulation_(std::move(simulation)) {}
 
