@@ -582,7 +582,7 @@ template class Basic_kinetic_traits_2<Polynomial_motion_2>;
 template class Basic_kinetic_traits_2<Disc_motion_2>;
 template class Basic_kinetic_traits_2<Polynomial_disc_motion_2>;
 
-// Of images, the certificates of triangulations. clang takes no alias here.
+// Of images, the certificates of triangulations. clang 14 takes no alias here.
 #define KINETRI_OF_IMAGES(Motion, Image)                                                       \
   template Certificate Basic_kinetic_traits_2<Motion>::in_circle_certificate(                  \
       const Image&, const Image&, const Image&, const Image&, const Time&, Certificate_state)  \

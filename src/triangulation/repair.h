@@ -164,8 +164,9 @@ bool Kinetic_types<Traits>::Repair::find_turned() {
     }
     for (std::size_t k = 0; k < count; ++k) {
       if (is_infinite(beyond[k])) continue;
-      if (points_.certain_side(edges[k].first, beyond[k]) != CGAL::NEGATIVE)
+      if (points_.certain_side(edges[k].first, beyond[k]) != CGAL::NEGATIVE) {
         suspects_.push_back(edges[k]);
+      }
     }
     count = 0;
   };

@@ -21,7 +21,7 @@ using Traits = Periodic_kinetic_traits_2;
 using Simulation = Simulation_2<Traits>;
 using Kinetic = Kinetic_delaunay_triangulation_2<Traits>;
 
-/// The points that get another motion in an instant, or an image of theirs.
+/// The points that have collided since `ids` was cleared.
 struct Changed_points : Event_observer {
   void after_event(const Event& event) override {
     if (event.kind != Event_kind::collision) return;

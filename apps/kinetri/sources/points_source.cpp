@@ -74,8 +74,7 @@ Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
     if (!discs.are_equal() && settings_.periodic && settings_.is_verified) {
       throw Usage_error(
           "--verify: in a periodic box kinetri-verify expects discs of one constant radius; "
-          "expected "
-          "no --verify, or one --radius");
+          "expected no --verify, or one --radius");
     }
     if (!discs.are_equal() || settings_.is_regular) {
       // Equal discs may overlap: they have no contact until they approach.

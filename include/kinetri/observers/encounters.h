@@ -68,7 +68,7 @@ class Encounters {
 
   /// Observes from the current time on. The simulation must outlive this object. Throws
   /// Precondition_error if `range` is negative or not finite, or if a radius enlarged by half of it
-  /// is not finite.
+  /// is not finite. Not for simulations in periodic boxes.
   Encounters(Simulation_2<Traits>& simulation,
              double range) requires(!PeriodicKineticTraits_2<Traits>);
   /// The same of a triangulation of points.
