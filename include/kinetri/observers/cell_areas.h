@@ -45,10 +45,11 @@ struct Cell_area {
 ///
 /// The area is 0 if the point is outside of the walkable area, decided exactly; walls belong to it.
 /// Points that coincide for a while (coincident_points) share the area of their cell equally. Of
-/// points of equal weights that coincide only at current_time(), the one with the smallest id has
-/// the area of the common cell, or shares it with those that coincide with it for a while, and the
-/// others have 0. A power cell need not contain its point; then all of its parts count. Without
-/// obstacles the areas of points in a convex walkable area sum to its area.
+/// points of equal weights that coincide only at current_time(), the one with the least id has the
+/// area of the common cell, or shares it with those that coincide with it for a while, and the
+/// others have 0. A power cell need not contain its point; then all of its parts count. If it is
+/// only a segment, its area is at most `error`. Without obstacles the areas of points in a convex
+/// walkable area sum to its area.
 ///
 /// The cutoff is an exact circle, not a polygon. Which sides a cell has is exact; the rest is
 /// binary64 arithmetic. `error` bounds the sum of all errors. Let u = 2^-53, h the largest
