@@ -12,8 +12,24 @@
 namespace kinetri::detail {
 namespace {
 
-// Sorts elements by the names of their edges `edge_of(element)`. At each id there are few elements
-// on average.
+// Sorts elements, which are few most of the time, by `key(element)`.
+template <class Element, class Key>
+void sort_few(std::span<Element> elements, const Key& key) {
+  constexpr std::size_t few = 16;
+  if (elements.size() > few) {
+    std::ranges::sort(elements, {}, key);
+    return;
+  }
+  for (std::size_t i = 1; i < elements.size(); ++i) {
+    const Element element = elements[i];
+    const auto its_key = key(element);
+    std::size_t k = i;
+    for (; k > 0 && its_key < key(elements[k - 1]); --k) elements[k] = elements[k - 1];
+    elements[k] = element;
+  }
+}
+
+// Sorts elements by the names of their edges `edge_of(element)`.
 template <class Element, class Edge_of>
 void sort_by_edge(std::vector<Element>& elements, const Edge_of& edge_of) {
   const auto key = [&](const Element& element) { return edge_key(edge_of(element)); };
@@ -34,7 +50,7 @@ void sort_by_edge(std::vector<Element>& elements, const Edge_of& edge_of) {
   for (const Element& element : elements) sorted[ends[ids_of(edge_of(element))[0]]++] = element;
   std::uint32_t begin = 0;
   for (const std::uint32_t end : ends) {
-    std::ranges::sort(std::span(sorted).subspan(begin, end - begin), {}, key);
+    sort_few(std::span(sorted).subspan(begin, end - begin), key);
     begin = end;
   }
   elements = std::move(sorted);
@@ -51,6 +67,7 @@ template <class Edge_name>
 auto Edge_changes<Edge_name>::take() -> std::vector<Change> {
   sort_by_edge(notes_, [](const Change& change) -> const Edge_name& { return change.edge; });
   std::vector<Change> result;
+  result.reserve(notes_.size());
   for (const Change& note : notes_) {
     if (result.empty() || edge_key(result.back().edge) != edge_key(note.edge)) {
       result.push_back(note);

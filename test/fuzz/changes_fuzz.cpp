@@ -37,7 +37,9 @@ using Motions = std::map<Point_id, Linear_motion_2>;
 Motions shown_of(const Motions& motions) {
   Motions result;
   for (const auto& [id, motion] : motions) {
-    const auto is_same = [&](const auto& other) { return same_trajectory(other.second, motion); };
+    const auto is_same = [&motion = motion](const auto& other) {
+      return same_trajectory(other.second, motion);
+    };
     if (std::ranges::none_of(result, is_same)) result.emplace(id, motion);
   }
   return result;

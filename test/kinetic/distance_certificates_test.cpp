@@ -282,7 +282,8 @@ void expect_definition(const std::vector<Motion>& m, unsigned seed, int& failure
     const std::array points = {Point(m[i]), Point(m[i + 1]), Point(m[i + 2]), Point(m[i + 3])};
     const auto& [p, q, r, s] = points;
     const test::On_failure trace([&] {
-      return testing::Message() << p << '\n' << q << "\nrange " << range << ", time " << t;
+      return testing::Message() << points[0] << '\n'
+                                << points[1] << "\nrange " << range << ", time " << t;
     });
     const auto excess = [&](const Rational& time) {
       return excess_at(m[i], m[i + 1], range, time);

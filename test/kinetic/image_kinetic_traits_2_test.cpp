@@ -67,7 +67,10 @@ TEST_P(Image_traits, decide_as_polynomials_by_definition) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe(m); });
     const auto all = points(m);
-    const auto& [p, q, r, s] = all;
+    const auto& p = all[0];
+    const auto& q = all[1];
+    const auto& r = all[2];
+    const auto& s = all[3];
     const Polynomial outside = -test::perturbed_determinant(m);
     const auto paths = test::paths_of(m);
     const Polynomial turn = test::turn_of(paths[0], paths[1], paths[2]);

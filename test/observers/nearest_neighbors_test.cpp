@@ -113,11 +113,12 @@ std::vector<Algebraic_number> times_of_ties(const Motions<Motion>& motions,
     for (const auto& [q, of_q] : motions) {
       for (const auto& [r, of_r] : motions) {
         if (p == q || p == r || q >= r) continue;
-        const Polynomial difference = test::interpolate(degree, [&](const Rational& t) {
-          const auto place = test::place_at(of_p, t);
-          return Rational(CGAL::squared_distance(place, test::place_at(of_q, t)) -
-                          CGAL::squared_distance(place, test::place_at(of_r, t)));
-        });
+        const Polynomial difference = test::interpolate(
+            degree, [&of_p = of_p, &of_q = of_q, &of_r = of_r](const Rational& t) {
+              const auto place = test::place_at(of_p, t);
+              return Rational(CGAL::squared_distance(place, test::place_at(of_q, t)) -
+                              CGAL::squared_distance(place, test::place_at(of_r, t)));
+            });
         if (difference.is_zero()) continue;
         for (const Real_root& root : real_roots(difference)) {
           if (root.value > from && root.value < to) times.push_back(root.value);

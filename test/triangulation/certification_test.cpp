@@ -208,7 +208,8 @@ TEST(Certification, after_a_flip_is_that_of_each_edge) {
     }
   }
   ASSERT_TRUE(first);
-  const auto& [now, edge] = *first;
+  const auto& now = first->first;
+  const auto& edge = first->second;
   auto outer = part.topology.outer_edges(edge);
   const auto flipped = part.topology.flip(edge, outer);
   Certificate_counters counters;
