@@ -57,7 +57,7 @@ Edges edges_of(const std::vector<Moving_point_2>& points,
   Edges edges;
   std::vector<Neighbors>& result = edges.neighbors;
   for (const auto& [face, i] : triangulation.finite_edges()) {
-    const auto corner = [&face = face, i = i](int k) {
+    const auto corner = [&, &face = face, i = i](int k) {
       return point_at(face->vertex((i + k) % 3)->point());
     };
     result.push_back({corner(1), corner(2), nullptr, nullptr, 0.0});
