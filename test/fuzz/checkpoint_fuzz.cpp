@@ -98,6 +98,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const kinetri::Input_error&) {
   } catch (const kinetri::Snapshot_error&) {
   } catch (const kinetri::Contact_error&) {                  // discs on top of each other
+  } catch (const kinetri::Outside_box_error&) {              // to where a scheduled change leads
   } catch (const kinetri::Coincident_trajectories_error&) {  // which a contact has made equal
   }
   return 0;
