@@ -324,6 +324,7 @@ Sign certain_distance_slope(const Motion& p, const Motion& q, const Double_inter
     const std::optional<double> window = d.window_ahead(window_share);
     if (!window) return CGAL::ZERO;
     d.scale(*window);
+    if (!d.is_in_range()) return CGAL::ZERO;
     const auto slope = slope_of(Distance()(d));
     const double error = slope_errors(slope) * Distance().error(d);
     const auto is_positive = [&](const auto& c) {

@@ -30,6 +30,13 @@ inline std::size_t degree(const Polynomial_motion_2& m) {
   return m.jerk != zero ? 3 : m.acceleration != zero ? 2 : 1;
 }
 
+// Whether the difference of two motions may change with time. Decided by the given numbers: a
+// computed velocity of zero may be a small one, rounded.
+inline bool may_move(const Polynomial_motion_2& p, const Polynomial_motion_2& q) {
+  return p.velocity != q.velocity || p.acceleration != q.acceleration || p.jerk != q.jerk ||
+         (p.epoch != q.epoch && degree(p) > 1);
+}
+
 template <std::size_t K>
 Powers<K> absolute(Powers<K> c) {
   for (Pair& x : c) x = absolute(x);
@@ -69,12 +76,16 @@ class Polynomial_differences : public Error_bounds {
 
   Polynomial_differences(const std::array<const Polynomial_motion_2*, N>& from,
                          const Polynomial_motion_2& to, double origin) {
-    for (std::size_t i = 0; i < N; ++i) differences_[i] = difference(*from[i], to, origin);
+    for (std::size_t i = 0; i < N; ++i) {
+      differences_[i] = difference(*from[i], to, origin);
+      may_move_ = may_move_ || may_move(*from[i], to);
+    }
   }
 
   // As of Linear_differences; at least the time in which the points would pass `share` of
   // `least_extent`.
   std::optional<double> window_ahead(double share, double least_extent = 0) const {
+    if (!may_move_) return std::nullopt;
     Powers<K> extents = {};
     for (const Powers<K>& d : differences_) {
       for (std::size_t k = 0; k <= K; ++k) extents[k] = greater(absolute(d[k]), extents[k]);
@@ -85,12 +96,8 @@ class Polynomial_differences : public Error_bounds {
     // With acceleration, the distance passed in the time h is at most extent[1] h + extent[2] h^2.
     double speed =
         0.5 * (extent[1] + std::sqrt(extent[1] * extent[1] + 4 * share * extent[2] * extent[0]));
-    bool do_move = extent[1] != 0 || extent[2] != 0;
-    if constexpr (K == 3) {
-      speed += std::cbrt(extent[3] * (extent[0] * extent[0]));
-      do_move = do_move || extent[3] != 0;
-    }
-    if (!do_move) return std::nullopt;
+    if constexpr (K == 3) speed += std::cbrt(extent[3] * (extent[0] * extent[0]));
+    // With a speed of zero the window is not finite, and once scaled the sizes are out of range.
     return share * extent[0] / speed;
   }
 
@@ -143,6 +150,7 @@ class Polynomial_differences : public Error_bounds {
 
   std::array<Powers<K>, N> differences_;
   Powers<K> terms_ = {};  // the sums of all numbers that the coefficients were computed from
+  bool may_move_ = false;
 };
 
 template <std::size_t M>

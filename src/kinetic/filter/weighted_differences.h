@@ -77,6 +77,14 @@ inline Linear_function difference_of_radii(const Disc& p, const Disc& q, double 
           std::abs(constant) + std::abs(grown_p) + std::abs(grown_q)};
 }
 
+// Whether the difference of two weights may change with time. Decided by the given numbers: what is
+// computed may have been rounded to zero.
+template <class Disc>
+inline bool may_weights_change(const Disc& p, const Disc& q) {
+  return p.growth != q.growth ||
+         (p.growth != 0 && (p.radius != q.radius || epoch_of(p) != epoch_of(q)));
+}
+
 inline const Pair& place(const Difference& d) {
   return d.place;
 }
@@ -106,6 +114,7 @@ class Weighted_differences : public Differences {
     for (std::size_t i = 0; i < N; ++i) {
       factors_[i] = {difference_of_radii(*from[i], to, origin),
                      radius_from(*from[i], origin) + radius, from[i]->weight - to.weight};
+      may_weights_change_ = may_weights_change_ || may_weights_change(*from[i], to);
     }
   }
 
@@ -125,7 +134,8 @@ class Weighted_differences : public Differences {
       curvature = std::max(curvature, std::abs(difference.slope * sum.slope));
     }
     std::optional<double> until;
-    if (slope != 0 || curvature != 0) {
+    // If both are zero, the window is not finite, and once scaled the sizes are out of range.
+    if (may_weights_change_) {
       extent = std::max(extent, std::sqrt(weight));
       until = share * extent / (0.5 * slope / extent + std::sqrt(curvature));
     }
@@ -168,6 +178,7 @@ class Weighted_differences : public Differences {
   std::array<Factors, N> factors_;
   std::array<std::array<double, 3>, N> weights_;
   double weight_size_ = 0;
+  bool may_weights_change_ = false;
   bool is_in_range_ = false;
 };
 

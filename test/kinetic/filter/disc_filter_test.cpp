@@ -301,6 +301,30 @@ TEST(Disc_filter, of_equal_radii_gives_what_that_of_points_gives) {
   }
 }
 
+// The radii grow at one rate, from epochs of their own, where they are rounded: what is computed of
+// the differences of the weights is zero for some, but not exactly.
+TEST(Disc_filter, does_not_take_weights_that_differ_by_roundings_for_one) {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> number(0.1, 4);
+  test::Decided decided;
+  for (int i = 0; i < test::cases(400); ++i) {
+    const double radius = number(random);
+    const double growth = number(random);
+    std::array<Disc_motion_2, 4> m;
+    for (std::size_t k = 0; k < 4; ++k) {
+      m[k].epoch = static_cast<double>(k) / 3;
+      m[k].growth = growth;
+      m[k].radius = radius + growth * m[k].epoch;
+    }
+    m[1].position = {1, 0};
+    m[2].position = {0, 1};
+    m[3].position = {1, 1.5};
+    const test::On_failure trace([&] { return test::describe_discs(m); });
+    test::expect_true_certificates(m, 1 + 0.1 * (i % 5), test::rounding_mode(i), decided);
+    if (HasFatalFailure()) return;
+  }
+}
+
 TEST(Disc_filter, knows_that_discs_at_rest_that_grow_change) {
   std::array<Disc_motion_2, 4> m;
   m[0].position = {1, 0};

@@ -255,6 +255,41 @@ TEST_P(Polynomial_filter, never_contradicts_exact_contacts) {
   }
 }
 
+// A motion that goes on from another epoch, where it is rounded, shifted.
+Polynomial_motion_2 restarted(const Polynomial_motion_2& m, double epoch, const Vector_2& shift) {
+  const Vector_2 place = rounded_place(m, epoch);
+  const double elapsed = epoch - m.epoch;
+  return {{place.x + shift.x, place.y + shift.y},
+          rounded_velocity(m, epoch),
+          {m.acceleration.x + m.jerk.x * elapsed, m.acceleration.y + m.jerk.y * elapsed},
+          m.jerk,
+          epoch};
+}
+
+// The points move relative to each other by roundings alone. What is computed of that is zero for
+// some of them, but not exactly: certificates fail long after.
+TEST(Polynomial_filter, does_not_take_motions_that_differ_by_roundings_for_one) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> number(-4, 4);
+  const auto vector = [&] { return Vector_2{number(random), number(random)}; };
+  test::Decided decided;
+  for (int i = 0; i < test::cases(400); ++i) {
+    Polynomial_motion_2 first = {vector(), vector(), vector(), vector()};
+    if (i % 2 == 0) first.jerk = {};
+    const Motions m = {first, restarted(first, 1 + 0.1 * (i % 7), {2, 0}),
+                       restarted(first, 1.5, {0, 1}), restarted(first, 2, {2, 2})};
+    const test::On_failure trace([&] { return test::describe(m); });
+    const double t = 2 + 0.1 * (i % 5);
+    test::expect_true_certificates(m, t, test::rounding_mode(i), decided);
+    if (HasFatalFailure()) return;
+    for (const double diameter : {1.0, 2.0, 3.0}) {
+      expect_contact(filter_contact(m[0], m[1], diameter, {t, t}),
+                     contact_polynomial(Point(m[0]), Point(m[1]), diameter), t);
+      if (HasFailure()) return;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Flavors, Polynomial_filter, testing::Range(0, test::Certificates::flavors),
                          test::flavor_name);
 
