@@ -438,6 +438,19 @@ class MovingPoints(RunAnswers):
         """
         return self._step(until, None)
 
+    def next_event_time(self) -> _kinetri.Time | None:
+        """The exact time of the next event; executes nothing.
+
+        For a simulation also that of the next contact or scheduled change, or at which a shrinking radius reaches
+        0. There may be no event then: if points meet, or if another triangle hides a point.
+
+        Returns
+        -------
+        Time or None
+            None if nothing changes any more.
+        """
+        return self._engine.next_event_time()
+
     def record(self, until: TimeLike, *, kinds: str | Iterable[str] | None = None,
                progress: Progress = False) -> Events:
         """Advances to a time and returns the events up to it.
@@ -1358,16 +1371,6 @@ class KineticDelaunay(MovingPoints):
         return None if lattice is None else Box._of(lattice)
 
     # ---- time ----
-
-    def next_event_time(self) -> _kinetri.Time | None:
-        """The exact time of the next event.
-
-        Returns
-        -------
-        Time or None
-            None if the triangulation never changes again.
-        """
-        return self._engine.next_event_time()
 
     def reverse(self) -> int:
         """Reverses time: from now on the time t is called -t.

@@ -459,10 +459,7 @@ std::vector<double> Engine_of<Core, Traits>::positions_of(
 
 template <template <class> class Core, class Traits>
 std::optional<Algebraic_number> Engine_of<Core, Traits>::next_event_time() {
-  if constexpr (!is_simulation) return core_->next_event_time();
-  refuse(
-      "a simulation does not know the time of its next event before it executes it, since "
-      "contacts have a queue of their own; expected a KineticDelaunay or KineticRegular");
+  return core_->next_event_time();
 }
 
 // ---- changes ----

@@ -438,6 +438,35 @@ def test_a_radius_that_vanishes_names_disc_and_time_and_can_be_mended():
     assert sim.time == 5
 
 
+def test_the_time_of_the_next_event():
+    sim = kinetri.Simulation(*HEAD_ON, radius=1, collisions="elastic", box=(-3, -9, 13, 99))
+    assert sim.next_event_time() == 4 and sim.time == 0  # the discs touch
+    sim.schedule_insert(Fraction(7, 3), [5, 50], [0, 0])
+    assert sim.next_event_time() == Fraction(7, 3)
+    sim.advance_to(4)
+    assert sim.velocities()[0, 0] == -1 and sim.next_event_time() == 11  # at the walls
+    falling = kinetri.Simulation([[0, 0], [0, 1.5]], [[0, 0]] * 2, acceleration=[[0, 0], [0, -1]], radius=0.25,
+                                 collisions="log")
+    digits = 14142135623730950  # of the square root of 2
+    assert Fraction(digits, 10**16) < falling.next_event_time() < Fraction(digits + 1, 10**16)
+    shrinking = kinetri.Simulation([[0, 0], [9, 0]], [[0, 0]] * 2, radius=[1, 2], growth=[-0.25, 0])
+    assert shrinking.next_event_time() == 4
+    assert kinetri.Simulation([[0, 0], [9, 0]], [[0, 0]] * 2).next_event_time() is None
+
+
+@pytest.mark.parametrize("collisions", [None, "elastic", "remove"])
+def test_the_next_event_comes_at_its_time(collisions):
+    sim = kinetri.Simulation(**grid_of_discs(5), collisions=collisions)
+    for _ in range(60):
+        before, expected = sim.time, sim.next_event_time()
+        assert sim.time == before < expected
+        # Points that meet, and triangles that hide a point, are no event of their own.
+        sim.step(until=expected)
+        assert sim.time <= expected
+        sim.advance_to(expected)
+        assert sim.next_event_time() > expected
+
+
 def test_contacts_without_end():
     # The discs touch and are pressed together.
     sim = kinetri.Simulation([[0, 0], [2, 0]], [[0, 0]] * 2, radius=1, collisions="elastic",
@@ -449,7 +478,7 @@ def test_contacts_without_end():
 
 def test_what_a_simulation_cannot_do_is_said():
     sim = kinetri.Simulation(*HEAD_ON)
-    assert not hasattr(sim, "reverse") and not hasattr(sim, "next_event_time")
+    assert not hasattr(sim, "reverse")
     discs = kinetri.Simulation(*HEAD_ON, radius=[1, 2])
     for call in (discs.nearest_neighbors, lambda: discs.nearest_neighbors(k=2), discs.closest_pair):
         with pytest.raises(kinetri.PreconditionError, match="regular triangulation"):
