@@ -345,6 +345,14 @@ KINETRI_EXPORT void kinetri_radii(const Engine* engine) {
     return 0;
   });
 }
+KINETRI_EXPORT void kinetri_masses(const Engine* engine) {
+  engine->simulation.visit([](auto& s) {
+    for_each_id(s, [&](const auto& triangulation, Point_id id, double) {
+      numbers.push_back(triangulation.contains(id) ? s.mass(id) : not_there);
+    });
+    return 0;
+  });
+}
 // The ends of the edges, sorted.
 KINETRI_EXPORT void kinetri_edges(const Engine* engine) {
   engine->simulation.visit([](auto& s) {

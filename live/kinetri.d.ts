@@ -65,6 +65,7 @@ export class KineticDelaunay {
   velocities(): Float64Array;
   accelerations(): Float64Array;
   radii(): Float64Array;
+  masses(): Float64Array;
   edges(): Uint32Array;
   triangles(): Uint32Array;
   audit(): string[];

@@ -247,6 +247,12 @@ export class KineticDelaunay {
     return numbersOf();
   }
 
+  /** The mass of each point by id; NaN for a point that has been erased. */
+  masses() {
+    wasm.kinetri_masses(this.#there());
+    return numbersOf();
+  }
+
   /** The ids of the ends of the edges, two an edge, the smaller first; sorted. */
   edges() {
     wasm.kinetri_edges(this.#there());

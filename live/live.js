@@ -2,8 +2,7 @@
 //
 // The live page: a viewer (viewer/) whose recording grows, since the run goes on at its end. The end is the
 // present: there points are taken, thrown, added, erased and pinned. Going back plays the recording.
-// This is a module, after kinetri.mjs, presets.js and unpack.js in the same element; the viewer's scripts are
-// before it.
+// This is a module, with the other scripts of live/ in the same element; the viewer's scripts are before it.
 
 const BUDGET = 8;             // milliseconds of a frame for events
 const TURN = 0.1;             // time between two turns of a flock
@@ -15,13 +14,6 @@ const REST = 120;             // milliseconds: a pointer that rests so long thro
 const HEAVY = 1e9;            // mass of a point that is held or pinned
 const ABOVE_FLOOR = 0.005;    // of the height of the box: how near a point that falls is put to the floor
 const MOST_FOR_NEXT = 20000;  // points for which the next event is looked for
-const MOST_POINTS = 100000;   // of a preset
-const MANY = 20000;           // points for whose beginning one has to wait
-const CHANGES = ['radius', 'growth', 'collisions', 'gravity'];  // of a preset, that can be asked for
-const RESPONSES = ['none', 'log', 'swap', 'elastic', 'stop', 'remove'];
-const TOOLS = {take: 'Take and throw', add: 'Add', erase: 'Erase', pin: 'Pin', wall: 'Draw a wall'};
-const MESSAGE = {take: 'Drag a point to throw it', add: 'Click to add a point', erase: 'Click a point to erase it',
-                 pin: 'Click a point to pin it, or to let it go', wall: 'Drag to draw a wall of discs that are pinned'};
 
 /** A point that is held: it goes where the pointer is. */
 class Hold {
@@ -31,6 +23,7 @@ class Hold {
     this.pointer = event.pointerId;
     this.moves = 0;
     this.velocity = viewer.velocityOf(id);  // before it was held
+    this.mass = viewer.massOf(id);
     this.places = [];
     this.move(event);
   }
@@ -74,7 +67,9 @@ class LiveViewer extends Viewer {
     this.isSlow = false;
     if (preset === null) this.chooseSpeed();
     this.listenToPointer();
-    this.makeBar();
+    this.encounters = new PairsInRange(this);
+    this.showsNearest = false;
+    this.bar = new LiveBar(this);
     this.refresh();
   }
 
@@ -147,10 +142,19 @@ class LiveViewer extends Viewer {
     const positions = this.points.positions();
     const {id} = hold, reach = 2 * duration;
     if (Number.isNaN(positions[2 * id] ?? NaN)) {
-      this.hold = null;
+      this.letGo();
       return;
     }
     this.points.setVelocities([id], [[(hold.x - positions[2 * id]) / reach, (hold.y - positions[2 * id + 1]) / reach]]);
+  }
+
+  /** The panel of a point gets its new events. */
+  grow(text) {
+    const {recording, pointPanel} = this;
+    let row = recording.rows;
+    super.grow(text);
+    if (pointPanel.rows === null) return;
+    for (; row < recording.rows; ++row) if (concerns(recording, row, pointPanel.shown)) pointPanel.rows.push(row);
   }
 
   /** Appends what has happened to the recording, and shows the present. */
@@ -172,8 +176,8 @@ class LiveViewer extends Viewer {
     const {points, recording, playback, triangleList, hullEdges, filter, changes} = this;
     this.closePanels();
     points.record(recording.points);
-    const fresh = readRecording(points.takeRecording(), true);
-    Object.assign(recording, fresh);
+    const {encounters} = recording;
+    Object.assign(recording, readRecording(points.takeRecording(), true), {encounters});
     recording.growth.recording = recording;
     Object.assign(playback, new Playback(recording));
     Object.assign(hullEdges, new HullEdges(playback));
@@ -203,7 +207,7 @@ class LiveViewer extends Viewer {
     } catch (error) {
       if (!(error instanceof KinetriError)) throw error;
       this.direction = 0;
-      this.hold = null;
+      this.letGo();
       this.say(error.message);
       return undefined;
     }
@@ -253,15 +257,21 @@ class LiveViewer extends Viewer {
     if (this.tool !== 'take') return true;
     element('picture').setPointerCapture(event.pointerId);
     this.hold = new Hold(this, point, event);
-    if (this.usesMasses()) this.attempt(() => this.points.setMass(point, HEAVY));
+    this.attempt(() => this.setMass(point, HEAVY));
     return true;
+  }
+
+  /** The point that is held, if it is still there, has its mass again; or another one. */
+  letGo(mass = this.hold?.mass) {
+    const {hold} = this;
+    this.hold = null;
+    if (hold !== null && !Number.isNaN(this.massOf(hold.id))) this.attempt(() => this.setMass(hold.id, mass));
   }
 
   /** Since there is a second finger, both move and zoom the picture, and the point goes on as before. */
   giveUp(hold) {
-    this.hold = null;
+    this.letGo();
     this.change(() => {
-      if (this.usesMasses() && !this.pinned.has(hold.id)) this.points.setMass(hold.id, 1);
       if (this.isPlaying()) this.points.setVelocities([hold.id], [hold.velocity]);
     });
     this.pointerInput.moved = 0;
@@ -295,14 +305,13 @@ class LiveViewer extends Viewer {
     }
     if (hold === null) return this.click(event);
     if (hold.pointer !== event.pointerId) return true;
-    this.hold = null;
-    if (this.usesMasses() && !this.pinned.has(hold.id)) this.attempt(() => this.points.setMass(hold.id, 1));
+    const isThrown = hold.moves > CLICK_MOVES && this.isPlaying();
+    const before = isThrown ? this.pinned.get(hold.id) : undefined;
+    this.letGo(before?.mass);
     if (hold.moves <= CLICK_MOVES) this.selectedPoint.select(hold.id);
-    else if (this.isPlaying()) {
-      const before = this.pinned.get(hold.id);
-      this.pinned.delete(hold.id);
-      this.change(() => this.send(hold.id, hold.thrown(event), before?.acceleration));
-    }
+    if (!isThrown) return true;
+    this.pinned.delete(hold.id);
+    this.change(() => this.send(hold.id, hold.thrown(event), before?.acceleration));
     return true;
   }
 
@@ -383,8 +392,8 @@ class LiveViewer extends Viewer {
       if (!isFree) return true;
       if (!this.hasRoom()) return false;
       const id = points.insert([x, y], [0, 0], radius);
-      points.setMass(id, HEAVY);
-      this.pinned.set(id, {velocity: [0, 0], acceleration: [0, -this.gravity]});
+      this.pinned.set(id, {velocity: [0, 0], acceleration: [0, -this.gravity], mass: this.massOf(id)});
+      this.setMass(id, HEAVY);
       return false;
     });
   }
@@ -398,12 +407,13 @@ class LiveViewer extends Viewer {
   togglePin(point) {
     const before = this.pinned.get(point);
     if (before === undefined) {
-      this.pinned.set(point, {velocity: this.velocityOf(point), acceleration: this.accelerationOf(point)});
+      this.pinned.set(point, {velocity: this.velocityOf(point), acceleration: this.accelerationOf(point),
+                              mass: this.massOf(point)});
     } else {
       this.pinned.delete(point);
     }
     this.change(() => {
-      if (this.usesMasses()) this.points.setMass(point, before === undefined ? HEAVY : 1);
+      this.setMass(point, before?.mass ?? HEAVY);
       this.send(point, before?.velocity ?? [0, 0], before?.acceleration ?? [0, 0]);
     });
   }
@@ -421,6 +431,15 @@ class LiveViewer extends Viewer {
 
   usesMasses() {
     return this.options.collisions === 'elastic';
+  }
+
+  /** Where masses count. */
+  setMass(point, mass) {
+    if (this.usesMasses()) this.points.setMass(point, mass);
+  }
+
+  massOf(point) {
+    return this.points.masses()[point] ?? NaN;
   }
 
   velocityOf(point) {
@@ -456,9 +475,22 @@ class LiveViewer extends Viewer {
     this.requestFrame();
   }
 
+  nearest() {
+    return nearestNeighbors(this);
+  }
+
+  drawNearest(painter, view) {
+    const batch = view.lineBatch.clear();
+    this.nearest().forEach((other, point) => {
+      if (other >= 0) view.addSegment(batch, view.sx[point], view.sy[point], view.sx[other], view.sy[other]);
+    });
+    painter.lines(batch, {color: this.colors.arrow, width: 2.5, cap: 'round'});
+  }
+
   /** The next event: its edge and its points, and the circle through the four points when they are on one. */
   drawMore(painter, view) {
     const {next, recording, playback, colors, pinned} = this;
+    if (this.showsNearest) this.drawNearest(painter, view);
     for (const point of pinned?.keys() ?? []) view.drawRing(painter, point, 6, colors.hull, 3);
     if (!next || !this.isPresent()) return;
     for (const point of next.points) view.drawRing(painter, point, 7, colors.removed, 2.5);
@@ -491,102 +523,22 @@ class LiveViewer extends Viewer {
     painter.circles(dots, {fill: colors.circle});
   }
 
-  // ---- the bar ----
+  // ---- what the bar asks for ----
 
-  makeBar() {
-    const bar = document.createElement('div');
-    bar.id = 'live';
-    bar.className = 'scrolls-across';
-    bar.innerHTML = `
-      <form id="live-start" class="choices">
-        <label>Start <select id="live-preset"></select></label>
-        <label>with <input id="live-count" type="number" min="1" max="100000"> points</label>
-        <label>Radius <input id="live-radius" type="number" min="0" step="any" placeholder="its own"></label>
-        <label>Growth <input id="live-growth" type="number" min="0" step="any" placeholder="its own"></label>
-        <label>Contacts <select id="live-collisions"></select></label>
-        <label>Gravity <input id="live-gravity" type="number" step="any" placeholder="its own"></label>
-        <button class="choice">Start</button>
-      </form>
-      <div class="choices" id="live-tools" role="group" aria-label="What the pointer does"></div>
-      <div class="choices" role="group" aria-label="The run">
-        <button class="choice" id="live-audit" type="button">Audit</button>
-        <button class="choice" id="live-motions" type="button">Save motions</button>
-        <button class="choice" id="live-events" type="button">Save events</button>
-      </div>
-      <p id="live-says" role="status"></p>
-      <p id="live-commands" hidden></p>`;
-    document.querySelector('.notes').append(bar);
-    const select = element('live-preset');
-    for (const [id, {label}] of Object.entries(PRESETS)) select.append(new Option(label, id));
-    if (element('points') !== null) select.append(new Option('Points of the file', 'points'));
-    select.value = this.preset?.id ?? 'points';
-    const contacts = element('live-collisions');
-    contacts.append(new Option('its own', ''), ...RESPONSES.map((response) => new Option(response)));
-    const count = element('live-count');
-    count.value = this.preset?.number ?? this.points.length;
-    for (const name of CHANGES) element(`live-${name}`).value = this.asked[name] ?? '';
-    // The points of a file have their own.
-    const disable = () => {
-      for (const name of CHANGES) element(`live-${name}`).disabled = select.value === 'points';
-    };
-    disable();
-    select.addEventListener('change', () => {
-      count.value = PRESETS[select.value]?.count ?? '';
-      disable();
-    });
-    element('live-start').addEventListener('submit', (event) => {
-      event.preventDefault();
-      const query = new URLSearchParams({start: select.value, points: count.value});
-      for (const name of CHANGES) {
-        const {value, disabled} = element(`live-${name}`);
-        if (value !== '' && !disabled) query.set(name, value);
-      }
-      window.location.search = `?${query}`;
-    });
-    for (const [id, label] of Object.entries(TOOLS)) {
-      const button = document.createElement('button');
-      button.type = 'button';
-      button.className = 'choice';
-      button.dataset.tool = id;
-      button.textContent = label;
-      button.addEventListener('click', () => {
-        this.tool = id;
-        this.say(MESSAGE[id]);
-        this.refresh();
-      });
-      element('live-tools').append(button);
+  toggleSwitch(id) {
+    super.toggleSwitch(id);
+    if (id === 'links' && this.switches.links && !(this.encounters.range > 0)) {
+      this.say('Who is in range? Write a range in the field Range');
     }
-    element('live-audit').addEventListener('click', () => this.audit());
-    element('live-motions').addEventListener('click', () => this.save('motions'));
-    element('live-events').addEventListener('click', () => this.save('events'));
   }
 
-  audit() {
-    const begin = performance.now();
-    const failures = this.attempt(() => this.points.audit());
-    if (failures === undefined) return;
-    this.say(failures.length === 0 ?
-      `The audit has passed, exactly, in ${Math.round(performance.now() - begin)} ms` :
-      `The audit has failed: ${failures[0]}. Please report this`);
-  }
-
-  /** Saves a log of the run so far, and shows the commands that take both logs. */
-  save(name) {
-    const {logs} = this;
-    this.direction = 0;  // so that both logs end here
-    this.change(() => {});
-    if (logs.size > MOST_LOG) {
-      this.say('The run is too long to be saved: begin anew');
-      return;
-    }
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob(logs[name], {type: 'text/csv'}));
-    link.download = `live.${name}.csv`;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-    this.say(`Saved, and paused: save the ${name === 'events' ? 'motions' : 'events'} as well for the commands`);
-    element('live-commands').hidden = false;
-    element('live-commands').textContent = this.commands();
+  /** Shows who is within the range; 0: nobody. */
+  measureRange(range) {
+    this.encounters.range = range;
+    this.switches.links = range > 0;
+    this.place();
+    this.refresh();
+    this.requestFrame();
   }
 
   /** What repeats the run, and what checks its logs. */
@@ -608,113 +560,11 @@ class LiveViewer extends Viewer {
     this.list.filterChanged();
     this.timeline.scrub.disabled = this.recording.from === this.recording.until;
     this.timeline.draw();
-    const {points, recording} = this;
+    const {points, recording, pointPanel} = this;
+    if (!this.isPlaying() && this.areasUntil !== recording.until) pointPanel.areas = null;
+    this.areasUntil = recording.until;
     element('summary').textContent = [`${points.length.toLocaleString('en')} points`,
       `${recording.rows.toLocaleString('en')} events`, recording.program].join(' \u00b7 ');
-    for (const button of element('live-tools').children) {
-      button.setAttribute('aria-pressed', String(button.dataset.tool === this.tool));
-    }
-    const {filtered, exact} = points.statistics();
-    element('live-says').textContent = [
-      `Certificates: ${filtered.toLocaleString('en')} by floating point, ${exact.toLocaleString('en')} exactly`,
-      this.isSlow && this.isPlaying() ? 'slow motion: this machine needs more time for the events' : '',
-      this.nextText(),
-    ].filter(Boolean).join(' \u00b7 ');
-  }
-
-  nextText() {
-    const {next} = this;
-    if (this.isPlaying() || !this.isPresent()) return '';
-    if (this.points.length > MOST_FOR_NEXT) {
-      return `the next event is looked for among up to ${MOST_FOR_NEXT.toLocaleString('en')} points`;
-    }
-    if (next === undefined) return '';
-    if (next === null) return 'there is no next event';
-    const edges = [next.removed, next.added].filter((edge) => edge !== null).map((edge) => edge.join('\u2013'));
-    const what = [next.points.join(', '), edges.join(' \u2192 ')].filter(Boolean).join(', ');
-    return `next: ${next.kind.replace(/_/g, ' ')} ${what} at t = ${exactTimeText(next)}`;
+    this.bar.refresh();
   }
 }
-
-/** "0.5 exactly", or "0.7071\u2026, the root of 2t\u00b2 \u2212 1". */
-function exactTimeText({time, lower, upper, polynomial}) {
-  if (lower === upper) return `${time}, exactly`;
-  const degree = polynomial.length - 1;
-  const digits = Math.max(...polynomial.map((coefficient) => coefficient.length));
-  if (degree === 1) return `${time}\u2026, a fraction`;
-  return `${time}\u2026, a root of a polynomial of degree ${degree} with whole coefficients of up to ${digits} digits`;
-}
-
-// ---- the start ----
-
-/** The number that the address gives the name; null if there is none. */
-function askedNumber(query, name, least, greatest) {
-  const text = query.get(name) ?? '', number = Number(text);
-  if (text === '') return null;
-  if (!(number >= least && number <= greatest)) {
-    throw new KinetriError(`${name}=${text}; expected a number from ${least} to ${greatest}`);
-  }
-  return number;
-}
-
-/**
- * What the address asks for: ?start=gas&points=300, and for a preset also radius, growth, collisions and gravity.
- * Without it the points of the file, or the first preset.
- */
-function asked() {
-  const query = new URLSearchParams(window.location.search);
-  const file = element('points');
-  const id = query.get('start') ?? (file === null ? Object.keys(PRESETS)[0] : 'points');
-  if (id === 'points' && file !== null) {
-    const options = JSON.parse(file.dataset.options ?? '{}');
-    return {text: file.textContent, options, preset: null, gravity: 0, asked: {}};
-  }
-  const preset = PRESETS[id];
-  if (preset === undefined) {
-    throw new KinetriError(`start=${id} is unknown; expected one of ${Object.keys(PRESETS).join(', ')}`);
-  }
-  const number = Number(query.get('points') || preset.count);
-  if (!Number.isInteger(number) || number < 1 || number > MOST_POINTS) {
-    throw new KinetriError(`points=${query.get('points')}; expected a whole number from 1 to ${MOST_POINTS}`);
-  }
-  const changes = {
-    radius: askedNumber(query, 'radius', 0, SIDE), growth: askedNumber(query, 'growth', 0, SIDE),
-    collisions: query.get('collisions') || null, gravity: askedNumber(query, 'gravity', -1000, 1000),
-  };
-  return {...pointsOf(preset, number, changes), preset: {...preset, id, number}, asked: changes};
-}
-
-/** Says what to wait for, and waits until that can be seen. */
-function sayWait(text) {
-  element('message').textContent = text;
-  element('message').hidden = false;
-  return new Promise((done) => { setTimeout(done, 50); });
-}
-
-async function start() {
-  try {
-    const begin = asked();
-    const {number} = begin.preset ?? {};
-    if (number > MANY) await sayWait(`${number.toLocaleString('en')} points: this takes a while.`);
-    await load(unpacked(element('module').textContent));
-    element('module').textContent = '';
-    const points = KineticDelaunay.read(begin.text, begin.options);
-    points.logEvents();
-    points.logMotions();
-    points.record(2 * points.length + SPARE_IDS);
-    const recording = readRecording(points.takeRecording(), true);
-    recording.title = 'Kinetri live';
-    element('message').hidden = true;
-    const viewer = showViewer(() => new LiveViewer(recording, points, begin));
-    viewer.say(MESSAGE.take);
-    window.live = viewer;
-    if (!window.matchMedia('(prefers-reduced-motion: reduce)').matches) viewer.togglePlaying(1);
-  } catch (error) {
-    showMessage(error);
-    if (!(error instanceof KinetriError)) throw error;
-    element('message').firstChild.textContent = 'This cannot be shown';
-    element('message').lastChild.textContent = `${error.message[0].toUpperCase()}${error.message.slice(1)}.`;
-  }
-}
-
-start();

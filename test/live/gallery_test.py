@@ -35,7 +35,8 @@ def main():
     if module is None:
         sys.exit(f"{PAGE} has no module")
     scripts = "".join(read(f"viewer/{name}") for name in read("viewer/scripts.txt").split())
-    live = "".join(read(f"live/{name}") for name in ("kinetri.mjs", "presets.js", "unpack.js", "live.js"))
+    live = "".join(read(f"live/{name}") for name in (
+        "kinetri.mjs", "presets.js", "unpack.js", "range.js", "bar.js", "live.js", "start.js"))
     expected = read("viewer/page.html")
     for marker, content in (
             ("title", "Kinetri live"),

@@ -6,7 +6,7 @@
 // numbers. Coordinates are multiples of 1/4096, and so are velocities times the times at which it is asked.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {mkdtempSync, rmSync} from 'node:fs';
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import path from 'node:path';
 import test from 'node:test';
@@ -210,6 +210,18 @@ test('points fall, and can be given other accelerations', () => {
   assert.equal(straight.length, 3);
 });
 
+test('masses are those of the options, and can be changed', () => {
+  const points = new KineticDelaunay([[2, 2], [6, 2]], [[1, 0], [-1, 0]], {radius: 1, collisions: 'elastic', masses: [3, 1]});
+  assert.deepEqual(Array.from(points.masses()), [3, 1]);
+  points.setMass(1, 3);
+  assert.deepEqual(Array.from(points.masses()), [3, 3]);
+  points.advanceTo(2);  // equal masses exchange their velocities
+  assert.deepEqual(Array.from(points.velocities()), [-1, 0, 1, 0]);
+  points.erase(0);
+  assert.deepEqual(Array.from(points.masses()), [NaN, 3]);
+  assert.throws(() => points.setMass(1, 0), KinetriError);
+});
+
 test('errors say what is wrong, and change nothing', () => {
   assert.throws(() => new KineticDelaunay([[0, 0], [1]]), (error) =>
     error instanceof KinetriError && /positions: row 1 has 1 numbers; expected 2/.test(error.message));
@@ -238,17 +250,17 @@ test('time that is too short stops it at an event', () => {
   assert.deepEqual(points.audit(), []);
 });
 
-test('the package is packed by npm, and works where it is unpacked', (context) => {
+test('the package is packed by npm, and the program of its README works where it is installed', (context) => {
   const place = mkdtempSync(path.join(tmpdir(), 'kinetri-'));
   context.after(() => rmSync(place, {recursive: true}));
-  const [{filename, files}] = JSON.parse(execFileSync('npm', ['pack', '--json', '--pack-destination', place, folder],
-                                                      {encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']}));
+  const npm = (...words) => execFileSync('npm', words, {cwd: place, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']});
+  const [{filename, files}] = JSON.parse(npm('pack', '--json', folder));
   assert.deepEqual(files.map((file) => file.path).sort(),
                    ['LICENSE', 'README.md', 'kinetri.d.ts', 'kinetri.mjs', 'kinetri.wasm', 'package.json']);
-  execFileSync('tar', ['-xf', path.join(place, filename), '-C', place]);
-  const script = `import {KineticDelaunay, load} from ${JSON.stringify(path.join(place, 'package', 'kinetri.mjs'))};
-    await load();
-    console.log(new KineticDelaunay([[0, 0], [1, 0], [0, 1]]).triangles().join());`;
-  const output = execFileSync('node', ['--input-type=module', '-e', script], {encoding: 'utf8'});
-  assert.equal(output, '0,1,2\n');
+  npm('install', '--offline', '--no-audit', filename);
+  const [, program] = /```js\n([^`]*)```/.exec(readFileSync(path.join(folder, 'README.md'), 'utf8'));
+  writeFileSync(path.join(place, 'program.mjs'), program);
+  const output = execFileSync('node', ['program.mjs'], {cwd: place, encoding: 'utf8'});
+  assert.ok(output.startsWith(`${/\/\/ (flip .*)/.exec(program)[1]}\n`), output);
+  for (const kind of ['trajectory', 'insert', 'erase']) assert.match(output, new RegExp(`^${kind} 1.5 null null$`, 'm'));
 });

@@ -8,6 +8,7 @@ usage: page_test.py KINETRI KINETRI_VERIFY BROWSER
 BROWSER is chromium or firefox. Ends with 77, which ctest takes for skipped, if the program has no module of live
 pages, or the browser is not there.
 """
+import math
 import pathlib
 import subprocess
 import sys
@@ -261,6 +262,103 @@ class LivePageTest(unittest.TestCase):
         self.assertEqual(self.evaluate("Array.from(live.points.velocities().subarray(14, 16))"), [0, -3])
         self.check_present()
         self.check_logs()
+
+    def test_a_pinned_disc_that_is_thrown_has_its_own_mass(self):
+        points = "x,y,vx,vy,mass\n" + "".join(f"{10 * i + 5},{10 * k + 5},1,0,{i + 2}\n" for i in range(6) for k in range(6))
+        self.open(self.points_file(points), "--box", "0,0,60,60", "--radius", "1.5", "--collisions", "elastic")
+        masses = self.evaluate("Array.from(live.points.masses()).filter((mass) => mass > 0)")
+        self.assertEqual(masses, [i + 2 for i in range(6) for _ in range(6)])
+        mass = "live.points.masses()[14]"
+        self.choose("pin")
+        BROWSER.click(*self.place_of(14))
+        self.assertEqual(self.evaluate(mass), 1e9)
+        self.choose("take")
+        self.evaluate("live.speedStep = -6")
+        for plays in (False, True):  # while time stands still it is only moved, and remains pinned
+            if plays:
+                self.evaluate("live.togglePlaying(1)")
+            x, y = self.place_of(14)
+            self.drag([x, y], [x + 25, y + 20])
+            self.evaluate("live.direction = 0")
+            self.assertEqual(self.evaluate("[live.pinned.has(14), live.hold]"), [not plays, None])
+            self.assertEqual(self.evaluate(mass), 4 if plays else 1e9)
+        # A disc that is held.
+        x, y = self.place_of(3)
+        BROWSER.mouse("mouseMoved", x, y)
+        BROWSER.mouse("mousePressed", x, y, button="left", buttons=1, clickCount=1)
+        self.assertEqual(self.evaluate("live.points.masses()[3]"), 1e9)
+        BROWSER.mouse("mouseReleased", x, y, button="left", clickCount=1)
+        self.assertEqual(self.evaluate("live.points.masses()[3]"), 2)
+        self.check_present()
+        self.check_logs()
+
+    def test_a_disc_is_dropped_onto_another(self):
+        self.open(query="?start=gas&points=40")
+        self.drag(self.place_of(3), self.place_of(17))
+        self.check_present()
+        clock = self.evaluate("live.clock")
+        self.evaluate("live.togglePlaying(1)")
+        self.wait(f"live.clock > {clock} + 0.3 || live.direction === 0")
+        # If it does not go on, it says why.
+        stopped = self.evaluate("live.direction === 0")
+        self.evaluate("live.direction = 0")
+        if stopped:
+            self.assertNotEqual(self.evaluate("element('status').textContent"), "")
+        self.check_present()
+        self.check_logs()
+
+    def test_who_is_near_whom(self):
+        for query, gap in (("?start=flock&points=60", 0), ("?start=gas&points=60", 2)):  # points; discs
+            BROWSER.begin_page(1280, 800)
+            self.open(query=query)
+            reach = 14
+            self.evaluate("element('live-range').value = 14; element('live-range').dispatchEvent(new Event('change'))")
+            self.assertTrue(self.evaluate("live.switches.links"))
+            for _ in range(3):
+                BROWSER.key("ArrowRight")
+                BROWSER.settle()
+                places, radii = self.evaluate("[kinetri.positions().slice(0, 60), kinetri.radii().slice(0, 60)]")
+                pairs = [[a, b] for a in range(60) for b in range(a + 1, 60)
+                         if math.dist(places[a], places[b]) <= reach + (radii[a] + radii[b]) * (gap > 0)]
+                self.assertEqual(self.evaluate("kinetri.inRange()"), pairs)
+                component = list(range(60))
+                for _ in range(60):
+                    for a, b in pairs:
+                        component[a] = component[b] = min(component[a], component[b])
+                self.assertEqual(self.evaluate("kinetri.components().slice(0, 60)"), component)
+                nearest = [min((math.dist(places[a], places[b]), b) for b in range(60) if b != a)[1] for a in range(60)]
+                self.assertEqual(self.evaluate("Array.from(live.nearest().subarray(0, 60))"), nearest)
+            self.evaluate("element('live-nearest').click()")
+            self.assertIn(f"{len(pairs)} pairs within range, {len(set(c for c in component if component.count(c) > 1))} "
+                          "component", self.evaluate("element('live-says').textContent"))
+            self.check_present()
+            self.evaluate("live.measureRange(1e6)")  # all of them
+            self.assertEqual(self.evaluate("kinetri.inRange().length"), 60 * 59 // 2)
+            self.evaluate("live.measureRange(0)")
+            self.assertEqual(self.evaluate("kinetri.inRange()"), [])
+        BROWSER.begin_page(1280, 800)
+        self.open(query="?start=flock&points=1000")
+        self.evaluate("live.measureRange(1e6)")
+        self.assertIn("more than 200,000 pairs", self.evaluate("element('live-says').textContent"))
+
+    def test_panels_follow_the_run(self):
+        self.open(self.points_file(), "--box", "0,0,60,60")
+        a, b = self.evaluate("kinetri.edges().find(([a]) => a === 12)")
+        (ax, ay), (bx, by) = self.place_of(a), self.place_of(b)
+        BROWSER.click((ax + bx) / 2, (ay + by) / 2)
+        self.assertEqual(self.evaluate("[live.recording.edgeA[live.selected], live.recording.edgeB[live.selected]]"), [a, b])
+        self.assertFalse(self.evaluate("element('certificate').hidden"))
+        self.assertGreater(self.evaluate("element('sturm').rows.length"), 2)
+        BROWSER.click(*self.place_of(a))
+        self.assertEqual(self.evaluate("live.selectedPoint.id"), a)
+        for _ in range(40):
+            BROWSER.key("ArrowRight")
+        BROWSER.settle()
+        concerned = self.evaluate("Array.from({length: live.recording.rows}, (_, row) => row).filter((row) =>"
+                                  f" concerns(live.recording, row, {a})).length")
+        self.assertGreater(concerned, 0)
+        self.assertIn(f"{concerned}, {concerned} so far", self.evaluate("element('point-facts').textContent"))
+        self.check_present()
 
     def test_two_fingers_zoom_where_there_are_points(self):
         BROWSER.touch(True)
