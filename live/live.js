@@ -68,6 +68,7 @@ class LiveViewer extends Viewer {
     if (preset === null) this.chooseSpeed();
     this.listenToPointer();
     this.encounters = new PairsInRange(this);
+    this.switches.links = false;   // until there is a range
     this.showsNearest = false;
     this.bar = new LiveBar(this);
     this.refresh();

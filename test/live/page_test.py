@@ -312,6 +312,7 @@ class LivePageTest(unittest.TestCase):
             BROWSER.begin_page(1280, 800)
             self.open(query=query)
             reach = 14
+            self.assertFalse(self.evaluate("live.switches.links"))
             self.evaluate("element('live-range').value = 14; element('live-range').dispatchEvent(new Event('change'))")
             self.assertTrue(self.evaluate("live.switches.links"))
             for _ in range(3):
