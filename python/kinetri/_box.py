@@ -2,7 +2,6 @@
 """Periodic boxes, and what other libraries have for them."""
 from __future__ import annotations
 
-import json
 import math
 from fractions import Fraction
 from typing import Any
@@ -170,26 +169,13 @@ class Box:
         vectors = self._exact_vectors(time)
         return _cross(vectors[:2], vectors[2:])
 
-    # ---- for the engine and for snapshots ----
+    # ---- for the engine ----
 
     @classmethod
     def _of(cls, numbers: Lattice) -> Box:
         result = cls.__new__(cls)
         result._numbers = tuple(number + 0.0 for number in numbers)  # type: ignore[assignment]  # no -0
         return result
-
-    def _line(self) -> bytes:
-        """The first line of a snapshot's state: the numbers, which JSON keeps exactly."""
-        return b"periodic box " + json.dumps(self._numbers).encode() + b"\n"
-
-    @staticmethod
-    def _and_rest(state: bytes) -> tuple[Lattice | None, bytes]:
-        """The box of such a line, if there is one, and what follows."""
-        if not state.startswith(b"periodic box "):
-            return None, state
-        line, rest = state.split(b"\n", 1)
-        numbers: Any = tuple(json.loads(line[len(b"periodic box "):]))
-        return numbers, rest
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Box):

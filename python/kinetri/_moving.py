@@ -1069,7 +1069,7 @@ class MovingPoints(RunAnswers):
     def save(self, path: Path) -> None:
         """Writes the state to a checkpoint file atomically.
 
-        The program reads it: ``kinetri resume PATH --until T``. Not possible in a periodic box; then pickle the object.
+        The program reads it: ``kinetri resume PATH --until T``.
 
         Parameters
         ----------
@@ -1323,7 +1323,7 @@ class KineticDelaunay(MovingPoints):
         cell or an Atoms of ASE. Points may be, and go, anywhere: only their positions modulo the lattice matter. There
         is no hull, and n points have 3n edges and 2n triangles, from one point on. What is not possible in a
         periodic box raises a PreconditionError that says so: acceleration, several threads, hulls, `cell_areas`,
-        proximity graphs, questions about runs, pages, checkpoint files.
+        proximity graphs, questions about runs, pages.
 
     Raises
     ------
@@ -1387,17 +1387,9 @@ class KineticDelaunay(MovingPoints):
 
     # ---- state ----
 
-    def _snapshot(self, response: str) -> Snapshot:
-        snapshot = super()._snapshot(response)
-        box = self.box
-        if box is not None:
-            snapshot.state = box._line() + snapshot.state
-        return snapshot
-
     @classmethod
     def _restored(cls: type[_Delaunay], state: bytes, attributes: dict[str, Any]) -> _Delaunay:
-        lattice, points = Box._and_rest(state)
-        return cls._around(_kinetri.restore(points, False, None, lattice), **attributes)
+        return cls._around(_kinetri.restore(state, False, None), **attributes)
 
     # ---- changes ----
 
@@ -1535,7 +1527,7 @@ class Simulation(MovingPoints):
         Walls that reflect; or a periodic box: a `Box`, a box of freud or an Atoms of ASE. In it discs collide with images
         of others: an event has the offset of the image of the second point in `added_offset`. With collisions points must
         not coincide for a while, whatever `coincident` says. What is not possible there raises a PreconditionError that
-        says so: what `KineticDelaunay` lists, snapshots and, if radii differ or grow, queries.
+        says so: what `KineticDelaunay` lists and, if radii differ or grow, queries.
     rim : bool
         Whether walls reflect the boundary of a disc, instead of its center.
     collisions : {None, 'log', 'swap', 'elastic', 'stop', 'remove'} or callable
@@ -1848,4 +1840,4 @@ class Simulation(MovingPoints):
     @classmethod
     def _restored(cls: type[_Simulation], state: bytes, attributes: dict[str, Any]) -> _Simulation:
         response = engine_response(attributes["collisions"])
-        return cls._around(_kinetri.restore(state, True, response, None), **attributes)
+        return cls._around(_kinetri.restore(state, True, response), **attributes)

@@ -15,7 +15,7 @@ class Snapshot:
     Attributes
     ----------
     state : bytes
-        The content of a checkpoint file; in a periodic box after a line with that.
+        The content of a checkpoint file.
     """
 
     def __init__(self, restorer: type[Any], state: bytes, attributes: dict[str, Any]) -> None:

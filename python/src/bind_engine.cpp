@@ -157,13 +157,18 @@ py::tuple make_moving_tracks(const Array<double>& times, const Array<double>& pl
 }
 
 std::shared_ptr<Moving> restored(const Checkpoint& checkpoint, bool is_simulation,
-                                 const py::object& collisions,
-                                 const std::optional<Lattice>& lattice) {
+                                 const py::object& collisions) {
+  const auto& box = checkpoint.periodic_box;
+  if (box && box->first().epoch != box->second().epoch) {
+    throw Snapshot_error(
+        "the lattice vectors of the state's periodic box have different epochs; expected one, as a "
+        "Box has");
+  }
   const Interrupt_flag flag = new_flag();
   const Collision_response response = response_of(collisions, flag);
   auto engine = without_gil([&] {
     return restore(checkpoint, is_simulation ? Engine_kind::simulation : Engine_kind::triangulation,
-                   response, periodic_box(lattice));
+                   response);
   });
   return std::make_shared<Moving>(std::move(engine), flag);
 }
@@ -627,11 +632,6 @@ void bind_answers(py::class_<Moving, std::shared_ptr<Moving>>& type) {
       .def("save",
            [](Moving& moving, const std::string& path, const std::string& response) {
              moving.with_engine([&](Engine& e) {
-               if (e.box()) {
-                 throw Precondition_error(
-                     "files of states are not possible in a periodic box; expected a snapshot of a "
-                     "KineticDelaunay, which can be pickled");
-               }
                Checkpoint checkpoint = e.snapshot();
                checkpoint.response = response;
                write_checkpoint_file(path, checkpoint);
@@ -700,17 +700,16 @@ void bind_engine(py::module_& module) {
            py::arg("limits") = nullptr, py::arg("tolerance") = 0.0)
       .def("table", &Moving_watch::table);
   module.def("make_tracks", make_moving_tracks);
-  module.def("restore", [](const py::bytes& state, bool is_simulation, const py::object& collisions,
-                           const std::optional<Lattice>& lattice) {
-    std::istringstream in{std::string(state)};
-    return restored(read_checkpoint(in, "snapshot"), is_simulation, collisions, lattice);
-  });
+  module.def("restore",
+             [](const py::bytes& state, bool is_simulation, const py::object& collisions) {
+               std::istringstream in{std::string(state)};
+               return restored(read_checkpoint(in, "snapshot"), is_simulation, collisions);
+             });
   module.def("load", [](const std::string& path, bool is_simulation, const py::object& collisions) {
     const Checkpoint checkpoint = read_checkpoint_file(path);
     const bool takes_name = py::isinstance<py::ellipsis>(collisions);
     const py::object response = takes_name ? py::object(py::str(checkpoint.response)) : collisions;
-    return py::make_tuple(restored(checkpoint, is_simulation, response, std::nullopt),
-                          checkpoint.response);
+    return py::make_tuple(restored(checkpoint, is_simulation, response), checkpoint.response);
   });
 }
 

@@ -83,14 +83,15 @@ std::unique_ptr<Engine> make_simulation(const Motion_columns& motions, const Mot
 }
 
 std::unique_ptr<Engine> restore(const Checkpoint& checkpoint, Engine_kind kind,
-                                Collision_response response,
-                                const std::optional<Periodic_box_2>& box) {
-  if (box) {
-    return make_periodic_engine(
-        std::get<Simulation_snapshot<Linear_kinetic_traits_2>>(checkpoint.simulation), *box);
-  }
+                                Collision_response response) {
   return std::visit(
-      [&](const auto& snapshot) { return make_engine(snapshot, kind, std::move(response)); },
+      [&]<class Traits>(const Simulation_snapshot<Traits>& snapshot) {
+        if constexpr (PeriodicKineticTraits_2<Traits>) {
+          return make_engine(snapshot, kind, std::move(response), Traits(*checkpoint.periodic_box));
+        } else {
+          return make_engine(snapshot, kind, std::move(response), Traits());
+        }
+      },
       checkpoint.simulation);
 }
 

@@ -187,7 +187,7 @@ class Engine {
   virtual Statistics statistics() const = 0;
   /// The default ones for a triangulation.
   virtual Simulation_options options() const = 0;
-  /// In a periodic box that of the points alone, and not of a simulation.
+  /// Without the name of a response.
   virtual Checkpoint snapshot() const = 0;
 };
 
@@ -211,11 +211,10 @@ std::unique_ptr<Engine> make_simulation(const Motion_columns& motions, const Mot
                                         const std::optional<Periodic_box_2>& box);
 
 /// The triangulation or simulation of a checkpoint. Throws Snapshot_error if `kind` is a
-/// triangulation, but the state has a box, a response or scheduled changes. The checkpoint of a
-/// triangulation in a periodic box is that of its points, without `box`.
+/// triangulation, but the state has a box with walls, a response, scheduled changes, or discs in a
+/// periodic box.
 std::unique_ptr<Engine> restore(const Checkpoint& checkpoint, Engine_kind kind,
-                                Collision_response response,
-                                const std::optional<Periodic_box_2>& box);
+                                Collision_response response);
 
 /// A simulation of tracks; discs if there are radii.
 std::unique_ptr<Engine> make_tracks_simulation(std::span<const std::vector<Observation_2>> tracks,

@@ -641,16 +641,9 @@ Statistics Engine_of<Core, Traits>::statistics() const {
 template <template <class> class Core, class Traits>
 Checkpoint Engine_of<Core, Traits>::snapshot() const {
   Checkpoint result;
-  if constexpr (is_simulation && is_periodic) {
-    refuse_in_box("snapshots of simulations");
-  } else if constexpr (is_simulation) {
+  result.periodic_box = box();
+  if constexpr (is_simulation) {
     result.simulation = core_->snapshot();
-  } else if constexpr (is_periodic) {
-    const auto [time, motions, counters, certificates] = core_->snapshot();
-    Simulation_snapshot<Linear_kinetic_traits_2> snapshot;
-    snapshot.triangulation = {time, motions, counters, certificates};
-    snapshot.options.coincident = core_->coincident();
-    result.simulation = std::move(snapshot);
   } else {
     Simulation_snapshot<Traits> snapshot;
     snapshot.triangulation = core_->snapshot();

@@ -9,5 +9,8 @@ KINETRI_PYTHON_INSTANTIATE(Polynomial_disc_kinetic_traits_2);
 template std::unique_ptr<Engine> make_engine(const Motion_columns&, const Algebraic_number&,
                                              const Simulation_options&,
                                              const Periodic_disc_kinetic_traits_2&);
+template std::unique_ptr<Engine> make_engine(
+    const Simulation_snapshot<Periodic_disc_kinetic_traits_2>&, Engine_kind, Collision_response,
+    const Periodic_disc_kinetic_traits_2&);
 
 }  // namespace kinetri::python

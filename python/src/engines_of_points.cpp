@@ -11,13 +11,8 @@ template std::unique_ptr<Engine> make_engine(const Motion_columns&, const Algebr
 template std::unique_ptr<Engine> make_engine(const Motion_columns&, const Algebraic_number&,
                                              const Simulation_options&,
                                              const Periodic_kinetic_traits_2&);
-
-std::unique_ptr<Engine> make_periodic_engine(
-    const Simulation_snapshot<Linear_kinetic_traits_2>& snapshot, const Periodic_box_2& box) {
-  const auto& [time, motions, counters, certificates] = snapshot.triangulation;
-  return restored_triangulation<Periodic_kinetic_traits_2>({time, motions, counters, certificates},
-                                                           Periodic_kinetic_traits_2(box),
-                                                           snapshot.options.coincident);
-}
+template std::unique_ptr<Engine> make_engine(const Simulation_snapshot<Periodic_kinetic_traits_2>&,
+                                             Engine_kind, Collision_response,
+                                             const Periodic_kinetic_traits_2&);
 
 }  // namespace kinetri::python

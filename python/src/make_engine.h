@@ -22,12 +22,8 @@ std::unique_ptr<Engine> make_engine(const Motion_columns& motions, const Algebra
                                     const Simulation_options& options, const Traits& traits);
 template <class Traits>
 std::unique_ptr<Engine> make_engine(const Simulation_snapshot<Traits>& snapshot, Engine_kind kind,
-                                    Collision_response response);
+                                    Collision_response response, const Traits& traits);
 /// @}
-
-/// The triangulation of such points in a periodic box.
-std::unique_ptr<Engine> make_periodic_engine(
-    const Simulation_snapshot<Linear_kinetic_traits_2>& snapshot, const Periodic_box_2& box);
 
 /// An engine of the simulation.
 template <class Traits>

@@ -34,17 +34,24 @@ std::unique_ptr<Engine> restored_triangulation(const Triangulation_snapshot<Trai
 
 template <class Traits>
 std::unique_ptr<Engine> make_engine(const Simulation_snapshot<Traits>& snapshot, Engine_kind kind,
-                                    Collision_response response) {
+                                    Collision_response response, const Traits& traits) {
+  using Simulation = Simulation_2<Traits>;
   if (kind == Engine_kind::simulation) {  // which cannot be moved
-    return engine_of(std::unique_ptr<Simulation_2<Traits>>(
-        new Simulation_2<Traits>(Simulation_2<Traits>::restore(snapshot, std::move(response)))));
+    return engine_of(std::unique_ptr<Simulation>(
+        new Simulation(Simulation::restore(snapshot, std::move(response), traits))));
   }
   if (snapshot.options.box || snapshot.has_response || !snapshot.scheduled.empty()) {
     throw Snapshot_error(
         "the state is that of a simulation with a box, collisions or scheduled changes; expected "
         "that of a triangulation: restore it as a Simulation");
   }
-  return restored_triangulation(snapshot.triangulation, Traits(), snapshot.options.coincident);
+  if constexpr (PeriodicKineticTraits_2<Traits> && HasWeight<typename Traits::Motion>) {
+    throw Snapshot_error(
+        "the state is that of discs in a periodic box, which only a simulation has; expected that "
+        "of points: restore it as a Simulation");
+  } else {
+    return restored_triangulation(snapshot.triangulation, traits, snapshot.options.coincident);
+  }
 }
 
 template <class Traits>
@@ -57,8 +64,8 @@ std::unique_ptr<Engine> make_engine(std::unique_ptr<Simulation_2<Traits>> simula
       const Motion_columns&, const Algebraic_number&, Coincident_points, const Traits&);         \
   template std::unique_ptr<Engine> make_engine<Traits>(                                          \
       const Motion_columns&, const Algebraic_number&, const Simulation_options&, const Traits&); \
-  template std::unique_ptr<Engine> make_engine<Traits>(const Simulation_snapshot<Traits>&,       \
-                                                       Engine_kind, Collision_response);         \
+  template std::unique_ptr<Engine> make_engine<Traits>(                                          \
+      const Simulation_snapshot<Traits>&, Engine_kind, Collision_response, const Traits&);       \
   template std::unique_ptr<Engine> make_engine<Traits>(std::unique_ptr<Simulation_2<Traits>>)
 
 }  // namespace kinetri::python

@@ -14,7 +14,7 @@ namespace kinetri {
 namespace {
 
 constexpr std::string_view format_name = "kinetri checkpoint ";
-constexpr std::string_view version = "7";
+constexpr std::string_view version = "8";
 // Exact times of the program have at most some hundred thousand digits.
 constexpr std::size_t longest_line = std::size_t{1} << 24U;
 

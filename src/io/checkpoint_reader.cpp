@@ -4,6 +4,7 @@
 #include <charconv>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -93,8 +94,9 @@ Point_id point_id(const Json_value& value) {
   return value.whole_number<Point_id>(no_point - 1);
 }
 
+// The motion, if there is one. Discs that collide have no weight besides their radius.
 template <class Motion>
-std::optional<Motion> motion(const Json_value& value) {
+std::optional<Motion> motion(const Json_value& value, bool may_have_weight = true) {
   if (value.is_null()) return std::nullopt;
   std::vector<double> numbers;
   value.for_each([&](const Json_value& number) { numbers.push_back(number.number()); });
@@ -103,7 +105,47 @@ std::optional<Motion> motion(const Json_value& value) {
     value.fail(
         joined("has ", numbers.size(), " numbers; expected ", Checkpoint_motion<Motion>::expected));
   }
+  if constexpr (HasWeight<Motion>) {
+    if (!may_have_weight && result->weight != 0) {
+      value.fail(joined("has the weight ", result->weight,
+                        "; expected 0, since discs that collide have none"));
+    }
+  }
   return result;
+}
+
+// The ids.
+void read_pair(const Json_value& value, Edge_ids& pair) {
+  value.expect_size(2);
+  pair = {point_id(value.element(0)), point_id(value.element(1))};
+}
+
+// The ids and the offset.
+void read_pair(const Json_value& value, Periodic_edge& pair) {
+  value.expect_size(4);
+  constexpr int most = std::numeric_limits<std::int32_t>::max();
+  pair = {{point_id(value.element(0)), point_id(value.element(1))},
+          {value.element(2).small_number(-most, most), value.element(3).small_number(-most, most)}};
+}
+
+// The box, if there is one. It has an area at the time.
+std::optional<Periodic_box_2> periodic_box(const Json_value& value, const Algebraic_number& time) {
+  if (value.is_null()) return std::nullopt;
+  value.expect_size(2);
+  std::array<Linear_motion_2, 2> vectors;
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    const Json_value numbers = value.element(i);
+    const std::optional<Linear_motion_2> vector = motion<Linear_motion_2>(numbers);
+    if (!vector) numbers.fail("is no list; expected one in brackets");
+    vectors[i] = *vector;
+  }
+  try {
+    const Periodic_box_2 box(vectors[0], vectors[1]);
+    box.require_area(time, time);
+    return box;
+  } catch (const Periodic_box_error& error) {
+    value.fail(joined("cannot be used: ", error.what()));
+  }
 }
 
 Simulation_options options(const Json_value& state) {
@@ -127,7 +169,8 @@ Simulation_options options(const Json_value& state) {
 }
 
 template <class Traits>
-typename Simulation_snapshot<Traits>::Change scheduled_change(const Json_value& value) {
+typename Simulation_snapshot<Traits>::Change scheduled_change(const Json_value& value,
+                                                              bool may_have_weight) {
   const Json_value kind = value.member("kind");
   const auto* const found =
       std::ranges::find_if(change_kinds, [&](Event_kind k) { return name(k) == kind.text(); });
@@ -135,7 +178,7 @@ typename Simulation_snapshot<Traits>::Change scheduled_change(const Json_value& 
     kind.fail("is no change of a point; expected insert, erase or trajectory");
   }
   return {exact_time(value.member("time")), *found, point_id(value.member("point")),
-          motion<typename Traits::Motion>(value.member("motion"))};
+          motion<typename Traits::Motion>(value.member("motion"), may_have_weight)};
 }
 
 template <class Traits>
@@ -150,14 +193,14 @@ Simulation_snapshot<Traits> simulation_snapshot(const Json_value& state) {
   read_counts(counters.member("events"), topology.counters.events);
   read_counters(counters, topology.counters, triangulation_counters);
   read_counters(state.member("contact_counters"), result.counters, contact_counters);
-  state.member("points").for_each(
-      [&](const Json_value& point) { topology.motions.push_back(motion<Motion>(point)); });
+  state.member("points").for_each([&](const Json_value& point) {
+    topology.motions.push_back(motion<Motion>(point, !result.has_response));
+  });
   state.member("in_contact").for_each([&](const Json_value& pair) {
-    pair.expect_size(2);
-    result.in_contact.push_back({point_id(pair.element(0)), point_id(pair.element(1))});
+    read_pair(pair, result.in_contact.emplace_back());
   });
   state.member("scheduled").for_each([&](const Json_value& change) {
-    result.scheduled.push_back(scheduled_change<Traits>(change));
+    result.scheduled.push_back(scheduled_change<Traits>(change, !result.has_response));
   });
   return result;
 }
@@ -181,27 +224,23 @@ std::vector<Checkpoint_log> logs(const Json_value& list) {
   return result;
 }
 
-// Reads the snapshot of the named kind of motion. Returns whether there is such a kind.
+// Reads the snapshot of the kind of motion that the member `motion` names, in the plane or in a
+// periodic box.
 template <class... Snapshots>
-bool read_snapshot(const Json_value& state, std::string_view name,
-                   std::variant<Snapshots...>& result) {
+void read_snapshot(const Json_value& state, bool is_periodic, std::variant<Snapshots...>& result) {
+  const Json_value motion = state.member("motion");
+  std::string names;  // "'linear', 'polynomial', ..."
   const auto read_one = [&]<class Traits>(const Simulation_snapshot<Traits>& /*kind*/) {
-    if (name != Checkpoint_motion<typename Traits::Motion>::name) return false;
+    if (PeriodicKineticTraits_2<Traits> != is_periodic) return false;
+    constexpr std::string_view name = Checkpoint_motion<typename Traits::Motion>::name;
+    append(names, names.empty() ? "'" : ", '", name, "'");
+    if (motion.text() != name) return false;
     result = simulation_snapshot<Traits>(state);
     return true;
   };
-  return (read_one(Snapshots()) || ...);
-}
-
-// "'linear', 'polynomial', ...".
-template <class... Snapshots>
-std::string names_of_motions(const std::variant<Snapshots...>& /*kinds*/) {
-  std::string result;
-  const auto add = [&](std::string_view name) {
-    append(result, result.empty() ? "'" : ", '", name, "'");
-  };
-  (add(Checkpoint_motion<typename Snapshots::Motion>::name), ...);
-  return result;
+  if ((read_one(Snapshots()) || ...)) return;
+  motion.fail(joined("is ", kinetri::in_quotes(motion.text()), "; expected one of ", names,
+                     is_periodic ? " in a periodic box" : ""));
 }
 
 }  // namespace
@@ -213,13 +252,11 @@ Checkpoint read_checkpoint(std::istream& in, const std::string& name) {
         name, 0, "is no JSON between its first and last line; expected the file as it was written");
   }
   const Json_value state = document.value(name, "state");
-  const Json_value motion = state.member("motion");
   Checkpoint result;
   result.response = state.member("response").text();
-  if (!read_snapshot(state, motion.text(), result.simulation)) {
-    motion.fail(joined("is ", kinetri::in_quotes(motion.text()), "; expected one of ",
-                       names_of_motions(result.simulation)));
-  }
+  result.periodic_box =
+      periodic_box(state.member("periodic_box"), exact_time(state.member("time")));
+  read_snapshot(state, result.periodic_box.has_value(), result.simulation);
   result.logs = logs(state.member("logs"));
   return result;
 }

@@ -8,6 +8,7 @@
 #include "checkpoint_format.h"
 #include "checkpoint_motion.h"
 #include "counters.h"
+#include "kinetri/impl/base/check.h"
 #include "kinetri/impl/io/json_writer.h"
 #include "kinetri/impl/io/output_file.h"
 #include "kinetri/impl/io/text.h"
@@ -62,12 +63,27 @@ void write(Json_writer& json, const std::optional<Motion>& motion) {
   write_list(json, Checkpoint_motion<Motion>::numbers(*motion));
 }
 
+// The ids; in a periodic box also the offset.
+void write(Json_writer& json, const Edge_ids& pair) {
+  write_list(json, pair);
+}
+
+void write(Json_writer& json, const Periodic_edge& pair) {
+  json.begin_list();
+  for (const Point_id id : pair.ids) json.value(id);
+  for (const std::int32_t count : {pair.offset.x, pair.offset.y}) json.value(count);
+  json.end_list();
+}
+
 template <class Traits>
 class Checkpoint_writer {
  public:
   explicit Checkpoint_writer(std::string& text) : text_(text) {}
 
   void write_state(const Simulation_snapshot<Traits>& snapshot, const Checkpoint& checkpoint) {
+    KINETRI_PRECONDITION(PeriodicKineticTraits_2<Traits> == checkpoint.periodic_box.has_value(),
+                         "a checkpoint with a periodic box of a simulation in the plane, or "
+                         "without one of a simulation in a periodic box; set both or none");
     const Triangulation_snapshot<Traits>& topology = snapshot.triangulation;
     text_ += '{';
     add("motion", Checkpoint_motion<typename Traits::Motion>::name);
@@ -81,6 +97,7 @@ class Checkpoint_writer {
       json.member("crc32", std::string_view(hexadecimal(log.crc32, 8)));
       json.end_object();
     });
+    write_periodic_box(checkpoint.periodic_box);
     write_options(snapshot);
     add_list("masses", snapshot.options.masses,
              [](Json_writer& json, double mass) { json.value(mass); });
@@ -89,7 +106,7 @@ class Checkpoint_writer {
     add_list("points", topology.motions,
              [](Json_writer& json, const auto& motion) { write(json, motion); });
     add_list("in_contact", snapshot.in_contact,
-             [](Json_writer& json, const Edge_ids& pair) { write_list(json, pair); });
+             [](Json_writer& json, const auto& pair) { write(json, pair); });
     add_list("scheduled", snapshot.scheduled, [](Json_writer& json, const auto& change) {
       json.begin_object();
       json.key("time");
@@ -104,6 +121,17 @@ class Checkpoint_writer {
   }
 
  private:
+  // Its two vectors, or null.
+  void write_periodic_box(const std::optional<Periodic_box_2>& box) {
+    Json_writer json = begin("periodic_box");
+    if (!box) return json.null();
+    json.begin_list();
+    for (const Linear_motion_2& vector : {box->first(), box->second()}) {
+      write_list(json, Checkpoint_motion<Linear_motion_2>::numbers(vector));
+    }
+    json.end_list();
+  }
+
   void write_options(const Simulation_snapshot<Traits>& snapshot) {
     const Simulation_options& options = snapshot.options;
     Json_writer json = begin("box");

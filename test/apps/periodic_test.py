@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs in periodic boxes from outside: logs and edges with offsets, compared with copies of the points in the
-plane, which other code triangulates; pictures and pages; what is said and refused; --verify.
+plane, which other code triangulates; pictures and pages; runs in parts; what is said and refused; --verify.
 
 usage: periodic_test.py PROGRAM
 """
@@ -10,38 +10,15 @@ import io
 import itertools
 import json
 import math
-import pathlib
 import random
 import re
-import subprocess
 import sys
 import unittest
 
 sys.dont_write_bytecode = True
-from in_folder import In_folder  # noqa: E402
+from periodic_case import Program_in_box, edge_of, edges_in  # noqa: E402
 
-PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
 HEADER = "x,y,vx,vy\n"
-
-
-def pair(text):
-    """The offset of a field such as `1 -2`."""
-    x, y = text.split(" ")
-    return int(x), int(y)
-
-
-def edge_of(row, what):
-    """The edge (a, b, offset) that a row of the log has removed or added; None if there is none."""
-    if row[what + "_a"] == "":
-        assert row[what + "_b"] == row[what + "_offset"] == ""
-        return None
-    return int(row[what + "_a"]), int(row[what + "_b"]), pair(row[what + "_offset"])
-
-
-def edges_in(text):
-    rows = list(csv.reader(io.StringIO(text)))
-    assert rows[0] == ["a", "b", "offset"]
-    return [(int(a), int(b), pair(offset)) for a, b, offset in rows[1:]]
 
 
 def text_of(points):
@@ -57,21 +34,7 @@ def random_points(generator, number, side):
             for _ in range(number)]
 
 
-class Periodic(In_folder):
-    def run_program(self, command, points=None, code=0):
-        if points is not None:
-            self.write("p.csv", points)
-        done = subprocess.run([PROGRAM, *command.split()], cwd=self.folder, text=True, capture_output=True,
-                              stdin=subprocess.DEVNULL, timeout=300, check=False)
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done
-
-    def read(self, name):
-        return (self.folder / name).read_text(encoding="utf-8")
-
-    def rows(self):
-        return list(csv.DictReader(io.StringIO(self.read("e.csv"))))
-
+class Periodic(Program_in_box):
     def test_one_point_in_a_sheared_box(self):
         """The log is that of docs/guide/periodic_boxes.md."""
         run = "simulate p.csv --until 2 --periodic 1,1 --shear 1 --quiet "
@@ -329,6 +292,60 @@ class Periodic(In_folder):
         self.write("t.csv", "t,id,x,y\n0,a,0,0\n1,a,1,1\n")
         refused = self.run_program("tracks t.csv --periodic", code=2)
         self.assertIn("t.csv: has no periodic box", refused.stderr)
+
+    def test_a_run_in_parts_is_the_run_in_one(self):
+        one_radius = self.discs("", lambda _: "")
+        sizes = self.discs(",radius,growth", lambda generator: f",{generator.choice([0.125, 0.25, 0.5])},{generator.choice([0, 0.03125])}")
+        free = text_of(random_points(random.Random(4), 20, 10))
+        twice = free + "".join(f"{float(x) + 13},{float(y) + 10},{float(vx) + 0.5 * 10},{vy}\n"  # by (1, 1) vectors
+                               for x, y, vx, vy in (line.split(",") for line in free.splitlines()[1:4]))
+        box = "--periodic 10,10,3"
+        rows = 0
+        for points, options in ((free, box), (twice, box + " --shear 0.5"), (free, box + " --shear=-0.3"),
+                                (one_radius, box + " --radius 0.5 --collisions elastic --shear 0.25"),
+                                (one_radius, box + " --radius 0.75 --collisions log"),
+                                (one_radius, box + " --radius 0.5 --collisions stop --shear 0.25"),
+                                (one_radius, box + " --radius 0.5 --collisions remove"),
+                                (sizes, box + " --collisions elastic --mass area --shear 0.1"),
+                                (sizes, box + " --collisions log")):
+            run = f"simulate p.csv --quiet {options}"
+            self.run_program(f"{run} --until 3 --events whole.csv --motions wm.csv --edges edges.csv", points)
+            self.run_program(f"{run} --until 0.9 --events one.csv --motions m.csv --checkpoint a")
+            self.run_program("resume a --until 0.9 --events two.csv --checkpoint b --edges now.csv --quiet")
+            self.run_program("resume b --until 1.8 --events three.csv --checkpoint c --audit end --quiet")
+            self.run_program("resume c --until 3 --events four.csv --motions fm.csv --edges end.csv --exact-only --quiet")
+            logs = [self.read(name).splitlines() for name in ("one.csv", "two.csv", "three.csv", "four.csv")]
+            self.assertEqual(len({log[0] for log in logs}), 1)
+            self.assertEqual(logs[1], logs[0][:1])
+            self.assertGreater(min(len(logs[0]), len(logs[2]), len(logs[3])), 10, options)
+            self.assertEqual([row for log in logs for row in log[1:]], self.read("whole.csv").splitlines()[1:], options)
+            self.assertEqual(self.read("end.csv"), self.read("edges.csv"), options)
+            last = [row for row in self.read("fm.csv").splitlines()[1:] if row[0] != ","]
+            self.assertEqual(last, self.read("wm.csv").splitlines()[-len(last):] if last else [])
+            rows += len(logs[3])
+        self.assertGreater(rows, 500)
+
+    def test_a_continued_run_is_verified_and_has_pictures(self):
+        box = "--periodic 10,10,3 --shear 0.1"
+        self.run_program(f"simulate p.csv --until 1 {box} --checkpoint a", text_of(random_points(random.Random(4), 20, 10)))
+        done = self.run_program("resume a --until 2 --verify --html r.html --frames f --frames-per-time 1 --stats s.json")
+        self.assertRegex(done.stdout, r"^verified: 20 points, \d+ events")
+        self.assertGreater(json.loads(self.read("s.json"))["events_total"], int(done.stdout.split(" ")[3]))
+        recording = json.loads(re.search('id="recording">(.*?)</script>', self.read("r.html"))[1])
+        self.assertEqual(recording["periodic"], [0, 10, 0, 0, 0, 0, 3, 10, 1, 0])
+        self.write("p.csv", self.discs(",radius", lambda generator: f",{generator.choice([0.25, 0.5])}"))
+        self.run_program(f"simulate p.csv --until 1 {box} --checkpoint a --collisions elastic")
+        refused = self.run_program("resume a --until 2 --verify", code=2)
+        self.assertIn("--verify: in a periodic box kinetri-verify expects discs of one constant radius", refused.stderr)
+
+    def test_a_run_that_has_ended_at_an_own_image_cannot_go_on(self):
+        end = "the run ends at t = 1.75 instead of 3; results up to then are written; disc 0 meets its own image"
+        done = self.run_program("simulate p.csv --until 3 --periodic 4,5 --collisions elastic --checkpoint a --quiet",
+                                "x,y,vx,vy,radius,growth\n0,0,0,0,0.25,1\n2,2,0,0,0.125,0\n", code=130)
+        self.assertIn(end, done.stderr)
+        done = self.run_program("resume a --until 3 --events e.csv --quiet", code=130)
+        self.assertIn(end, done.stderr)
+        self.assertEqual(self.rows(), [])
 
     def test_logs_in_the_plane_have_no_offsets(self):
         self.run_program("simulate p.csv --until 3 --events e.csv --edges f.csv",

@@ -17,7 +17,7 @@ def checkpoint_cases():
 
     good = checkpoint()
     body = good[: good.rindex("checksum")]
-    first = "kinetri checkpoint 7"
+    first = "kinetri checkpoint 8"
     yield resume("")
     yield resume(ONE_FLIP, text="x,y,vx,vy")
     yield resume(good.replace(first, "kinetri checkpoint 9", 1), text="9")
@@ -59,6 +59,31 @@ def checkpoint_cases():
     yield resume(forged(lambda state: (state.update(refuses_coincident_points=True),
                                        state["points"].__setitem__(1, state["points"][0]))),
                  problem="the snapshot's points 0 and 1 have the same trajectory")
+    yield from periodic_checkpoint_cases()
+
+
+def periodic_checkpoint_cases():
+    """Of runs in periodic boxes, and of options that these do not have."""
+    run = ONE_FLIP, "--until 2 --periodic 9,9 --shear 0.5"
+
+    def resume(content, more="", **values):
+        return case(f"resume c --until 3 {more}", files={"c": content}, **values)
+
+    for option in ("--certificates n", "--neighbors n", "--components n --range 1", "--areas n --cutoff 1",
+                   "--spanning-tree n", "--encounters n --range 1"):
+        yield resume(checkpoint(*run), option, option=option.split()[0])
+    yield resume(checkpoint(*run), "--html n --range 1", option="--range")
+    rates = [[9.0, 0.0, 0.25, 0.0, 0.0], [0.0, 9.0, 0.0, 0.25, 0.0]]
+    yield resume(forged(setter("periodic_box", rates), *run), "--verify")
+    flat = [[9.0, 0.0, 0.0, 0.0, 0.0], [0.0, 9.0, 0.0, -4.5, 0.0]]
+    yield resume(forged(setter("periodic_box", flat), *run), file="c", member="state.periodic_box",
+                 problem="the periodic box has no area at time 2; expected lattice vectors that are not parallel")
+    discs = DISCS, "--until 2 --collisions elastic --growth 0.125"
+    yield resume(forged(setter("points", 1, 7, 0.5), *discs), file="c", member="state.points[1]", weight="0.5")
+    yield resume(forged(setter("motion", "polynomial"), *run), file="c", member="state.motion", text="polynomial")
+    yield resume(forged(setter("points", 0, 0, 1e300), *run), file="c",
+                 problem="point 0 is 2^31 or more lattice vectors away from the periodic box, or from other points; give "
+                         "the position of an image that is closer")
 
 
 def chmod(name, mode):

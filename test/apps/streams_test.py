@@ -183,7 +183,7 @@ class Streams(unittest.TestCase):
 
     def test_input_without_line_ends_is_refused_in_little_memory(self):
         longest = "the line is longer than {} bytes; expected"
-        first_line = "kinetri checkpoint 7\\n"
+        first_line = "kinetri checkpoint 8\\n"
         for arguments, beginning, problem in (
                 ("simulate {} --until 1", "x,y,vx,vy\\n", longest.format(1 << 20)),
                 ("tracks {}", "t,id,x,y\\n", longest.format(1 << 20)),

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Checkpoints of a tiny simulation, changed by bytes and given a right checksum: each is refused,
-// or makes a simulation that passes all audits, and is the same text when it is written, read and
-// written again.
+// Checkpoints of tiny simulations, with walls and in a periodic box, changed by bytes and given a
+// right checksum: each is refused, or makes a simulation that passes all audits, and is the same
+// text when it is written, read and written again.
 #include <boost/crc.hpp>
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 #include <variant>
 
@@ -19,24 +20,35 @@ namespace {
 
 using test::Fuzz_input;
 using test::require;
-using Simulation = Simulation_2<>;
+using Plane = Linear_kinetic_traits_2;
+using Periodic = Periodic_kinetic_traits_2;
 
 // Discs in a box, three of them in motion, and two changes that are scheduled.
-std::string original() {
-  Simulation_options options;
-  options.box = Box_2{0, 0, 10, 10};
-  options.radius = 1;
-  options.response = collide_elastically;
-  options.max_contacts_per_instant = 100;
-  Simulation simulation(
+template <class Traits>
+std::string original(const Simulation_options& options, const Traits& traits,
+                     const std::optional<Periodic_box_2>& box) {
+  Simulation_2<Traits> simulation(
       {{{2, 2}, {1, 0.5}, 0}, {{7, 2}, {-1, 0.25}, 0}, {{5, 7}, {0, -1}, 0}, {{1, 9}, {0, 0}, 0}},
-      options);
+      options, 0, traits);
   simulation.advance_to(2.5);
   simulation.schedule_motion(Algebraic_number(4.0), 3, {{1, 9}, {1, -1}, 4});
   simulation.schedule_erase(Algebraic_number(Rational(14, 3)), 1);
   std::ostringstream out;
-  write_checkpoint(out, {simulation.snapshot(), "elastic"});
+  write_checkpoint(out, {simulation.snapshot(), "elastic", {}, box});
   return out.str();
+}
+
+std::string original(bool is_periodic) {
+  Simulation_options options;
+  options.radius = 1;
+  options.response = collide_elastically;
+  options.max_contacts_per_instant = 100;
+  if (is_periodic) {
+    const Periodic_box_2 box({{10, 0}, {0, 0}, 0}, {{1, 10}, {0.5, 0}, 0});
+    return original(options, Periodic(box), box);
+  }
+  options.box = Box_2{0, 0, 10, 10};
+  return original(options, Plane(), std::nullopt);
 }
 
 std::string signed_anew(const std::string& text) {
@@ -63,22 +75,27 @@ void check(const std::string& text) {
   const Checkpoint checkpoint = read(text);
   const std::string again = written(checkpoint);
   require(written(read(again)) == again, "another text when read and written again");
-  const auto* const snapshot = std::get_if<0>(&checkpoint.simulation);
-  if (snapshot == nullptr) return;
-  auto simulation =
-      Simulation::restore(*snapshot, snapshot->has_response ? collide_elastically : nullptr);
-  const Audit_report report = simulation.audit(Audit_level::certificates);
-  require(report.passed(), report.passed() ? "" : report.failures.front());
-  simulation.step();
+  const auto go_on = [&]<class Traits>(const Traits& traits) {
+    const auto& snapshot = std::get<Simulation_snapshot<Traits>>(checkpoint.simulation);
+    auto simulation = Simulation_2<Traits>::restore(
+        snapshot, snapshot.has_response ? collide_elastically : nullptr, traits);
+    const Audit_report report = simulation.audit(Audit_level::certificates);
+    require(report.passed(), report.passed() ? "" : report.failures.front());
+    simulation.step();
+  };
+  if (std::holds_alternative<Simulation_snapshot<Plane>>(checkpoint.simulation)) go_on(Plane());
+  if (std::holds_alternative<Simulation_snapshot<Periodic>>(checkpoint.simulation)) {
+    go_on(Periodic(checkpoint.periodic_box.value()));
+  }
 }
 
 }  // namespace
 }  // namespace kinetri
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const std::string original = kinetri::original();
+  static const std::string originals[] = {kinetri::original(false), kinetri::original(true)};
   kinetri::test::Fuzz_input input(data, size);
-  std::string text = original;
+  std::string text = originals[input.integer(0, 1)];
   const std::size_t first = text.find('\n') + 1;
   for (int changes = input.integer(0, 3); changes > 0; --changes) {
     const std::size_t end = text.rfind("checksum ");
@@ -97,6 +114,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     kinetri::check(kinetri::signed_anew(text));
   } catch (const kinetri::Input_error&) {
   } catch (const kinetri::Snapshot_error&) {
+  } catch (const kinetri::Periodic_box_error&) {             // a point far away
+  } catch (const kinetri::Periodic_offset_error&) {          // or one that is fast
   } catch (const kinetri::Contact_error&) {                  // discs on top of each other
   } catch (const kinetri::Outside_box_error&) {              // to where a scheduled change leads
   } catch (const kinetri::Coincident_trajectories_error&) {  // which a contact has made equal

@@ -7,63 +7,49 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/crc.hpp>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "kinetri/base/error.h"
-#include "kinetri/impl/io/output_file.h"
 #include "kinetri/impl/io/text.h"
-#include "kinetri/io/event_log.h"
 #include "kinetri/simulation/scenarios.h"
 #include "kinetri/simulation/simulation_2.h"
+#include "support/broken_runs.h"
 #include "support/disc_runs.h"
-#include "support/message_of.h"
 #include "support/motions.h"
 #include "support/temporary_directory.h"
 
 namespace kinetri::checkpoint_file_test {
 namespace {
 
+using test::checkpoint_of;
+using test::expect_refusal;
+using test::refusal;
+using test::signed_anew;
 using test::Simulation;
-
-std::string text_of(const Checkpoint& checkpoint) {
-  std::ostringstream out;
-  write_checkpoint(out, checkpoint);
-  return out.str();
-}
-
-Checkpoint checkpoint_of(const std::string& text) {
-  std::istringstream in(text);
-  return read_checkpoint(in, "run.kinetri");
-}
+using test::text_of;
 
 // ---- a run with breaks ----
 
-struct Case {
-  std::vector<Linear_motion_2> motions;
-  Simulation_options options;
-};
+using Case = test::Start<Linear_kinetic_traits_2>;
 
 // Every kind of input in turn: tiny grids, the scenarios, and discs in a box.
 Case make_case(unsigned seed) {
   const auto number = static_cast<std::size_t>(seed / 3);
   switch (seed % 3) {
     case 0:
-      return {test::grid_motions(8 + number % 5, 3 + seed % 4, 1 + seed % 2, seed), {}};
+      return {test::grid_motions(8 + number % 5, 3 + seed % 4, 1 + seed % 2, seed), {}, {}};
     case 1: {
       Scenario_options options;
       options.points = 30;
       options.seed = seed;
-      return {make_scenario(all_scenarios[number % all_scenarios.size()], options), {}};
+      return {make_scenario(all_scenarios[number % all_scenarios.size()], options), {}, {}};
     }
     default: {
-      Case result = {test::discs_in_a_box(16, 0.2, seed), {}};
+      Case result = {test::discs_in_a_box(16, 0.2, seed), {}, {}};
       result.options.box = test::box_of(16);
       result.options.radius = 1.5;
       result.options.max_contacts_per_instant = 1000;
@@ -80,162 +66,15 @@ Case make_case(unsigned seed) {
   }
 }
 
-// What has been seen of a run: everything that happened, and how it ended.
-struct Seen {
-  std::string log;
-  std::vector<Edge_ids> edges;
-  std::string audit;
-  int irrational_breaks = 0;
-};
-
-// A run of steps, jumps and changes, all by `seed`. At each break the simulation is written to a
-// file, and goes on as the one that is read from it.
-class Random_run {
- public:
-  Random_run(unsigned seed, bool has_breaks) : has_breaks_(has_breaks), random_(seed) {
-    Case start = make_case(seed);
-    response_ = start.options.response;
-    simulation_ = std::make_unique<Simulation>(start.motions, start.options);
-    watch();
-    std::mt19937_64 breaks(seed + 1000);
-    for (int i = 0; i < 60; ++i) {
-      if (breaks() % 12 == 0 || (i == 0 && seed % 5 == 0)) take_up();
-      if (!operate()) break;
-    }
-    take_log();
-    seen_.edges = simulation_->triangulation().finite_edge_ids();
-    const Audit_report report = simulation_->audit(Audit_level::certificates);
-    if (!report.passed()) seen_.audit = report.failures.front();
-  }
-
-  const Seen& seen() const { return seen_; }
-
- private:
-  void watch() {
-    log_ = std::make_unique<std::ostringstream>();
-    writer_ = std::make_unique<Event_log_writer>(*log_);
-    simulation_->add_observer(*writer_);
-  }
-
-  // Without the header line.
-  void take_log() {
-    const std::string text = log_->str();
-    seen_.log += text.substr(text.find('\n') + 1);
-  }
-
-  void take_up() {
-    if (!has_breaks_) return;
-    if (!simulation_->current_time().is_known_rational()) ++seen_.irrational_breaks;
-    take_log();
-    write_checkpoint_file(directory_.file("run"), {simulation_->snapshot(), "some"});
-    simulation_.reset();
-    const Checkpoint checkpoint = read_checkpoint_file(directory_.file("run"));
-    EXPECT_EQ(checkpoint.response, "some");
-    simulation_.reset(
-        new Simulation(Simulation::restore(std::get<0>(checkpoint.simulation), response_)));
-    watch();
-  }
-
-  // False if the run cannot go on.
-  bool operate() {
-    const Algebraic_number now = simulation_->current_time();
-    const double soon = now.tight_interval().upper + std::ldexp(1 + double(random_() % 8), -6);
-    const std::uint64_t choice = random_() % 14;
-    const Linear_motion_2 motion = some_motion(now.to_double());
-    const Point_id id = static_cast<Point_id>(random_() % simulation_->triangulation().next_id());
-    const bool is_there = simulation_->triangulation().contains(id);
-    try {
-      if (choice < 6) {
-        simulation_->step();
-      } else if (choice < 8) {
-        simulation_->advance_to(Algebraic_number(soon));
-      } else if (choice == 8) {
-        simulation_->advance_to(beyond(soon));
-      } else if (choice == 9) {
-        simulation_->insert(motion);
-      } else if (choice == 10) {
-        if (is_there) simulation_->set_motion(id, motion);
-      } else if (choice == 11) {
-        if (is_there) simulation_->erase(id);
-      } else if (choice == 12) {
-        simulation_->schedule_motion(random_() % 2 == 0 ? now : beyond(soon), id, motion);
-      } else {
-        simulation_->schedule_insert(Algebraic_number(soon), motion);
-        simulation_->schedule_erase(beyond(soon), id);
-      }
-    } catch (const Error& error) {
-      *log_ << error.what() << '\n';
-      // Within an instant, where a contact or a scheduled change was refused, nothing goes on.
-      return choice == 9 || choice == 10;
-    }
-    return true;
-  }
-
-  // The root of t^2 - 2 beyond `time`: irrational, and no event.
-  static Algebraic_number beyond(double time) {
-    const Rational c = to_rational(time);
-    const std::array<Rational, 3> coefficients = {c * c - Rational(2, 1000000), Rational(-2 * c),
-                                                  Rational(1)};
-    return {primitive_polynomial(coefficients), c, Rational(c + 1)};
-  }
-
-  Linear_motion_2 some_motion(double time) {
-    const auto number = [&] { return static_cast<double>(random_() % 6); };
-    const double x = number();
-    const double y = number();
-    const double vx = number() - 3;
-    return {{x, y}, {vx, number() - 3}, time};
-  }
-
-  bool has_breaks_;
-  std::mt19937_64 random_;
-  test::Temporary_directory directory_;
-  Collision_response response_;
-  std::unique_ptr<std::ostringstream> log_;
-  std::unique_ptr<Event_log_writer> writer_;
-  std::unique_ptr<Simulation> simulation_;
-  Seen seen_;
-};
-
-// A row without its instant: at the time of a break that begins again, since a writer knows of the
-// events that it has written (event_log.h).
-std::string without_instant(const std::string& row) {
-  return row.substr(0, row.rfind(','));
-}
-
-// The first lines that differ, but for the instant.
-std::string difference(const std::string& one, const std::string& other) {
-  std::istringstream lines(one);
-  std::istringstream other_lines(other);
-  std::string line;
-  std::string other_line;
-  for (;;) {
-    const bool is_there = static_cast<bool>(std::getline(lines, line));
-    const bool is_other_there = static_cast<bool>(std::getline(other_lines, other_line));
-    if (!is_there && !is_other_there) return {};
-    if (!is_there) return "only the other: " + other_line;
-    if (!is_other_there) return "only the one: " + line;
-    if (without_instant(line) != without_instant(other_line)) {
-      return line + "; the other: " + other_line;
-    }
-  }
-}
-
 TEST(Checkpoint, a_run_with_breaks_is_the_run_without) {
-  int irrational_breaks = 0;
-  std::size_t bytes = 0;
+  test::Broken_runs sums;
   for (unsigned seed = 0; seed < 45u * static_cast<unsigned>(test::multiplier()); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Random_run whole(seed, false);
-    const Random_run broken(seed, true);
-    ASSERT_EQ(difference(broken.seen().log, whole.seen().log), "");
-    ASSERT_EQ(broken.seen().edges, whole.seen().edges);
-    ASSERT_EQ(broken.seen().audit, whole.seen().audit);
-    irrational_breaks += broken.seen().irrational_breaks;
-    bytes += whole.seen().log.size();
+    test::expect_the_run_without_breaks(make_case(seed), seed, sums);
+    if (HasFatalFailure()) return;
   }
-  EXPECT_GT(irrational_breaks, 30);
-  EXPECT_GT(bytes, 50'000u);
+  EXPECT_GT(sums.irrational_breaks, 30);
+  EXPECT_GT(sums.bytes, 50'000u);
 }
 
 // ---- numbers ----
@@ -330,15 +169,6 @@ TEST(Checkpoint, holds_discs_that_accelerate) {
 
 // ---- damage ----
 
-std::string refusal(const std::string& text) {
-  return test::message_of<Input_error>([&text] { checkpoint_of(text); });
-}
-
-void expect_refusal(const std::string& text, const std::string& expected) {
-  EXPECT_EQ(refusal(text).rfind("run.kinetri: " + expected, 0), 0u) << refusal(text);
-  EXPECT_NE(refusal(text).find("expected"), std::string::npos);
-}
-
 class Damaged_checkpoint : public testing::Test {
  protected:
   Damaged_checkpoint() {
@@ -378,7 +208,7 @@ TEST_F(Damaged_checkpoint, says_what_is_wrong) {
   expect_refusal("x,y,vx,vy\n1,2,3,4\n", "is no checkpoint: it begins with 'x,y,vx,vy';");
   expect_refusal(std::string(100, '\0'), "is no checkpoint:");
   expect_refusal("kinetri checkpoint 2\n{}\n",
-                 "is a checkpoint of version '2'; expected version 7");
+                 "is a checkpoint of version '2'; expected version 8");
   expect_refusal(text + "\n", "is cut short, or has more");
   std::string damaged = text;
   damaged[text.size() / 2] ^= 1;
@@ -401,24 +231,11 @@ TEST(Checkpoint_file, that_cannot_be_written_leaves_the_old_one) {
 
 // ---- forgery ----
 
-// With the checksum that the text, now changed, should have.
-std::string signed_anew(const std::string& text) {
-  const std::string content = text.substr(0, text.rfind("checksum "));
-  boost::crc_32_type crc;
-  crc.process_bytes(content.data(), content.size());
-  char line[20];
-  std::snprintf(line, sizeof line, "checksum %08x\n", static_cast<unsigned>(crc.checksum()));
-  return content + line;
-}
-
 using Forged_checkpoint = Damaged_checkpoint;
 
 TEST_F(Forged_checkpoint, names_the_place_that_is_wrong) {
   const auto forged = [this](const std::string& old, const std::string& text_instead) {
-    const std::size_t place = text.find(old);
-    EXPECT_NE(place, std::string::npos) << old;
-    std::string result = text;
-    return signed_anew(result.replace(place, old.size(), text_instead));
+    return test::forged(text, old, text_instead);
   };
   EXPECT_EQ(signed_anew(text), text);
   expect_refusal(forged("\"motion\":\"linear\"", "\"motion\":\"wild\""),
@@ -475,23 +292,9 @@ TEST_F(Forged_checkpoint, changed_at_random_is_refused_or_right) {
   for (unsigned seed = 0; seed < 900u * static_cast<unsigned>(test::multiplier()); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
-    std::string forged = text;
-    const std::size_t first = text.find('\n') + 1;
-    for (auto changes = 1 + random() % 2; changes > 0; --changes) {
-      const std::size_t end = forged.rfind("checksum ");
-      const std::size_t place = first + random() % (end - first);
-      constexpr std::string_view bytes = "0123456789-.,[]{}\"e/nt";
-      if (random() % 3 == 0) {
-        forged.erase(place, std::min<std::size_t>(1 + random() % 4, end - place));
-      } else {
-        forged[place] = bytes[random() % bytes.size()];
-      }
-    }
     try {
-      const Checkpoint read = checkpoint_of(signed_anew(forged));
-      auto restored =
-          Simulation::restore(std::get<0>(read.simulation),
-                              std::get<0>(read.simulation).has_response ? response : nullptr);
+      auto restored = test::restored<Linear_kinetic_traits_2>(
+          checkpoint_of(test::forged_at_random(text, random)), response);
       ASSERT_TRUE(restored.audit(Audit_level::certificates).passed());
       ++right;
       restored.step();

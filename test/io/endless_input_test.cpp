@@ -97,7 +97,7 @@ const std::vector<Reader>& readers() {
        of_tables},
       {"checkpoint",
        [](std::istream& in) { read_checkpoint(in, "in"); },
-       {"kinetri checkpoint 7\n", "kinetri checkpoint 7\n{\n\"motion\":\""},
+       {"kinetri checkpoint 8\n", "kinetri checkpoint 8\n{\n\"motion\":\""},
        of_checkpoints}};
   return all;
 }
@@ -141,7 +141,7 @@ TEST(Endless_input, line_of_a_checkpoint_may_have_2_to_the_24_bytes) {
   constexpr std::size_t longest_line = std::size_t{1} << 24U;
   const auto problem = [](std::size_t size) -> std::string {
     // The line lies across the ends of the pieces in which a file is read.
-    std::istringstream in("kinetri checkpoint 7\n{\n" + std::string(size, ' ') + "\n}\n");
+    std::istringstream in("kinetri checkpoint 8\n{\n" + std::string(size, ' ') + "\n}\n");
     try {
       read_checkpoint(in, "in");
     } catch (const Input_error& error) {

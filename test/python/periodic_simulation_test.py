@@ -201,7 +201,6 @@ def test_points_that_coincide_are_refused_with_collisions():
 
 
 @pytest.mark.parametrize("call", [
-    lambda sim: sim.snapshot(), pickle.dumps, copy.copy, lambda sim: sim.save("state.kinetri"),
     lambda sim: sim.closest(until=1.0), lambda sim: sim.hull(), lambda sim: sim.play(1.0)])
 def test_what_is_not_possible_in_a_box_says_so(call):
     sim = gas(BOXES[0], 4, collisions="elastic")
@@ -209,6 +208,22 @@ def test_what_is_not_possible_in_a_box_says_so(call):
         call(sim)
     sim.advance_to(1.0)
     assert sim.audit()
+
+
+@pytest.mark.parametrize("sizes", ["one", "many", "growing"])
+@pytest.mark.parametrize("box", BOXES)
+def test_copies_and_files_go_on_alike(tmp_path, box, sizes):
+    sim = gas(box, 5, sizes=sizes, collisions="elastic")
+    sim.advance_to(0.5)
+    sim.save(tmp_path / "state")
+    expected = sim.snapshot().restore().record(until=UNTIL)
+    assert "collision" in kinetri.to_dataframe(expected)["kind"].tolist()
+    for other in (copy.copy(sim), pickle.loads(pickle.dumps(sim)), kinetri.Simulation.load(tmp_path / "state")):
+        assert other.box == box and other.collisions == "elastic" and other.snapshot() == sim.snapshot()
+        assert other.record(until=UNTIL).tobytes() == expected.tobytes() and other.audit()
+    assert sim.record(until=UNTIL).tobytes() == expected.tobytes()
+    with pytest.raises(kinetri.SnapshotError, match="Simulation"):
+        (kinetri.KineticDelaunay if sizes == "one" else kinetri.KineticRegular).load(tmp_path / "state")
 
 
 def test_tables_and_pictures_have_the_images():

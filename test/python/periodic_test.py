@@ -4,6 +4,7 @@ import copy
 import itertools
 import math
 import pickle
+import zlib
 from fractions import Fraction
 
 import numpy as np
@@ -255,14 +256,28 @@ def test_copies_go_on_alike():
     assert another.snapshot() != kinetri.KineticDelaunay([[0, 0]], [[0, 0]], box=(1, 2)).snapshot()
 
 
-def test_no_file_is_read_without_its_box(tmp_path):
-    kd = triangulation(3, 1, BOXES[0])
-    with pytest.raises(kinetri.PreconditionError, match="files of states are not possible in a periodic box"):
-        kd.save(tmp_path / "state")
-    assert not list(tmp_path.iterdir())
-    (tmp_path / "state").write_bytes(kd.snapshot().state)
-    with pytest.raises(kinetri.InputError):
-        kinetri.KineticDelaunay.load(tmp_path / "state")
+@pytest.mark.parametrize("box", BOXES)
+def test_a_file_has_the_box(tmp_path, box):
+    kd = triangulation(7, 1, box)
+    kd.advance_to(0.25)
+    kd.save(tmp_path / "state")
+    assert (tmp_path / "state").read_bytes() == kd.snapshot().state
+    for other in (kinetri.KineticDelaunay.load(tmp_path / "state"), kinetri.Simulation.load(tmp_path / "state")):
+        assert other.box == box and edges_of(other) == edges_of(kd)
+        expected = copy.copy(kd).record(until=1)
+        assert len(expected) > 0 and other.record(until=1).tobytes() == expected.tobytes()
+    with pytest.raises(kinetri.SnapshotError, match="KineticDelaunay"):
+        kinetri.KineticRegular.load(tmp_path / "state")
+
+
+def test_a_box_of_vectors_with_two_epochs_is_refused():
+    snapshot = triangulation(3, 1, kinetri.Box((4, 4), rates=(0.5, 0))).snapshot()
+    line, old = snapshot.state.split(b"\n", 1)[0], b"[4.0,0.0,0.5,0.0,0.0]"
+    text = snapshot.state[:snapshot.state.rindex(b"checksum")].replace(old, b"[4.0,0.0,0.5,0.0,1.0]")
+    assert line.startswith(b"kinetri checkpoint") and old in snapshot.state
+    snapshot.state = text + b"checksum %08x\n" % zlib.crc32(text)
+    with pytest.raises(kinetri.SnapshotError, match="different epochs; expected one"):
+        snapshot.restore()
 
 
 # ---- what is not possible ----

@@ -9,17 +9,6 @@
 #include "kinetri/impl/io/text.h"
 
 namespace kinetri::app {
-namespace {
-
-// Whether a run in a periodic box has this output.
-constexpr bool is_for_periodic_boxes(Output output) {
-  return output == Output::events || output == Output::motions || output == Output::initial_edges ||
-         output == Output::edges || output == Output::stats || output == Output::frames ||
-         output == Output::vtu || output == Output::html || output == Output::ids ||
-         output == Output::plot;
-}
-
-}  // namespace
 
 void add_periodic_options(Command& command, Periodic_options& options) {
   command.add("--periodic", &options.periodic, "LX,LY[,XY]",
@@ -32,7 +21,7 @@ void add_periodic_options(Command& command, Periodic_options& options) {
       "in a unit of time (default 0)");
 }
 
-Periodic_settings periodic_settings(const Periodic_options& options) {
+Periodic_box_2 periodic_box(const Periodic_options& options) {
   const std::string& text = *options.periodic;
   const std::vector<double> numbers =
       numbers_argument("--periodic", text, 2, 3, "two or three, LX,LY or LX,LY,XY");
@@ -51,8 +40,7 @@ Periodic_settings periodic_settings(const Periodic_options& options) {
                              ", is out of the range of binary64; expected another rate, or a box "
                              "of another size"));
   }
-  const Periodic_box_2 box({{width, 0}, {0, 0}, 0}, {{tilt, height}, {rate, 0}, 0});
-  return {box, {"--periodic", joined(width, ',', height, ',', tilt), "--shear", joined(shear)}};
+  return {{{width, 0}, {0, 0}, 0}, {{tilt, height}, {rate, 0}, 0}};
 }
 
 void expect_no_shear(const Periodic_options& options) {

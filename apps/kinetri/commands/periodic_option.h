@@ -10,7 +10,7 @@
 
 #include "cli/command.h"
 #include "commands/run_options.h"
-#include "sources/points_source.h"
+#include "kinetri/kinetic/periodic_box_2.h"
 
 namespace kinetri::app {
 
@@ -24,7 +24,7 @@ struct Periodic_options {
 void add_periodic_options(Command& command, Periodic_options& options);
 
 /// The box of both. Throws Usage_error. Precondition: --periodic is given.
-Periodic_settings periodic_settings(const Periodic_options& options);
+Periodic_box_2 periodic_box(const Periodic_options& options);
 
 /// Throws Usage_error if --shear is given without --periodic.
 void expect_no_shear(const Periodic_options& options);

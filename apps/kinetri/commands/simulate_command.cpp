@@ -59,9 +59,8 @@ Points_settings points_settings(const Simulate_options& options) {
   Points_settings result;
   if (options.periodic.periodic) {
     expect_periodic_options(options);
-    result.periodic = periodic_settings(options.periodic);
+    result.periodic_box = periodic_box(options.periodic);
   }
-  result.is_verified = options.run.verify;
   result.points = options.points;
   result.from = number_argument("--from", options.from);
   result.until = until_argument(options.run);
@@ -78,7 +77,7 @@ Points_settings points_settings(const Simulate_options& options) {
   const auto expect_discs = [&](std::string_view option) {
     if (has_discs) return;
     throw Usage_error(joined("--", option, ": nothing touches a disc; expected --collisions",
-                             result.periodic ? "" : ", --rim or --regular", " as well, or no ",
+                             result.periodic_box ? "" : ", --rim", " or --regular as well, or no ",
                              option));
   };
   if (options.radius) {

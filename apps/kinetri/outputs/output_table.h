@@ -40,6 +40,14 @@ enum class Output {
 
 constexpr std::size_t number_of_outputs = 23;
 
+/// Whether runs in periodic boxes have the output.
+constexpr bool is_for_periodic_boxes(Output output) {
+  return output == Output::events || output == Output::motions || output == Output::initial_edges ||
+         output == Output::edges || output == Output::stats || output == Output::frames ||
+         output == Output::vtu || output == Output::html || output == Output::ids ||
+         output == Output::checkpoint || output == Output::plot;
+}
+
 /// The commands that have an output.
 enum class Offered {
   by_every_run,

@@ -75,6 +75,7 @@ class Simulation_run {
 
  private:
   void build();
+  void expect_periodic_outputs();
   void read_limits();
   std::uint64_t number_of_events() const {
     return simulation_.visit(
@@ -184,6 +185,7 @@ void Simulation_run::build() {
   workers_.emplace(settings_.threads);
   simulation_ =
       source_.make_simulation(settings_.exact_only ? Arithmetic::exact_only : Arithmetic::filtered);
+  expect_periodic_outputs();
   simulation_.visit([this](auto& s) { s.set_threads(settings_.threads); });
   statistics_.until = end_of_run();
   progress_.set_range(statistics_.from, statistics_.until);
@@ -218,6 +220,18 @@ void Simulation_run::build() {
   if (areas_) areas_->start(source_, simulation_, statistics_.until);
   if (sampler_) sampler_->start(statistics_.until, simulation_);
   statistics_.seconds.write += stopwatch_.lap();
+}
+
+// Throws if the run is in a periodic box, as a checkpoint may say, and an option is not for that.
+void Simulation_run::expect_periodic_outputs() {
+  if (!simulation_.is_periodic()) return;
+  const auto refuse = [](const char* option) {
+    throw Usage_error(joined(option, ": is not for periodic boxes; expected no ", option));
+  };
+  for (const Output_row& row : output_table) {
+    if (outputs_.has(row.output) && !is_for_periodic_boxes(row.output)) refuse(row.option);
+  }
+  if (settings_.html_range) refuse("--range");
 }
 
 // Reads the limits of cells if an output measures cells.
@@ -485,8 +499,8 @@ void Simulation_run::write_ids(std::ostream& out) {
 
 void Simulation_run::write_state(std::ostream& out) {
   const std::vector<Checkpoint_log> logs = outputs_.finish_logs();
-  simulation_.visit_plane([&](const auto& s) {
-    write_checkpoint(out, {s.snapshot(), source_.response(), logs});
+  simulation_.visit([&](const auto& s) {
+    write_checkpoint(out, {s.snapshot(), source_.response(), logs, simulation_.periodic_box()});
   });
 }
 

@@ -6,12 +6,14 @@
 #define KINETRI_APPS_ANY_SIMULATION_H
 
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
 #include "kinetri/base/error.h"
 #include "kinetri/io/event_log.h"
+#include "kinetri/kinetic/periodic_box_2.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri::app {
@@ -37,6 +39,16 @@ class Any_simulation {
           return PeriodicKineticTraits_2<Traits>;
         },
         simulation_);
+  }
+  /// The periodic box; none in the plane.
+  std::optional<Periodic_box_2> periodic_box() const {
+    return visit([]<class Traits>(const Simulation_2<Traits>& s) -> std::optional<Periodic_box_2> {
+      if constexpr (PeriodicKineticTraits_2<Traits>) {
+        return s.triangulation().traits().box();
+      } else {
+        return std::nullopt;
+      }
+    });
   }
   /// Those of its event log.
   Event_columns event_columns() const {

@@ -89,12 +89,21 @@ Any_simulation Checkpoint_source::make_simulation(Arithmetic arithmetic) const {
       throw fail(joined("the response '", response->name, "' does not match the state"));
     }
     using Simulation = Simulation_2<Traits>;
+    const auto traits = [&] {
+      if constexpr (PeriodicKineticTraits_2<Traits>) {
+        return Traits(*checkpoint_.periodic_box, arithmetic);
+      } else {
+        return Traits(arithmetic);
+      }
+    };
     return Any_simulation(std::unique_ptr<Simulation>(
-        new Simulation(Simulation::restore(snapshot, response->response, Traits(arithmetic)))));
+        new Simulation(Simulation::restore(snapshot, response->response, traits()))));
   };
   try {
     return std::visit(restored, checkpoint_.simulation);
   } catch (const Snapshot_error& error) {
+    throw fail(error.what());
+  } catch (const Periodic_box_error& error) {  // a point is too far away
     throw fail(error.what());
   }
 }

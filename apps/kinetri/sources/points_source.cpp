@@ -29,9 +29,6 @@ class Points_source final : public Run_source {
   std::size_t number_of_points() const override { return points_.number_of_points(); }
   double from() const override { return settings_.from; }
   std::optional<double> until() const override { return settings_.until; }
-  std::vector<std::string> periodic_options() const override {
-    return settings_.periodic ? settings_.periodic->options : std::vector<std::string>();
-  }
   std::string response() const override { return std::string(settings_.collisions.name); }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
   std::vector<std::string> labels() const override { return points_.labels; }
@@ -59,7 +56,7 @@ void Points_source::read() {
     std::istringstream in(*settings_.text);
     points_ = read_points(in, settings_.points);
   }
-  if (!settings_.periodic || !points_.is_polynomial) return;
+  if (!settings_.periodic_box || !points_.is_polynomial) return;
   throw Input_error(input_name(path()), 0,
                     "the points accelerate, but those in a periodic box move on straight lines; "
                     "expected no columns ax, ay, jx and jy, or no --periodic");
@@ -71,11 +68,6 @@ Any_simulation Points_source::make_simulation(Arithmetic arithmetic) const {
     const Point_discs discs = point_discs(points_, settings_);
     Simulation_options with_discs = options();
     with_discs.masses = point_masses(points_, discs, settings_);
-    if (!discs.are_equal() && settings_.periodic && settings_.is_verified) {
-      throw Usage_error(
-          "--verify: in a periodic box kinetri-verify expects discs of one constant radius; "
-          "expected no --verify, or one --radius");
-    }
     if (!discs.are_equal() || settings_.is_regular) {
       // Equal discs may overlap: they have no contact until they approach.
       with_discs.refuses_overlaps =
@@ -101,7 +93,7 @@ Input_error Points_source::coincident(const Coincident_trajectories_error& error
   const auto [first, second] = std::minmax({error.first(), error.second()});
   const std::size_t line = points_.lines[first];
   std::string problem;
-  if (settings_.periodic) {
+  if (settings_.periodic_box) {
     problem = joined("the point is an image of the one in line ", line,
                      " at all times; expected points that differ by more than vectors of the "
                      "periodic box",
@@ -170,9 +162,9 @@ Any_simulation Points_source::simulation(const Point_discs* discs,
   const auto of = [&]<class Motion>(const std::vector<Motion>& motions) -> Any_simulation {
 #ifndef KINETRI_WITHOUT_PERIODIC_BOXES
     if constexpr (std::same_as<Center_motion_of<Motion>, Linear_motion_2>) {
-      if (settings_.periodic) {
-        const Periodic_box_2& box = settings_.periodic->box;
-        return make(motions, Basic_periodic_kinetic_traits_2<Motion>(box, arithmetic));
+      if (settings_.periodic_box) {
+        return make(motions,
+                    Basic_periodic_kinetic_traits_2<Motion>(*settings_.periodic_box, arithmetic));
       }
     }
 #endif

@@ -23,18 +23,12 @@ struct Points_file;
 
 namespace kinetri::app {
 
-struct Periodic_settings {
-  Periodic_box_2 box;
-  std::vector<std::string> options;  ///< the same for kinetri-verify
-};
-
 struct Points_settings {
   std::string points;               ///< a path, or "-"
   std::optional<std::string> text;  ///< the points themselves: then `points` is a name for messages
   double from = 0;
-  std::optional<double> until;                ///< at least `from`; if none, see Run_source::until
-  std::optional<Periodic_settings> periodic;  ///< instead of walls
-  bool is_verified = false;                   ///< whether kinetri-verify checks the run
+  std::optional<double> until;                 ///< at least `from`; if none, see Run_source::until
+  std::optional<Periodic_box_2> periodic_box;  ///< instead of walls
   std::optional<Box_2> box;
   bool rim_touches = false;
   std::optional<double> radius;  ///< of all discs, instead of the column of the points

@@ -71,9 +71,6 @@ class Run_source {
   /// The part of the plane that pictures have to show, if known.
   virtual std::optional<Box_2> extent() const { return std::nullopt; }
 
-  /// The options of kinetri-verify for the periodic box; empty if there is none.
-  virtual std::vector<std::string> periodic_options() const { return {}; }
-
   /// The name of the response to contacts in `named_responses`.
   virtual std::string response() const = 0;
 

@@ -37,7 +37,6 @@ class Tracks_source final : public Run_source {
   }
   /// The bounding box of all observations.
   std::optional<Box_2> extent() const override { return extent_; }
-  std::vector<std::string> periodic_options() const override;
   std::string response() const override { return settings_.logs_contacts ? "log" : "none"; }
   Any_simulation make_simulation(Arithmetic arithmetic) const override;
   Input_error coincidence(const Coincident_trajectories_error& coincident,
@@ -157,14 +156,6 @@ Periodic_box_2 Tracks_source::periodic_box() const {
   const auto [first, second] =
       file_.periodic_box.value_or(std::array{Vector_2{1, 0}, Vector_2{0, 1}});
   return {{first, {}, 0}, {second, {}, 0}};
-}
-
-std::vector<std::string> Tracks_source::periodic_options() const {
-  if (settings_.reading.unwrap != Tracks_unwrap::periodic) return {};
-  const Periodic_box_2 box = periodic_box();
-  const Vector_2& first = box.first().position;
-  const Vector_2& second = box.second().position;
-  return {"--periodic", joined(first.x, ',', first.y, ',', second.x, ',', second.y)};
 }
 
 // By track.
