@@ -6,6 +6,7 @@ from typing import Any
 
 from . import _kinetri
 from ._arrays import count, one_number
+from ._box import Box
 from ._types import Floats, Path
 
 
@@ -72,7 +73,7 @@ def scenario(kind: str, points: int = 100, *, seed: int = 1, side: float | None 
 
 
 def packing(points: int = 1000, *, share: float = 0.8, sizes: float = 1.0, seed: int = 1,
-            side: float | None = None, speed: float = 5.0) -> dict[str, Any]:
+            side: float | None = None, speed: float = 5.0, periodic: bool = False) -> dict[str, Any]:
     """Discs in a square box that cover a given share of it, and do not overlap, exactly.
 
     Small discs grow and collide elastically until they cover that share (Lubachevsky and Stillinger).
@@ -91,6 +92,8 @@ def packing(points: int = 1000, *, share: float = 0.8, sizes: float = 1.0, seed:
         Of the box; by default 10 sqrt(points).
     speed : float
         Bound of the velocity components of the result.
+    periodic : bool
+        Whether the box is periodic, a `Box`; then no two images of discs overlap. Else it has walls.
 
     Returns
     -------
@@ -100,7 +103,7 @@ def packing(points: int = 1000, *, share: float = 0.8, sizes: float = 1.0, seed:
     Raises
     ------
     PackingError
-        If the discs jam before they cover that share.
+        If the discs jam before they cover that share, or one meets its own image.
 
     Examples
     --------
@@ -109,7 +112,10 @@ def packing(points: int = 1000, *, share: float = 0.8, sizes: float = 1.0, seed:
     >>> sim.advance_to(0.1) > 0
     True
     """
-    return _kinetri.packing(count("points", points), one_number("share", share),
+    made = _kinetri.packing(count("points", points), one_number("share", share),
                             one_number("sizes", sizes), count("seed", seed),
                             None if side is None else one_number("side", side),
-                            one_number("speed", speed))
+                            one_number("speed", speed), bool(periodic))
+    if periodic:
+        made["box"] = Box(made["box"][2:])
+    return made

@@ -254,7 +254,7 @@ py::tuple scenario(const std::string& kind, std::size_t points, std::uint64_t se
 }
 
 py::dict packing(std::size_t points, double share, double sizes, std::uint64_t seed,
-                 std::optional<double> side, double speed) {
+                 std::optional<double> side, double speed, bool is_periodic) {
   Packing_options options;
   options.points = points;
   options.share = share;
@@ -262,6 +262,7 @@ py::dict packing(std::size_t points, double share, double sizes, std::uint64_t s
   options.seed = seed;
   options.side = side;
   options.speed = speed;
+  options.is_periodic = is_periodic;
   const Packing made = without_gil([&] { return make_packing(options); });
   std::vector<Linear_motion_2> centers;
   std::vector<double> radii;

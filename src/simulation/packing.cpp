@@ -20,8 +20,6 @@
 namespace kinetri {
 namespace {
 
-using Simulation = Simulation_2<Disc_kinetic_traits_2>;
-
 // A stage of the growth: up to the fraction `part` of the final radii, in `steps` steps between
 // which velocities are rescaled; the growth of the mean radius is `growth` times the mean speed.
 // Dense discs must grow slowly. The numbers were chosen to reach the area fractions in packing.h;
@@ -36,6 +34,24 @@ constexpr std::array<Stage, 3> stages = {{{0.75, 3, 0.2}, {0.9, 5, 0.04}, {1, 20
 // Slightly larger radii at the end, so that the discs of the result are apart.
 constexpr double enough = 1 + 0x1p-30;
 
+// The traits of a square box, with walls or periodic.
+template <class Traits>
+Traits traits_of_square(double side) {
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    return Traits({{{side, 0}, {0, 0}, 0}, {{0, side}, {0, 0}, 0}});
+  } else {
+    return Traits();
+  }
+}
+
+// The number that differs by a multiple of the side and is at least 0 and less than the side, up to
+// rounding.
+double wrapped(double x, double side) {
+  const double result = x - side * std::floor(x / side);
+  return result >= 0 && result < side ? result : 0;
+}
+
+template <class Traits>
 class Packer {
  public:
   explicit Packer(const Packing_options& options)
@@ -45,7 +61,7 @@ class Packer {
         radii_(final_radii()),
         mean_radius_(std::accumulate(radii_.begin(), radii_.end(), 0.0) /
                      static_cast<double>(radii_.size())),
-        simulation_(points(), simulation_options()),
+        simulation_(points(), simulation_options(), 0, traits_of_square<Traits>(side_)),
         watch_(mean_radius_ * enough) {}
 
   Packing run() {
@@ -62,6 +78,8 @@ class Packer {
   }
 
  private:
+  static constexpr bool is_periodic = PeriodicKineticTraits_2<Traits>;
+
   std::vector<Linear_motion_2> random_motions(std::uint64_t seed) const {
     Scenario_options scenario;
     scenario.points = options_.points;
@@ -89,8 +107,10 @@ class Packer {
 
   Simulation_options simulation_options() const {
     Simulation_options result;
-    result.box = box();
-    result.rim_touches = true;
+    if (!is_periodic) {
+      result.box = box();
+      result.rim_touches = true;
+    }
     result.response = collide_elastically;
     // Masses are proportional to areas.
     for (const double radius : radii_) {
@@ -124,12 +144,19 @@ class Packer {
     }
     simulation_.set_motions(ids, motions);
     const double end = now + part * mean_radius_ / growth;
-    while (simulation_.step(Algebraic_number(end)) > 0) {
-      if (watch_.is_jammed(simulation_)) {
-        throw Packing_error(
-            "the discs are jammed before they cover the share; expected a smaller "
-            "share");
+    try {
+      while (simulation_.step(Algebraic_number(end)) > 0) {
+        if (watch_.is_jammed(simulation_)) {
+          throw Packing_error(
+              "the discs are jammed before they cover the share; expected a smaller "
+              "share");
+        }
       }
+    } catch (const Own_image_error&) {
+      throw Packing_error(
+          "a disc meets its own image before the discs cover the share; expected a smaller share, "
+          "or "
+          "more discs");
     }
     simulation_.advance_to(end);
   }
@@ -139,7 +166,8 @@ class Packer {
     const std::vector<Linear_motion_2> velocities = random_motions(options_.seed + 1);
     Packing packing = {box(), {}};
     for (Point_id id = 0; id < options_.points; ++id) {
-      const Vector_2 place = rounded_place(simulation_.triangulation().motion(id), now);
+      Vector_2 place = rounded_place(simulation_.triangulation().motion(id), now);
+      if (is_periodic) place = {wrapped(place.x, side_), wrapped(place.y, side_)};
       const Vector_2 velocity = options_.speed == 0 ? Vector_2() : velocities[id].velocity;
       packing.discs.push_back({{place, velocity, 0}, radii_[id], 0, 0});
     }
@@ -147,27 +175,69 @@ class Packer {
     return packing;
   }
 
+  // A disc, or an image of it, exactly.
+  struct Exact_disc {
+    Rational x;
+    Rational y;
+    Rational radius;
+  };
+
   // Exactly, for all pairs whose bounding boxes intersect.
   static void check(const Packing& packing) {
+    const Rational side = to_rational(packing.box.xmax);
+    std::vector<Exact_disc> discs;
     std::vector<detail::Disc_box> boxes;
-    for (Point_id id = 0; id < packing.discs.size(); ++id) {
-      const Disc_motion_2& disc = packing.discs[id];
-      boxes.push_back(detail::box_around(disc, id, 0, {0, 0}));
-      const Rational x = to_rational(disc.position.x);
-      const Rational y = to_rational(disc.position.y);
-      const Rational radius = to_rational(disc.radius);
-      const Rational side = to_rational(packing.box.xmax);
-      KINETRI_ASSERT(x >= radius && y >= radius && x + radius <= side && y + radius <= side,
-                     "a disc of a packing is partly outside of the box");
+    const auto add = [&](const Disc_motion_2& disc, int k, int l) {
+      const auto id = static_cast<Point_id>(discs.size());
+      boxes.push_back(detail::box_around(about_image(disc, k, l, packing.box), id, 0, {0, 0}));
+      discs.push_back({to_rational(disc.position.x) + k * side,
+                       to_rational(disc.position.y) + l * side, to_rational(disc.radius)});
+    };
+    for (const Disc_motion_2& disc : packing.discs) {
+      add(disc, 0, 0);
+      const auto& [x, y, radius] = discs.back();
+      if constexpr (is_periodic) {
+        KINETRI_ASSERT(x >= 0 && y >= 0 && x < side && y < side && 2 * radius <= side,
+                       "a disc of a packing is outside of the box, or too large for it");
+      } else {
+        KINETRI_ASSERT(x >= radius && y >= radius && x + radius <= side && y + radius <= side,
+                       "a disc of a packing is partly outside of the box");
+      }
+    }
+    if (is_periodic) {
+      for (const Disc_motion_2& disc : packing.discs) {
+        for_each_image_in(packing.box, disc, [&](int k, int l) { add(disc, k, l); });
+      }
     }
     detail::for_each_pair_of_boxes(boxes, [&](Point_id a, Point_id b) {
-      const Disc_motion_2& p = packing.discs[a];
-      const Disc_motion_2& q = packing.discs[b];
-      const Rational x = to_rational(p.position.x) - to_rational(q.position.x);
-      const Rational y = to_rational(p.position.y) - to_rational(q.position.y);
-      const Rational contact = to_rational(p.radius) + to_rational(q.radius);
+      const Rational x = discs[a].x - discs[b].x;
+      const Rational y = discs[a].y - discs[b].y;
+      const Rational contact = discs[a].radius + discs[b].radius;
       KINETRI_ASSERT(x * x + y * y >= contact * contact, "two discs of a packing overlap");
     });
+  }
+
+  // A disc that contains the image.
+  static Disc_motion_2 about_image(Disc_motion_2 disc, int k, int l, const Box_2& box) {
+    disc.position.x += k * box.xmax;
+    disc.position.y += l * box.ymax;
+    disc.radius += 0x1p-40 * box.xmax;  // more than all roundings
+    return disc;
+  }
+
+  // The offsets of all other images that may reach into the box. If two images overlap, images of
+  // these do so in the box, with centers less than a side away from it.
+  template <class Function>
+  static void for_each_image_in(const Box_2& box, const Disc_motion_2& disc, Function function) {
+    for (int k = -1; k <= 1; ++k) {
+      for (int l = -1; l <= 1; ++l) {
+        const Disc_motion_2 image = about_image(disc, k, l, box);
+        const auto& [x, y] = image.position;
+        const double r = image.radius;
+        const bool is_within = x + r >= 0 && x - r <= box.xmax && y + r >= 0 && y - r <= box.ymax;
+        if ((k != 0 || l != 0) && is_within) function(k, l);
+      }
+    }
   }
 
   Packing_options options_;
@@ -175,7 +245,7 @@ class Packer {
   std::vector<Linear_motion_2> motions_;
   std::vector<double> radii_;
   double mean_radius_;
-  Simulation simulation_;
+  Simulation_2<Traits> simulation_;
   Jam_watch watch_;
 };
 
@@ -187,7 +257,8 @@ Packing make_packing(const Packing_options& options) {
                        "the share of a packing is not between 0 and 1");
   KINETRI_PRECONDITION(options.size_ratio >= 1 && options.size_ratio <= 1000,
                        "the ratio of the sizes of a packing is not from 1 to 1000");
-  return Packer(options).run();
+  if (options.is_periodic) return Packer<Periodic_disc_kinetic_traits_2>(options).run();
+  return Packer<Disc_kinetic_traits_2>(options).run();
 }
 
 }  // namespace kinetri

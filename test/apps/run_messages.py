@@ -211,6 +211,7 @@ def run_cases():
                "--quiet", files={"d.csv": "x,y,vx,vy,growth\n1,3,1,0.5,1\n"}, ids="0",
                time="1.9999750605165867", until="2.1409489393833256", writes=True)
     yield case("generate packing --points 1 --share 0.8")
+    yield case("generate packing --points 1 --share 0.8 --periodic")
 
     def fault(name, until=1, **options):
         return case(f"simulate p.csv --until {until} --audit events --edges old.csv", faulty=True,

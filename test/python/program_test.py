@@ -297,6 +297,17 @@ def test_a_packing_is_that_of_generate(tmp_path):
         kinetri.packing(40, share=0)
 
 
+def test_a_packing_in_a_periodic_box_is_that_of_generate(tmp_path):
+    run_program("generate", "packing", "--points", 40, "--share", 0.6, "--side", 9, "--periodic", "--output", "p.csv",
+                directory=tmp_path)
+    columns, packing = kinetri.read_points(tmp_path / "p.csv"), kinetri.packing(40, share=0.6, side=9, periodic=True)
+    for name in ("positions", "velocities", "radius"):
+        assert np.array_equal(columns[name], packing[name]), name
+    assert packing["box"] == kinetri.Box((9, 9))
+    sim = kinetri.Simulation(**packing, collisions="elastic", refuse_overlaps=True)
+    assert sim.advance_to(1) > 0 and sim.audit()
+
+
 def test_a_table_has_the_columns_of_the_log(tmp_path):
     positions, velocities = uniform(60, 20)
     write_points(tmp_path / "points.csv", **file_columns({"positions": positions, "velocities": velocities}))

@@ -44,6 +44,7 @@ struct Packing_arguments {
   std::string share = "0.8";
   std::string sizes = "1";
   std::optional<std::string> growth;
+  bool periodic = false;
   std::string output = "-";
 };
 
@@ -147,9 +148,12 @@ std::string shell_word(const std::string& text) {
 }
 
 // The command that simulates the discs in their box, which the points file does not have.
-std::string command_for(const Box_2& box, const std::string& points) {
-  return joined("kinetri simulate ", shell_word(points), " --until 10 --box ", box.xmin, ",",
-                box.ymin, ",", box.xmax, ",", box.ymax, " --rim --collisions elastic --mass area");
+std::string command_for(const Box_2& box, bool is_periodic, const std::string& points) {
+  const std::string option = is_periodic ? joined("--periodic ", box.xmax, ",", box.ymax)
+                                         : joined("--box ", box.xmin, ",", box.ymin, ",", box.xmax,
+                                                  ",", box.ymax, " --rim");
+  return joined("kinetri simulate ", shell_word(points), " --until 10 ", option,
+                " --collisions elastic --mass area");
 }
 
 Exit_code generate_packing(const Packing_arguments& given) {
@@ -161,6 +165,7 @@ Exit_code generate_packing(const Packing_arguments& given) {
   options.speed = scenario_size_argument("--speed", given.speed, true);
   options.share = size_argument("--share", given.share, 1e-9, 0.9, false);
   options.size_ratio = size_ratio_argument(given.sizes);
+  options.is_periodic = given.periodic;
   std::optional<double> growth;
   if (given.growth) growth = scenario_size_argument("--growth", *given.growth);
 
@@ -186,7 +191,7 @@ Exit_code generate_packing(const Packing_arguments& given) {
   write_points(output.stream(), centers, radii, growths);
   output.commit();
   print_error(joined("To simulate these discs in their box:\n  ",
-                     command_for(packing.box, given.output), "\n"));
+                     command_for(packing.box, given.periodic, given.output), "\n"));
   return Exit_code::done;
 }
 
@@ -196,7 +201,8 @@ Command packing_command() {
   result.name = "packing";
   result.summary = "Discs that grow in a square box until they cover a share of it";
   result.description = {
-      "No two discs overlap, and all are within the box, exactly. It is an error if the discs jam "
+      "No two discs overlap, and all are within the box, exactly; in a periodic box no two images "
+      "overlap. It is an error if the discs jam "
       "before they cover the share: a thousand discs reach 0.82 if they are equal, and 0.8 with "
       "the ratio 1.4. The command that simulates them in this box is printed to standard "
       "error."};
@@ -209,6 +215,9 @@ Command packing_command() {
   result.add("--growth", &options->growth, "G",
              "Write a column growth, in proportion to the radii: G is the growth of the mean "
              "radius in a unit of time");
+  result.add_flag("--periodic", options->periodic,
+                  "A periodic box, without walls: discs that leave it on one side enter on the "
+                  "opposite one");
   result.add("--seed", &options->seed, "S",
              "Seed of the random numbers, from 0 to 2^64 - 1 (default 1)");
   result.add("--side", &options->side, "L", "Side of the square (default 10 sqrt(N))");
@@ -217,7 +226,8 @@ Command packing_command() {
              "Write the points here; - (default) is standard output");
   result.examples = {
       "kinetri generate packing --points 1000 --share 0.8 --sizes 1.4 --seed 1 > points.csv",
-      "kinetri generate packing --points 100 --share 0.1 --side 100 --growth 0.1 > points.csv"};
+      "kinetri generate packing --points 100 --share 0.1 --side 100 --growth 0.1 > points.csv",
+      "kinetri generate packing --points 1000 --share 0.8 --sizes 1.4 --periodic > points.csv"};
   result.run = [options](const Command& /*program*/) { return generate_packing(*options); };
   return result;
 }

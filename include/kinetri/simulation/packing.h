@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Dense random packings of discs in a box: discs that move, collide and grow up to a given area
-// fraction.
+// Dense random packings of discs in a box, with walls or periodic: discs that move, collide and
+// grow up to a given area fraction.
 #ifndef KINETRI_SIMULATION_PACKING_H
 #define KINETRI_SIMULATION_PACKING_H
 
@@ -30,11 +30,14 @@ struct Packing_options {
   /// The side of the square box; by default 10 sqrt(points), as in other scenarios.
   std::optional<double> side = std::nullopt;
   double speed = 5;  ///< bound of the velocity components of the result, as in other scenarios
+  bool is_periodic = false;  ///< whether the box is periodic, without walls
 };
 
 /// A packing.
 struct Packing {
-  Box_2 box;                         ///< the square [0, side] x [0, side]
+  /// The square [0, side] x [0, side]: walls; or a periodic box with the vectors (side, 0) and
+  /// (0, side).
+  Box_2 box;
   std::vector<Disc_motion_2> discs;  ///< at time 0, with random velocities; they do not grow
 };
 
@@ -47,7 +50,8 @@ class Packing_error : public Error {
 /// Makes a packing: points at random positions grow to discs, at rates proportional to their final
 /// sizes, and collide elastically with each other and, with their boundary circles, with the box.
 /// No two discs of the result overlap, and each is inside the box: proved exactly, over all pairs.
-/// The same options give the same numbers on every platform. Throws Packing_error. Cost: some
+/// In a periodic box their centers are in the box, and no two images overlap, of two discs or of
+/// one. The same options give the same numbers on every platform. Throws Packing_error. Cost: some
 /// hundred collisions for each disc.
 ///
 /// Source: B. Lubachevsky, F. Stillinger, Geometric properties of random disk packings, Journal of
