@@ -101,14 +101,14 @@ TEST_F(Generate, a_packing_says_how_it_is_simulated_in_its_box) {
 }
 
 TEST_F(Generate, a_packing_in_a_periodic_box_is_simulated_in_that) {
-  const Outcome outcome = generate({"packing", "--points", "12", "--share", "0.6", "--sizes", "2",
-                                    "--side", "16", "--periodic", "-o", "discs.csv"});
+  const Outcome outcome = generate({"packing", "--points", "12", "--share", "0.6", "--side", "16",
+                                    "--periodic", "-o", "discs.csv"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err,
             "To simulate these discs in their box:\n  kinetri simulate discs.csv --until 10 "
             "--periodic 16,16 --collisions elastic --mass area\n");
   const Packing expected =
-      make_packing({.points = 12, .share = 0.6, .size_ratio = 2, .side = 16, .is_periodic = true});
+      make_packing({.points = 12, .share = 0.6, .side = 16, .is_periodic = true});
   const Points_file found = read_points_file(file("discs.csv"));
   ASSERT_EQ(found.motions.size(), 12u);
   for (std::size_t i = 0; i < 12; ++i) {
@@ -116,7 +116,7 @@ TEST_F(Generate, a_packing_in_a_periodic_box_is_simulated_in_that) {
     EXPECT_EQ(found.radii[i], expected.discs[i].radius);
   }
   const Outcome simulated =
-      run({"simulate", "discs.csv", "--until", "10", "--periodic", "16,16", "--collisions",
+      run({"simulate", "discs.csv", "--until", "1", "--periodic", "16,16", "--collisions",
            "elastic", "--mass", "area", "--audit", "end", "--quiet"});
   EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
 }
