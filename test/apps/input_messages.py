@@ -100,7 +100,7 @@ def periodic_cases():
     yield simulate("--shear 0.5")
     yield simulate("--periodic 1,1e300 --shear 1e10", rate="1e10", height="1e+300")
     yield simulate("--periodic 1,1e-300 --shear 1e-100", rate="1e-100", height="1e-300")
-    for option in ("--box 0,0,9,9", "--rim", "--regular", "--replay e", "--certificates c",
+    for option in ("--box 0,0,9,9", "--rim", "--replay e", "--certificates c",
                    "--range 1",
                    "--neighbors n", "--exchanges n", "--nearest n", "--components n --range 1",
                    "--connected n --between 0,1 --range 1", "--spanning-tree n", "--areas n --cutoff 1",

@@ -51,7 +51,6 @@ void expect_periodic_options(const Simulate_options& options) {
   expect_periodic(options.run);
   if (options.box) refuse_with_periodic("--box");
   if (options.rim) refuse_with_periodic("--rim");
-  if (options.regular) refuse_with_periodic("--regular");
   if (options.replay) refuse_with_periodic("--replay");
 }
 
@@ -156,10 +155,10 @@ Command simulate_command() {
       "If discs of different or growing radii can touch something (--collisions, --rim), or with "
       "--regular, the triangulation is the regular triangulation of the discs, in which discs that "
       "touch are neighbors. Else it is the Delaunay triangulation of the centers.",
-      "In a periodic box (--periodic) the triangulation is that of all images of the points: one "
-      "of the torus, without a hull. Edges have offsets: how often the two vectors of the box are "
-      "added to the position of the second end. Such a run has no walls; its discs collide with "
-      "images of others, whose offsets are in the log.",
+      "In a periodic box (--periodic) the triangulation is that of all images of the points, or "
+      "discs: one of the torus, without a hull. Edges have offsets: how often the two vectors of "
+      "the box are added to the position of the second end. Such a run has no walls; its discs "
+      "collide with images of others, whose offsets are in the log.",
       "Discs that grow may become jammed, with any response: they have no free area left between "
       "one another or between walls. The run then ends, and the outputs hold what happened until "
       "then. It ends in the same way if points are accelerated against a wall or each other, and "
