@@ -76,7 +76,7 @@ class Cells {
    * beside the first point of an edge, and `shifts` lead to them from those beside the second. */
   updatePeriodic() {
     const {viewer, area, degree, anchorX, anchorY, ends} = this;
-    const {x, y, images, recording: {edgeA, edgeB, edgeX, edgeY, coincidences}} = viewer;
+    const {x, y, w, images, recording: {edgeA, edgeB, edgeX, edgeY, coincidences}} = viewer;
     const {live, liveCount, triangles} = viewer.playback;
     if (this.shifts.length < 2 * liveCount) this.shifts = new Float64Array(4 * liveCount);
     const {shifts} = this, shift = {x: 0, y: 0};
@@ -90,7 +90,8 @@ class Cells {
       shifts[2 * i] = shift.x;
       shifts[2 * i + 1] = shift.y;
       for (const isLeft of [false, true]) {
-        powerCenter(ANCHOR, x[a], y[a], 0, ...q, 0, ...place(a, triangles.imageAt(edge, isLeft)), 0);
+        const corner = triangles.imageAt(edge, isLeft);
+        powerCenter(ANCHOR, x[a], y[a], w[a], ...q, w[b], ...place(a, corner), w[corner[0]]);
         ends[at + (isLeft ? 2 : 0)] = ANCHOR.x;
         ends[at + (isLeft ? 3 : 1)] = ANCHOR.y;
       }
@@ -277,8 +278,10 @@ function areaOfPeriodicCell(playback, point) {
     const edge = live[i];
     if (edgeA[edge] !== point && edgeB[edge] !== point) continue;
     const p = place([edgeA[edge], 0, 0]), q = place([edgeB[edge], edgeX[edge], edgeY[edge]]);
+    const weight = (id) => motionWeight(recording, current[id], time);
     const [right, left] = [false, true].map((isLeft) => {
-      powerCenter(ANCHOR, ...p, 0, ...q, 0, ...place(triangles.imageAt(edge, isLeft)), 0);
+      const corner = triangles.imageAt(edge, isLeft);
+      powerCenter(ANCHOR, ...p, weight(edgeA[edge]), ...q, weight(edgeB[edge]), ...place(corner), weight(corner[0]));
       return [ANCHOR.x, ANCHOR.y];
     });
     const part = (from, [x, y], to) => ((from[0] - x) * (to[1] - y) - (from[1] - y) * (to[0] - x)) / 2;

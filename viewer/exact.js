@@ -73,8 +73,9 @@ function boxPolynomial({periodic}, vector, coordinate, number, origin) {
   return multiply({coefficients: [6n * BigInt(number)], exponent: 0}, value);
 }
 
-/** The weight of a motion, times 6^2: its radius squared, and what it has beside that. */
-function weightPolynomial({motionData: data, stride, motionSizes: sizes}, motion, origin) {
+/** The weight of a motion, or of an image, times 6^2: its radius squared, and what it has beside that. */
+function weightPolynomial({motionData: data, stride, motionSizes: sizes}, of, origin) {
+  const motion = typeof of === 'object' ? of.motion : of;
   const [radius, growth, weight] = sizes.subarray(3 * motion, 3 * motion + 3);
   const elapsed = add(subtract(constant(origin), constant(data[stride * motion])),
                       {coefficients: [0n, 1n], exponent: 0});

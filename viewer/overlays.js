@@ -134,11 +134,11 @@ function setVoronoiEnds(view, edge) {
 
 /** In a periodic box: beside the first end of the edge. There are no rays. */
 function setPeriodicVoronoiEnds(view, edge) {
-  const {sx, sy} = view;
+  const {sx, sy, sw} = view;
   const a = view.viewer.recording.edgeA[edge];
   for (const isLeft of [true, false]) {
     const [b, c] = imagesBeside(view, edge, isLeft);
-    powerCenter(CENTER, sx[a], sy[a], 0, b.x, b.y, 0, c.x, c.y, 0);
+    powerCenter(CENTER, sx[a], sy[a], sw[a], b.x, b.y, b.w, c.x, c.y, c.w);
     ENDS[isLeft ? 0 : 2] = CENTER.x;
     ENDS[isLeft ? 1 : 3] = CENTER.y;
   }
@@ -147,11 +147,11 @@ function setPeriodicVoronoiEnds(view, edge) {
 /** In a periodic box, on the screen: the image of the second end of the edge, and that of the corner to the
  * left or to the right, for an edge that begins at the first end. */
 function imagesBeside(view, edge, isLeft) {
-  const {sx, sy} = view;
+  const {sx, sy, sw} = view;
   const {playback: {triangles}, recording: {edgeA, edgeB, edgeX, edgeY}} = view.viewer;
   const place = ([id, x, y]) => {
     view.setShiftOf(edgeA[edge], id, x, y);
-    return {x: sx[id] + SHIFT.x, y: sy[id] + SHIFT.y};
+    return {x: sx[id] + SHIFT.x, y: sy[id] + SHIFT.y, w: sw[id]};
   };
   return [place([edgeB[edge], edgeX[edge], edgeY[edge]]), place(triangles.imageAt(edge, isLeft))];
 }

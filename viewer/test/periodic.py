@@ -44,6 +44,13 @@ class Periodic(Page):
     def simulate(cls, until, *outputs):
         runs.execute(cls.program, "simulate", cls.points, "--until", until, *BOX, *outputs, "--quiet")
 
+    def regular_points(self):
+        """A file of the points as discs of three sizes."""
+        rows = POINTS.splitlines()
+        result = self.folder / "regular.csv"
+        result.write_text(rows[0] + ",radius\n" + "".join(f"{row},{(0, 0.5, 2)[i % 3]}\n" for i, row in enumerate(rows[1:])))
+        return result
+
     def setUp(self):
         super().setUp()
         self.open(self.page)
@@ -220,6 +227,49 @@ class Periodic(Page):
         self.open(page)
         self.go_to(1)
         self.assertTrue(self.evaluate("kinetri.radii().every((radius) => radius === 0.75)"))
+
+    def test_power_cells_of_discs_cover_the_box(self):
+        """Of --regular: discs of three sizes, which hide others; the page has the program's edges, and cells of the
+        others alone."""
+        page, edges = self.folder / "regular.html", self.folder / "edges.csv"
+        points = self.regular_points()
+        hidden_points = set()
+        runs.execute(self.program, "simulate", points, "--until", 2, *BOX, "--regular", "--html", page, "--quiet")
+        for time in (0.5, 1.25, 2):
+            runs.execute(self.program, "simulate", points, "--until", time, *BOX, "--regular", "--edges", edges, "--quiet")
+            self.browser.open(page, f"#t={time}&show=voronoi,discs&color=area")
+            expected = edges_in(edges)
+            self.assertEqual(sorted(self.evaluate("kinetri.edges()")), sorted(expected))
+            hidden = set(range(len(self.motions))) - {end for edge in expected for end in edge[:2]}
+            hidden_points |= hidden
+            areas = self.evaluate("kinetri.areas()")
+            self.assertAlmostEqual(sum(area or 0 for area in areas), WIDTH * HEIGHT, 9)
+            self.assertEqual({i for i, area in enumerate(areas) if not area}, hidden)
+            # The panel of a point computes one cell by itself.
+            point = min(set(range(len(areas))) - hidden)
+            self.browser.open(page, f"#t={time}&point={point}")
+            said = self.evaluate("document.getElementById('point-facts').innerText")
+            self.assertIn(f"Cell area\n{areas[point]:.6g}"[:16], said)
+        self.assertGreater(len(hidden_points), 3)
+
+    def test_certificate_of_discs_is_that_of_images(self):
+        page, events = self.folder / "regular.html", self.folder / "regular-events.csv"
+        points = self.regular_points()
+        runs.execute(self.program, "simulate", points, "--until", 2, *BOX, "--regular", "--html", page, "--events", events,
+                     "--quiet")
+        checked = 0
+        with open(events, newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        for event in rows:
+            if event["kind"] != "flip" or event["time_lo"] == event["time_hi"] or checked == 6:
+                continue
+            before = math.nextafter(float(event["time_lo"]), -1)
+            offset = event["removed_offset"].replace(" ", ",")
+            self.browser.open(page, f"#t={before!r}&edge={event['removed_a']}-{event['removed_b']},{offset}")
+            facts = self.evaluate("document.getElementById('certificate-facts').innerText")
+            self.assertIn("positive at the lower one, negative at the upper one (exact)", facts, event)
+            checked += 1
+        self.assertEqual(checked, 6)
 
     def test_damaged(self):
         recording = runs.recording_of(self.page)
