@@ -238,6 +238,7 @@ KINETRI_INSTANTIATE(Polynomial_kinetic_traits_2);
 KINETRI_INSTANTIATE(Disc_kinetic_traits_2);
 KINETRI_INSTANTIATE(Polynomial_disc_kinetic_traits_2);
 KINETRI_INSTANTIATE(Periodic_kinetic_traits_2);
+KINETRI_INSTANTIATE(Periodic_disc_kinetic_traits_2);
 #undef KINETRI_INSTANTIATE
 
 }  // namespace kinetri

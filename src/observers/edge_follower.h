@@ -244,11 +244,13 @@ extern template class Neighbor_graph<Polynomial_kinetic_traits_2>;
 extern template class Neighbor_graph<Disc_kinetic_traits_2>;
 extern template class Neighbor_graph<Polynomial_disc_kinetic_traits_2>;
 extern template class Neighbor_graph<Periodic_kinetic_traits_2>;
+extern template class Neighbor_graph<Periodic_disc_kinetic_traits_2>;
 extern template class Edge_follower<Linear_kinetic_traits_2>;
 extern template class Edge_follower<Polynomial_kinetic_traits_2>;
 extern template class Edge_follower<Disc_kinetic_traits_2>;
 extern template class Edge_follower<Polynomial_disc_kinetic_traits_2>;
 extern template class Edge_follower<Periodic_kinetic_traits_2>;
+extern template class Edge_follower<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 

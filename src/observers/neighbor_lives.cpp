@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <concepts>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -61,13 +60,29 @@ struct Interval_point {
   Interval weight;
 };
 
+Interval_point interval_place(const Linear_motion_2& path, double t) {
+  const Interval elapsed = Interval(t) - Interval(path.epoch);
+  return {path.position.x + path.velocity.x * elapsed, path.position.y + path.velocity.y * elapsed,
+          0};
+}
+
+Interval_point interval_place(const Image_motion_2& image, double t) {
+  Interval_point result = interval_place(image.motion, t);
+  const auto add = [&](double times, const Linear_motion_2& vector) {
+    const Interval_point there = interval_place(vector, t);
+    result.x += times * there.x;
+    result.y += times * there.y;
+  };
+  if (image.offset.x != 0) add(image.offset.x, image.box->first());
+  if (image.offset.y != 0) add(image.offset.y, image.box->second());
+  return result;
+}
+
 template <class Motion>
 Interval_point interval_point(const Motion& motion, double t) {
-  const Linear_motion_2& path = center(motion);
-  const Interval elapsed = Interval(t) - Interval(path.epoch);
-  Interval_point result = {path.position.x + path.velocity.x * elapsed,
-                           path.position.y + path.velocity.y * elapsed, 0};
+  Interval_point result = interval_place(center(motion), t);
   if constexpr (HasWeight<Motion>) {
+    const Interval elapsed = Interval(t) - Interval(epoch_of(motion));
     result.weight = CGAL::square(motion.radius + motion.growth * elapsed) + motion.weight;
   }
   return result;
@@ -113,7 +128,7 @@ const char* name(Life_limit limit) {
 namespace detail {
 
 // Follows the triangles at the edges, and records when edges begin and end.
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 class Life_recorder final : private Edge_follower<Traits> {
  public:
   using Time = Algebraic_number;
@@ -128,10 +143,13 @@ class Life_recorder final : private Edge_follower<Traits> {
  private:
   using Base = Edge_follower<Traits>;
   using typename Base::Changed_point;
-  using typename Base::Motion;
-  using typename Base::Point_2;
+  using typename Base::Edge_name;
+  using typename Base::Image_2;
+  using typename Base::Neighbor;
+  using Motion = typename Image_2::Motion;
   using Index = std::size_t;
-  using Opposite = std::array<Point_id, 2>;  // sorted; no_point of the infinite vertex
+  // Sorted, as the first end of the edge sees them; no_neighbor for the infinite vertex.
+  using Opposite = std::array<Neighbor, 2>;
 
   static constexpr Index none = static_cast<Index>(-1);
 
@@ -145,9 +163,10 @@ class Life_recorder final : private Edge_follower<Traits> {
   /// A present edge. All but `index` is kept with a threshold only.
   struct Present {
     Index index = none;
-    Opposite opposite = {no_point, no_point};  // the points of the triangles at the edge ...
-    Time since;                                // ... from then on
-    bool is_long = false;                      // the ridge has reached the threshold
+    // The points of the triangles at the edge ...
+    Opposite opposite = {no_neighbor<Traits>(), no_neighbor<Traits>()};
+    Time since;            // ... from then on
+    bool is_long = false;  // the ridge has reached the threshold
   };
 
   struct Presence {
@@ -157,46 +176,50 @@ class Life_recorder final : private Edge_follower<Traits> {
 
   void start();
   void advance(const Time& time) override { now_ = time; }
-  void before_change(std::span<const Edge_ids> removed,
+  void before_change(std::span<const Edge_name> removed,
                      std::span<const Changed_point> points) override;
-  void change(const Time& time, std::span<const Edge_ids> removed, std::span<const Edge_ids> added,
-              std::span<const Changed_point> points) override;
+  void change(const Time& time, std::span<const Edge_name> removed,
+              std::span<const Edge_name> added, std::span<const Changed_point> points) override;
   void change_triangles(std::span<const Edge_ids> edges) override;
 
-  void follow_opposites(std::span<const Edge_ids> removed, std::span<const Edge_ids> added);
-  void add_points_around(std::span<const Edge_ids> edges, std::set<Point_id>& around) const;
+  static Life new_life(const Edge_name& edge, const Time& begin, Life_limit begins_by) {
+    return {{ids_of(edge), begin, begin, begins_by, Life_limit::run, false, offset_of(edge)}};
+  }
+  void follow_opposites(std::span<const Edge_name> removed, std::span<const Edge_name> added);
+  template <class Name>
+  void add_points_around(std::span<const Name> edges, std::set<Point_id>& around) const;
   void update_opposites(const std::set<Point_id>& around);
-  std::vector<Point_id> common_neighbors(Point_id a, Point_id b) const;
-  Opposite opposite(const Edge_ids& edge) const;
-  void end_piece(const Edge_ids& edge);
-  bool reaches_threshold(const Edge_ids& edge, const Present& present, const Time& until) const;
+  std::vector<Neighbor> common_neighbors(Point_id id, const Neighbor& other) const;
+  Opposite opposite(const Edge_name& edge) const;
+  void end_piece(const Edge_name& edge);
+  bool reaches_threshold(const Edge_name& edge, const Present& present, const Time& until) const;
   std::vector<bool> short_lives() const;
 
   std::optional<double> threshold_;
   Time now_;
   std::vector<Life> lives_;
-  std::map<Edge_ids, Present> present_;
+  std::map<Edge_name, Present> present_;
   std::map<Point_id, Presence> presences_;
   // Of the change in progress: the former neighbors of changed points, and removed edges.
-  std::vector<std::pair<Point_id, std::vector<Point_id>>> neighbors_before_;
-  std::map<Edge_ids, Present> ended_;
+  std::vector<std::pair<Point_id, std::vector<Neighbor>>> neighbors_before_;
+  std::map<Edge_name, Present> ended_;
 };
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Life_recorder<Traits>::Life_recorder(Simulation_2<Traits>& simulation,
                                      std::optional<double> ridge_threshold)
     : Base(simulation), threshold_(ridge_threshold) {
   start();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Life_recorder<Traits>::Life_recorder(Triangulation& triangulation,
                                      std::optional<double> ridge_threshold)
     : Base(triangulation), threshold_(ridge_threshold) {
   start();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Life_recorder<Traits>::start() {
   KINETRI_PRECONDITION(!threshold_ || (std::isfinite(*threshold_) && *threshold_ > 0),
                        "the threshold of ridges is not positive and finite");
@@ -204,19 +227,19 @@ void Life_recorder<Traits>::start() {
   for (Point_id id = 0; id < this->graph().next_id(); ++id) {
     if (this->graph().contains(id)) presences_.emplace(id, Presence{now_, std::nullopt});
   }
-  for (const Edge_ids& edge : this->graph().edges()) {
+  for (const Edge_name& edge : this->graph().edges()) {
     Present present;
     present.index = lives_.size();
     present.since = now_;
     if (threshold_) present.opposite = opposite(edge);
     present_.emplace(edge, std::move(present));
-    lives_.push_back({{edge, now_, now_}});
+    lives_.push_back(new_life(edge, now_, Life_limit::run));
   }
 }
 
 // ---- answers ----
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 std::vector<Neighbor_life> Life_recorder<Traits>::lives() {
   this->update();
   const Time& now = this->triangulation().current_time();
@@ -229,12 +252,12 @@ std::vector<Neighbor_life> Life_recorder<Traits>::lives() {
     if (life.begin != life.end) result.push_back(std::move(life));
   }
   std::ranges::stable_sort(result, [](const Neighbor_life& a, const Neighbor_life& b) {
-    return std::tie(a.begin, a.points) < std::tie(b.begin, b.points);
+    return std::tie(a.begin, a.points, a.offset) < std::tie(b.begin, b.points, b.offset);
   });
   return result;
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 std::vector<Point_exchanges> Life_recorder<Traits>::exchanges() {
   this->update();
   const Time& now = this->triangulation().current_time();
@@ -264,7 +287,7 @@ std::vector<Point_exchanges> Life_recorder<Traits>::exchanges() {
 }
 
 // Whether each lifetime is short up to now.
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 std::vector<bool> Life_recorder<Traits>::short_lives() const {
   std::vector<bool> result(lives_.size(), false);
   for (Index i = 0; i < lives_.size(); ++i) result[i] = lives_[i].life.is_short;
@@ -278,8 +301,8 @@ std::vector<bool> Life_recorder<Traits>::short_lives() const {
 
 // ---- called by the base ----
 
-template <ContactKineticTraits_2 Traits>
-void Life_recorder<Traits>::before_change(std::span<const Edge_ids> removed,
+template <DistanceKineticTraits_2 Traits>
+void Life_recorder<Traits>::before_change(std::span<const Edge_name> removed,
                                           std::span<const Changed_point> points) {
   const auto& graph = this->graph();
   neighbors_before_.clear();
@@ -287,26 +310,26 @@ void Life_recorder<Traits>::before_change(std::span<const Edge_ids> removed,
     if (!changed.before) continue;
     const auto neighbors = graph.neighbors(changed.id);
     neighbors_before_.emplace_back(changed.id,
-                                   std::vector<Point_id>(neighbors.begin(), neighbors.end()));
+                                   std::vector<Neighbor>(neighbors.begin(), neighbors.end()));
     if (!threshold_) continue;
     // The ridges that depend on the motion: of its edges, and of those opposite to it.
-    for (const Point_id other : neighbors) {
-      end_piece(edge_ids(changed.id, other));
-      for (const Point_id third : common_neighbors(changed.id, other)) {
-        end_piece(edge_ids(other, third));
+    for (const Neighbor& other : neighbors) {
+      end_piece(pair_of(changed.id, other));
+      for (const Neighbor& third : common_neighbors(changed.id, other)) {
+        end_piece(pair_of(id_of(other), seen_from(other, third)));
       }
     }
   }
   ended_.clear();
-  for (const Edge_ids& edge : removed) {
+  for (const Edge_name& edge : removed) {
     end_piece(edge);
     ended_.insert(present_.extract(edge));
   }
 }
 
-template <ContactKineticTraits_2 Traits>
-void Life_recorder<Traits>::change(const Time& time, std::span<const Edge_ids> removed,
-                                   std::span<const Edge_ids> added,
+template <DistanceKineticTraits_2 Traits>
+void Life_recorder<Traits>::change(const Time& time, std::span<const Edge_name> removed,
+                                   std::span<const Edge_name> added,
                                    std::span<const Changed_point> points) {
   const auto& graph = this->graph();
   now_ = time;
@@ -315,21 +338,20 @@ void Life_recorder<Traits>::change(const Time& time, std::span<const Edge_ids> r
   for (const auto& [id, neighbors] : neighbors_before_) {
     if (graph.contains(id)) continue;
     near.insert(id);
-    near.insert(neighbors.begin(), neighbors.end());
+    for (const Neighbor& neighbor : neighbors) near.insert(id_of(neighbor));
     presences_.at(id).until = time;
   }
   for (const Changed_point& changed : points) {
     if (changed.before) continue;
     near.insert(changed.id);
-    const auto neighbors = graph.neighbors(changed.id);
-    near.insert(neighbors.begin(), neighbors.end());
+    for (const Neighbor& neighbor : graph.neighbors(changed.id)) near.insert(id_of(neighbor));
     presences_.insert_or_assign(changed.id, Presence{time, std::nullopt});
   }
-  const auto limit = [&](const Edge_ids& edge) {
-    return near.contains(edge[0]) && near.contains(edge[1]) ? Life_limit::point
-                                                            : Life_limit::exchange;
+  const auto limit = [&](const Edge_name& edge) {
+    const auto& [a, b] = ids_of(edge);
+    return near.contains(a) && near.contains(b) ? Life_limit::point : Life_limit::exchange;
   };
-  for (const Edge_ids& edge : removed) {
+  for (const Edge_name& edge : removed) {
     const Present& present = ended_.at(edge);
     Life& ended = lives_[present.index];
     ended.has_ended = true;
@@ -337,18 +359,18 @@ void Life_recorder<Traits>::change(const Time& time, std::span<const Edge_ids> r
     ended.life.ends_by = limit(edge);
     ended.life.is_short = threshold_.has_value() && !present.is_long;
   }
-  for (const Edge_ids& edge : added) {
+  for (const Edge_name& edge : added) {
     Present present;
     present.index = lives_.size();
     present.since = time;
     present_.emplace(edge, std::move(present));
-    lives_.push_back({{edge, time, time, limit(edge)}});
+    lives_.push_back(new_life(edge, time, limit(edge)));
   }
   if (threshold_) follow_opposites(removed, added);
 }
 
 // When points meet, triangles may change although no edge does.
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Life_recorder<Traits>::change_triangles(std::span<const Edge_ids> edges) {
   if (!threshold_) return;
   std::set<Point_id> around;
@@ -357,46 +379,53 @@ void Life_recorder<Traits>::change_triangles(std::span<const Edge_ids> edges) {
 }
 
 // Updates the triangles at edges near added and removed ones.
-template <ContactKineticTraits_2 Traits>
-void Life_recorder<Traits>::follow_opposites(std::span<const Edge_ids> removed,
-                                             std::span<const Edge_ids> added) {
+template <DistanceKineticTraits_2 Traits>
+void Life_recorder<Traits>::follow_opposites(std::span<const Edge_name> removed,
+                                             std::span<const Edge_name> added) {
   std::set<Point_id> around;
   add_points_around(removed, around);
   add_points_around(added, around);
   update_opposites(around);
-  for (const Edge_ids& edge : added) {
+  for (const Edge_name& edge : added) {
     const Present& present = present_.at(edge);
-    const auto replaced = ended_.find(present.opposite);
-    if (replaced == ended_.end() || replaced->second.opposite != edge) continue;
+    const auto& [r, s] = present.opposite;
+    if (id_of(s) == no_point) continue;
+    const auto replaced = ended_.find(pair_of(id_of(r), seen_from(r, s)));
+    if (replaced == ended_.end()) continue;
+    const auto& [p, q] = replaced->second.opposite;
+    if (id_of(q) == no_point || pair_of(id_of(p), seen_from(p, q)) != edge) continue;
     lives_[present.index].replaced = replaced->second.index;
     lives_[replaced->second.index].replaced_by = present.index;
   }
 }
 
-// Adds the ends of edges and their common neighbors; of an erased point, the other ends of its
-// edges.
-template <ContactKineticTraits_2 Traits>
-void Life_recorder<Traits>::add_points_around(std::span<const Edge_ids> edges,
+// Adds the ends of edges and their common neighbors, be they of the same images or not; of an
+// erased point, the other ends of its edges.
+template <DistanceKineticTraits_2 Traits>
+template <class Name>
+void Life_recorder<Traits>::add_points_around(std::span<const Name> edges,
                                               std::set<Point_id>& around) const {
   const auto& graph = this->graph();
-  for (const Edge_ids& edge : edges) {
-    for (const Point_id id : edge) {
+  for (const Name& edge : edges) {
+    const auto& [a, b] = ids_of(edge);
+    for (const Point_id id : {a, b}) {
       if (graph.contains(id)) around.insert(id);
     }
-    if (!graph.contains(edge[0]) || !graph.contains(edge[1])) continue;
-    const auto between = common_neighbors(edge[0], edge[1]);
-    around.insert(between.begin(), between.end());
+    if (!graph.contains(a) || !graph.contains(b)) continue;
+    for (const Neighbor& between : graph.neighbors(a)) {
+      const auto is_it = [&](const Neighbor& of_b) { return id_of(of_b) == id_of(between); };
+      if (std::ranges::any_of(graph.neighbors(b), is_it)) around.insert(id_of(between));
+    }
   }
 }
 
 // Updates the triangles of all edges between these points.
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Life_recorder<Traits>::update_opposites(const std::set<Point_id>& around) {
-  const auto& graph = this->graph();
   for (const Point_id id : around) {
-    for (const Point_id other : graph.neighbors(id)) {
-      if (other < id || !around.contains(other)) continue;
-      const Edge_ids edge = {id, other};
+    for (const Neighbor& other : this->graph().neighbors(id)) {
+      if (!is_first(id, other) || !around.contains(id_of(other))) continue;
+      const Edge_name edge = pair_of(id, other);
       const Opposite now = opposite(edge);
       Present& present = present_.at(edge);
       if (present.opposite == now) continue;
@@ -409,45 +438,50 @@ void Life_recorder<Traits>::update_opposites(const std::set<Point_id>& around) {
 
 // ---- ridges ----
 
-template <ContactKineticTraits_2 Traits>
-std::vector<Point_id> Life_recorder<Traits>::common_neighbors(Point_id a, Point_id b) const {
-  const auto of_b = this->graph().neighbors(b);
-  std::vector<Point_id> result;
-  std::ranges::copy_if(this->graph().neighbors(a), std::back_inserter(result),
-                       [&](Point_id id) { return std::ranges::find(of_b, id) != of_b.end(); });
+// The neighbors of a point that are neighbors of one of its neighbors, too.
+template <DistanceKineticTraits_2 Traits>
+auto Life_recorder<Traits>::common_neighbors(Point_id id, const Neighbor& other) const
+    -> std::vector<Neighbor> {
+  const auto of_other = this->graph().neighbors(id_of(other));
+  std::vector<Neighbor> result;
+  for (const Neighbor& third : this->graph().neighbors(id)) {
+    if (std::ranges::find(of_other, seen_from(other, third)) != of_other.end()) {
+      result.push_back(third);
+    }
+  }
   return result;
 }
 
 // The third points of the triangles at an edge just after now: on each side the common neighbor
 // whose circle contains no other one. It is unique even among cocircular ones: edges from two of
 // them to both ends would cross.
-template <ContactKineticTraits_2 Traits>
-auto Life_recorder<Traits>::opposite(const Edge_ids& edge) const -> Opposite {
-  const auto& graph = this->graph();
+template <DistanceKineticTraits_2 Traits>
+auto Life_recorder<Traits>::opposite(const Edge_name& edge) const -> Opposite {
   const auto instantaneous = this->traits().instantaneous_traits(Instant{now_, Time_side::after});
   const auto orientation = instantaneous.orientation_2_object();
   const auto side_of_circle = instantaneous.side_of_oriented_circle_2_object();
-  Opposite result = {no_point, no_point};
-  const std::vector<Point_id> candidates = common_neighbors(edge[0], edge[1]);
-  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-    const Point_2& p = graph.point(edge[side]);
-    const Point_2& q = graph.point(edge[1 - side]);
-    for (const Point_id id : candidates) {
-      const Point_2& r = graph.point(id);
-      if (orientation(p, q, r) != CGAL::LEFT_TURN) continue;
-      if (result[side] == no_point ||
-          side_of_circle(p, q, graph.point(result[side]), r) == CGAL::ON_POSITIVE_SIDE) {
-        result[side] = id;
-      }
-    }
+  const Image_2& first = this->first_end(edge);
+  const Image_2& second = this->second_end(edge);
+  Opposite result = {no_neighbor<Traits>(), no_neighbor<Traits>()};
+  for (const Neighbor& candidate : common_neighbors(ids_of(edge)[0], second_of(edge))) {
+    const Image_2& r = this->image(candidate);
+    const auto turn = orientation(first, second, r);
+    if (turn == CGAL::COLLINEAR) continue;
+    const bool is_left = turn == CGAL::LEFT_TURN;
+    Neighbor& best = result[is_left ? 0 : 1];
+    const auto is_in_circle = [&](const Image_2& of_best) {
+      return side_of_circle(is_left ? first : second, is_left ? second : first, of_best, r) ==
+             CGAL::ON_POSITIVE_SIDE;
+    };
+    if (id_of(best) == no_point || is_in_circle(this->image(best))) best = candidate;
   }
   std::ranges::sort(result);
   return result;
 }
 
 // The quadrilateral of the edge, or one of its motions, ends now.
-template <ContactKineticTraits_2 Traits>
-void Life_recorder<Traits>::end_piece(const Edge_ids& edge) {
+template <DistanceKineticTraits_2 Traits>
+void Life_recorder<Traits>::end_piece(const Edge_name& edge) {
   if (!threshold_) return;
   const auto found = present_.find(edge);
   if (found == present_.end()) return;
@@ -457,30 +491,27 @@ void Life_recorder<Traits>::end_piece(const Edge_ids& edge) {
 }
 
 // Whether the ridge reaches the threshold at a time since the present piece began.
-template <ContactKineticTraits_2 Traits>
-bool Life_recorder<Traits>::reaches_threshold(const Edge_ids& edge, const Present& present,
+template <DistanceKineticTraits_2 Traits>
+bool Life_recorder<Traits>::reaches_threshold(const Edge_name& edge, const Present& present,
                                               const Time& until) const {
   if (present.since == until) return false;
-  if (present.opposite[1] == no_point) return true;
-  const auto& graph = this->graph();
-  const auto center_at = [&](Point_id id) {
-    return center(graph.point(edge[0]), graph.point(edge[1]), graph.point(id));
-  };
-  if constexpr (std::same_as<Center_motion_of<Motion>, Linear_motion_2>) {
+  if (id_of(present.opposite[1]) == no_point) return true;
+  const Image_2& p = this->first_end(edge);
+  const Image_2& q = this->second_end(edge);
+  const Image_2& r = this->image(present.opposite[0]);
+  const Image_2& s = this->image(present.opposite[1]);
+  if constexpr (!std::same_as<Center_motion_of<Motion>, Polynomial_motion_2>) {
     const double from = present.since.interval().upper;
     const double to = until.interval().lower;
-    const auto motion = [&](Point_id id) -> const Motion& { return graph.point(id).motion(); };
     for (const double share : {0.5, 0.125, 0.875}) {
       const double t = from + share * (to - from);
       if (t >= from && t <= to &&
-          are_certainly_apart(motion(edge[0]), motion(edge[1]), motion(present.opposite[0]),
-                              motion(present.opposite[1]), *threshold_, t)) {
+          are_certainly_apart(p.motion(), q.motion(), r.motion(), s.motion(), *threshold_, t)) {
         return true;
       }
     }
   }
-  const Polynomial excess = distance_polynomial(center_at(present.opposite[0]),
-                                                center_at(present.opposite[1]), *threshold_);
+  const Polynomial excess = distance_polynomial(center(p, q, r), center(p, q, s), *threshold_);
   if (sign_at(excess, until) != CGAL::NEGATIVE) return true;
   if (sign_at(excess, present.since) != CGAL::NEGATIVE) return true;
   if (excess.sign_at(simplest_between(present.since, until)) != CGAL::NEGATIVE) return true;
@@ -490,25 +521,25 @@ bool Life_recorder<Traits>::reaches_threshold(const Edge_ids& edge, const Presen
 
 }  // namespace detail
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Neighbor_lives<Traits>::Neighbor_lives(Simulation_2<Traits>& simulation,
                                        std::optional<double> ridge_threshold)
     : recorder_(std::make_unique<detail::Life_recorder<Traits>>(simulation, ridge_threshold)) {}
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Neighbor_lives<Traits>::Neighbor_lives(Triangulation& triangulation,
                                        std::optional<double> ridge_threshold)
     : recorder_(std::make_unique<detail::Life_recorder<Traits>>(triangulation, ridge_threshold)) {}
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Neighbor_lives<Traits>::~Neighbor_lives() = default;
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 std::vector<Neighbor_life> Neighbor_lives<Traits>::lives() {
   return recorder_->lives();
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 std::vector<Point_exchanges> Neighbor_lives<Traits>::exchanges() {
   return recorder_->exchanges();
 }
@@ -517,5 +548,7 @@ template class Neighbor_lives<Linear_kinetic_traits_2>;
 template class Neighbor_lives<Polynomial_kinetic_traits_2>;
 template class Neighbor_lives<Disc_kinetic_traits_2>;
 template class Neighbor_lives<Polynomial_disc_kinetic_traits_2>;
+template class Neighbor_lives<Periodic_kinetic_traits_2>;
+template class Neighbor_lives<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri

@@ -16,44 +16,101 @@
 #include <vector>
 
 #include "kinetri/observers/neighbor_lives.h"
+#include "observers/edge_follower.h"
 #include "support/brute_force_simulator.h"
 #include "support/disc_runs.h"
+#include "support/images.h"
 #include "support/query_oracle.h"
 
 namespace kinetri::test {
 
-/// The points opposite of an edge, sorted; no_point at the hull.
-using Opposite = std::array<Point_id, 2>;
+/// The points opposite of an edge as its first end sees them, sorted; at the hull no_point.
+template <class Traits>
+using Opposite = std::array<detail::Neighbor_name<Traits>, 2>;
 
 template <class Traits>
 struct Snapshot {
+  using Edge = detail::Edge_name<Traits>;
+
   Algebraic_number time;
-  std::map<Edge_ids, Opposite> edges;
+  std::map<Edge, Opposite<Traits>> edges;
   std::map<Point_id, typename Traits::Motion> motions;
+  const Periodic_box_2* box = nullptr;
+
+  Static_point place_at(Point_id id, const Rational& t) const {
+    return test::place_at(center(motions.at(id)), t);
+  }
+  Static_point place_at(const Periodic_image& image, const Rational& t) const {
+    return test::place_at(Image_motion_2{center(motions.at(image.id)), image.offset, box}, t);
+  }
 };
+
+/// The link of a point with the one that hides it, of the same place at two times.
+template <class Traits>
+auto link_of(const Snapshot<Traits>& now, Point_id shown, Point_id id) {
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    for (int x = -9; x <= 9; ++x) {
+      for (int y = -9; y <= 9; ++y) {
+        const Periodic_image image = {id, {x, y}};
+        if (now.place_at(shown, 0) == now.place_at(image, 0) &&
+            now.place_at(shown, 1) == now.place_at(image, 1)) {
+          return Periodic_edge{{shown, id}, image.offset};
+        }
+      }
+    }
+    ADD_FAILURE() << "the image at " << id << " is far away";
+    return Periodic_edge();
+  } else {
+    return Edge_ids{shown, id};
+  }
+}
 
 template <class Traits>
 Snapshot<Traits> snapshot_of(const Kinetic_triangulation_2<Traits>& kinetic) {
+  constexpr Opposite<Traits> none = {detail::no_neighbor<Traits>(), detail::no_neighbor<Traits>()};
   Snapshot<Traits> result{kinetic.current_time(), {}, {}};
   for (Point_id id = 0; id < kinetic.next_id(); ++id) {
-    if (!kinetic.contains(id)) continue;
-    result.motions.emplace(id, kinetic.motion(id));
+    if (kinetic.contains(id)) result.motions.emplace(id, kinetic.motion(id));
+  }
+  if constexpr (PeriodicKineticTraits_2<Traits>) result.box = &kinetic.traits().box();
+  for (const auto& [id, unused] : result.motions) {
     const Point_id shown = kinetic.vertex(id)->point().id();
-    if (shown != id) result.edges.emplace(Edge_ids{shown, id}, Opposite{no_point, no_point});
+    if (shown != id) result.edges.emplace(link_of(result, shown, id), none);
   }
   const auto& triangulation = kinetic.triangulation();
-  for (const Edge_ids& edge : kinetic.finite_edge_ids()) {
-    result.edges.emplace(edge, Opposite{no_point, no_point});
-  }
-  if (triangulation.dimension() < 2) return result;
-  for (const auto& [face, i] : triangulation.finite_edges()) {
-    const auto id = [&](auto vertex) {
-      return triangulation.is_infinite(vertex) ? no_point : vertex->point().id();
-    };
-    Opposite opposite = {id(face->vertex(i)), id(triangulation.mirror_vertex(face, i))};
-    std::ranges::sort(opposite);
-    result.edges[edge_ids(id(face->vertex(triangulation.cw(i))),
-                          id(face->vertex(triangulation.ccw(i))))] = opposite;
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    for (const auto& edge : triangulation.finite_edges()) {
+      const auto& [face, i] = edge;
+      const auto corner = [&, f = face, from = triangulation.ccw(i)](int k) {
+        return Periodic_image{f->vertex(k)->point().id(), triangulation.offset(f, from, k)};
+      };
+      const Periodic_image p = corner(triangulation.ccw(i));
+      const Periodic_image q = corner(triangulation.cw(i));
+      const Periodic_image r = corner(i);
+      const auto beyond = triangulation.offset_beyond(edge, triangulation.ccw(i));
+      const auto [neighbor, k] = triangulation.mirror(edge);
+      const Periodic_image s = {neighbor->vertex(k)->point().id(), *beyond};
+      const Periodic_edge name = periodic_edge(p.id, q.id, q.offset);
+      const bool is_reversed = name != Periodic_edge{{p.id, q.id}, q.offset};
+      const auto seen = [&](const Periodic_image& image) {
+        return is_reversed ? detail::seen_from(q, image) : image;
+      };
+      Opposite<Traits> opposite = {seen(r), seen(s)};
+      std::ranges::sort(opposite);
+      result.edges.emplace(name, opposite);
+    }
+  } else {
+    for (const Edge_ids& edge : kinetic.finite_edge_ids()) result.edges.emplace(edge, none);
+    if (triangulation.dimension() < 2) return result;
+    for (const auto& [face, i] : triangulation.finite_edges()) {
+      const auto id = [&](auto vertex) {
+        return triangulation.is_infinite(vertex) ? no_point : vertex->point().id();
+      };
+      Opposite<Traits> opposite = {id(face->vertex(i)), id(triangulation.mirror_vertex(face, i))};
+      std::ranges::sort(opposite);
+      result.edges[edge_ids(id(face->vertex(triangulation.cw(i))),
+                            id(face->vertex(triangulation.ccw(i))))] = opposite;
+    }
   }
   return result;
 }
@@ -74,20 +131,23 @@ inline bool is_negative_at(const Real_root& root, const Polynomial& excess,
 
 /// Whether the ridge of the edge is as long as `length` at some time of the closed interval.
 template <class Traits>
-bool reaches(const Snapshot<Traits>& now, const Edge_ids& edge, double length,
+bool reaches(const Snapshot<Traits>& now, const detail::Edge_name<Traits>& edge, double length,
              const Algebraic_number& until) {
-  const Opposite& opposite = now.edges.at(edge);
-  if (opposite[1] == no_point) return true;
+  const Opposite<Traits>& opposite = now.edges.at(edge);
+  if (detail::id_of(opposite[1]) == no_point) return true;
   // The excess of the squared length, times a square; and the latter.
   const auto excess_and_square = [&](const Rational& t) {
-    const auto place = [&](Point_id id) { return place_at(now.motions.at(id), t); };
-    const auto weight = [&](Point_id id) { return weight_at(now.motions.at(id), t); };
+    const Point_id first = detail::ids_of(edge)[0];
+    const auto second = detail::second_of(edge);
+    const auto weight = [&](const auto& point) {
+      return weight_at(now.motions.at(detail::id_of(point)), t);
+    };
     // The center less the place of the first end, times a denominator; and that.
-    const auto center = [&](Point_id id) {
-      const auto q = place(edge[1]) - place(edge[0]);
-      const auto r = place(id) - place(edge[0]);
-      const Rational of_q = q.squared_length() - weight(edge[1]) + weight(edge[0]);
-      const Rational of_r = r.squared_length() - weight(id) + weight(edge[0]);
+    const auto center = [&](const auto& third) {
+      const auto q = now.place_at(second, t) - now.place_at(first, t);
+      const auto r = now.place_at(third, t) - now.place_at(first, t);
+      const Rational of_q = q.squared_length() - weight(second) + weight(first);
+      const Rational of_r = r.squared_length() - weight(third) + weight(first);
       return std::tuple(Rational(r.y() * of_q - q.y() * of_r),
                         Rational(q.x() * of_r - r.x() * of_q),
                         Rational(2 * CGAL::determinant(q, r)));
@@ -114,20 +174,20 @@ bool reaches(const Snapshot<Traits>& now, const Edge_ids& edge, double length,
   });
 }
 
-/// Steps through a run, and knows its lives.
-template <class Traits>
+/// Steps through a run of a simulation or a triangulation, and knows its lives.
+template <class Observed>
 class Stepped_run {
  public:
-  explicit Stepped_run(Simulation_2<Traits>& simulation) : simulation_(simulation) { look(); }
+  explicit Stepped_run(Observed& observed) : observed_(observed) { look(); }
 
   // Looks at the triangulation when that has changed. Points may meet without an event: the caller
   // looks then.
   void step_to(const Algebraic_number& until) {
-    while (simulation_.step(until) > 0) look();
-    simulation_.advance_to(until);
+    while (observed_.step(until) > 0) look();
+    observed_.advance_to(until);
   }
   void look() {
-    Snapshot<Traits> now = snapshot_of(simulation_.triangulation());
+    auto now = snapshot_of(detail::triangulation_of(observed_));
     if (!snapshots_.empty() && snapshots_.back().time == now.time) snapshots_.pop_back();
     snapshots_.push_back(std::move(now));
   }
@@ -135,24 +195,25 @@ class Stepped_run {
   // In their order; without limits.
   std::vector<Neighbor_life> lives(std::optional<double> threshold) const {
     std::vector<Neighbor_life> result;
-    std::map<Edge_ids, Neighbor_life> present;
-    const auto end = [&](const Edge_ids& edge, const Algebraic_number& time) {
+    std::map<Edge, Neighbor_life> present;
+    const auto end = [&](const Edge& edge, const Algebraic_number& time) {
       present[edge].end = time;
       if (present[edge].begin != time) result.push_back(present[edge]);
       present.erase(edge);
     };
     for (std::size_t i = 0; i < snapshots_.size(); ++i) {
       const auto& now = snapshots_[i];
-      std::vector<Edge_ids> gone;
+      std::vector<Edge> gone;
       for (const auto& [edge, life] : present) {
         if (!now.edges.contains(edge)) gone.push_back(edge);
       }
-      for (const Edge_ids& edge : gone) end(edge, now.time);
+      for (const Edge& edge : gone) end(edge, now.time);
       const Algebraic_number until =
-          i + 1 < snapshots_.size() ? snapshots_[i + 1].time : simulation_.current_time();
+          i + 1 < snapshots_.size() ? snapshots_[i + 1].time : observed_.current_time();
       for (const auto& [edge, opposite] : now.edges) {
         if (!present.contains(edge)) {
-          present[edge] = {edge, now.time, now.time};
+          present[edge] = {detail::ids_of(edge), now.time, now.time};
+          present[edge].offset = detail::offset_of(edge);
           present[edge].is_short = threshold.has_value();
         }
         if (threshold && until != now.time && reaches(now, edge, *threshold, until)) {
@@ -160,16 +221,20 @@ class Stepped_run {
         }
       }
     }
-    while (!present.empty()) end(present.begin()->first, simulation_.current_time());
+    while (!present.empty()) end(present.begin()->first, observed_.current_time());
     std::ranges::sort(result, [](const auto& a, const auto& b) {
-      return std::tie(a.begin, a.points) < std::tie(b.begin, b.points);
+      return std::tie(a.begin, a.points, a.offset) < std::tie(b.begin, b.points, b.offset);
     });
     return result;
   }
 
  private:
-  Simulation_2<Traits>& simulation_;
-  std::vector<Snapshot<Traits>> snapshots_;
+  using Snapshot_of_it =
+      decltype(snapshot_of(detail::triangulation_of(std::declval<const Observed&>())));
+  using Edge = typename Snapshot_of_it::Edge;
+
+  Observed& observed_;
+  std::vector<Snapshot_of_it> snapshots_;
 };
 
 inline void expect_same(const std::vector<Neighbor_life>& actual,
@@ -177,6 +242,7 @@ inline void expect_same(const std::vector<Neighbor_life>& actual,
   ASSERT_EQ(actual.size(), expected.size());
   for (std::size_t i = 0; i < actual.size(); ++i) {
     EXPECT_EQ(actual[i].points, expected[i].points) << i;
+    EXPECT_EQ(actual[i].offset, expected[i].offset) << i;
     EXPECT_EQ(actual[i].begin, expected[i].begin) << i;
     EXPECT_EQ(actual[i].end, expected[i].end) << i;
     EXPECT_EQ(actual[i].is_short, expected[i].is_short)

@@ -41,6 +41,9 @@ struct Neighbor_life {
   /// Whether the ridge between the two cells was shorter than the threshold throughout; false
   /// without a threshold.
   bool is_short = false;
+  /// In a periodic box, `points` and this are a Periodic_edge: the first point and this image of
+  /// the second one were neighbors. Else zero.
+  Lattice_offset_2 offset = {};
 };
 
 /// The neighbor exchanges in which a point gains or loses a neighbor. Each exchange of two pairs
@@ -56,7 +59,7 @@ struct Point_exchanges {
 };
 
 namespace detail {
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 class Life_recorder;
 }  // namespace detail
 
@@ -80,11 +83,18 @@ class Life_recorder;
 /// quadrilateral, it is not known which pair replaces which: the exchange is then short only for
 /// the two points of the short lifetime.) The two lifetimes before and after it are not joined.
 ///
+/// *In a periodic box* edges are those of images, so that two points may have several lifetimes at
+/// a time, each with its own offset. The edges from a point to its own image count twice in its
+/// exchanges, as the point has two such neighbors. The lengths of ridges are those of the cells of
+/// the torus, and no ridge is unbounded but that of two points that coincide for a while. Offsets
+/// are against the positions as given: if a motion moves a point to another image of itself, its
+/// lifetimes end and others begin. An offset of 2^31 or more is a Periodic_box_error.
+///
 /// Cost: O(log n) for each edge that changes, and O(degree) for each new motion. With a threshold,
 /// also predicates for the five edges around it, and until the ridge of an edge has reached the
 /// threshold, bounds of its length for each of its quadrilaterals, or a polynomial if these do not
 /// decide. Memory: O(n), and two exact times for each lifetime.
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 class Neighbor_lives {
  public:
   using Time = Algebraic_number;                          ///< of lifetimes
@@ -116,6 +126,8 @@ extern template class Neighbor_lives<Linear_kinetic_traits_2>;
 extern template class Neighbor_lives<Polynomial_kinetic_traits_2>;
 extern template class Neighbor_lives<Disc_kinetic_traits_2>;
 extern template class Neighbor_lives<Polynomial_disc_kinetic_traits_2>;
+extern template class Neighbor_lives<Periodic_kinetic_traits_2>;
+extern template class Neighbor_lives<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 
