@@ -3,18 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/triangulation/incident.h"
 #include "observers/limited_cell.h"
 #include "observers/sides_of_cell.h"
+#include "triangulation/torus_topology.h"
+#include "triangulation/triangulation_at_time.h"
 
 namespace kinetri {
 
-void Cell_limits::check() const {
-  KINETRI_PRECONDITION(walkable || cutoff < std::numeric_limits<double>::infinity(),
-                       "cells of points on the convex hull are unbounded; expected a walkable "
-                       "area, or a cutoff, or both");
+void Cell_limits::check(bool is_in_periodic_box) const {
+  KINETRI_PRECONDITION(!is_in_periodic_box || !walkable,
+                       "a walkable area in a periodic box, whose images have no walls; expected "
+                       "no walkable area");
+  KINETRI_PRECONDITION(
+      is_in_periodic_box || walkable || cutoff < std::numeric_limits<double>::infinity(),
+      "cells of points on the convex hull are unbounded; expected a walkable area, or a cutoff, or "
+      "both");
   KINETRI_PRECONDITION(
       cutoff >= 1e-150 && (cutoff <= 1e150 || std::isinf(cutoff)),
       "the cutoff is " + std::to_string(cutoff) + "; expected a distance between 1e-150 and 1e150");
@@ -22,26 +29,28 @@ void Cell_limits::check() const {
 
 namespace {
 
-template <PlanarKineticTraits_2 Traits>
+template <KineticTraits_2 Traits>
 class Areas_now {
  public:
   using Kinetic = Kinetic_triangulation_2<Traits>;
-  using Vertex_handle = typename Kinetic::Vertex_handle;
+  using At_time = detail::Triangulation_at_time<Traits>;
+  using Vertex = typename At_time::Vertex;
 
   Areas_now(const Kinetic& triangulation, const Cell_limits& limits)
       : kinetic_(triangulation),
+        at_(std::make_unique<detail::Queried<Traits, Traits>>(triangulation),
+            triangulation.current_time()),
         at_time_(triangulation.traits(), triangulation.current_time()),
-        cell_(limits),
-        places_(triangulation.next_id()),
-        areas_(triangulation.next_id()) {}
+        cell_(limits, is_periodic),
+        areas_(triangulation.next_id()) {
+    cell_.set_reach(at_time_.reach());
+  }
 
   std::vector<Cell_area> areas() {
-    for (Point_id id = 0; id < kinetic_.next_id(); ++id) {
-      if (kinetic_.contains(id)) places_[id] = at_time_.place(kinetic_.vertex(id)->point());
-    }
+    find_places();
     for (Point_id id = 0; id < kinetic_.next_id(); ++id) {
       if (kinetic_.contains(id) && !kinetic_.is_hidden(id) && areas_[id].id == no_point) {
-        measure(kinetic_.vertex(id));
+        measure(vertex(id));
       }
     }
     std::vector<Cell_area> result;
@@ -54,57 +63,67 @@ class Areas_now {
   }
 
  private:
-  static Point_id id(Vertex_handle v) { return v->point().id(); }
+  static constexpr bool is_periodic = PeriodicKineticTraits_2<Traits>;
 
-  bool are_alike(Vertex_handle v, Vertex_handle u) const {
-    return at_time_.are_alike(v->point(), places_[id(v)], u->point(), places_[id(u)]);
+  static Point_id id(const Vertex& v) { return At_time::id(v); }
+  Vertex vertex(Point_id id) const {
+    if constexpr (is_periodic) {
+      return at_.vertex({id, {}});
+    } else {
+      return at_.vertex(id);
+    }
   }
 
-  // Calls `function` with each neighbor of `v`, and with each hidden point of its faces.
-  template <class Function>
-  void for_each_near(Vertex_handle v, Function function) const {
-    const auto& topology = kinetic_.triangulation();
-    detail::for_each_neighbor(topology, v, function);
-    if constexpr (HasWeight<typename Traits::Motion>) {
-      if (topology.number_of_hidden_vertices() == 0) return;
-      if (topology.dimension() == 2) {
-        detail::for_each_face_at(topology, v, [&](auto face) {
-          for (const Vertex_handle h : face->vertex_list()) function(h);
-        });
-      } else {
-        for (auto h = topology.hidden_vertices_begin(); h != topology.hidden_vertices_end(); ++h) {
-          function(Vertex_handle(h));
-        }
+  // In a periodic box each image has a position of its own.
+  void find_places() {
+    if constexpr (!is_periodic) {
+      places_.resize(kinetic_.next_id());
+      for (Point_id id = 0; id < kinetic_.next_id(); ++id) {
+        if (kinetic_.contains(id)) places_[id] = at_time_.place(at_.point(vertex(id)));
       }
+    }
+  }
+  detail::Ball_2 place(const Vertex& v) const {
+    if constexpr (is_periodic) {
+      return at_time_.place(at_.point(v));
+    } else {
+      return places_[id(v)];
     }
   }
 
   // The cell of `v` and of all vertices that are alike: these are connected by edges.
-  void measure(Vertex_handle v) {
+  void measure(const Vertex& v) {
     sides_.half_planes.clear();
     sides_.displacement = 0;
     sides_.is_empty = false;
     neighbors_.clear();
-    std::vector<Vertex_handle> alike = {v};
+    const auto& point = at_.point(v);
+    const detail::Ball_2 here = place(v);
+    std::vector<Vertex> alike = {v};
+    const auto examine = [&](const Vertex& u) {
+      const auto& other = at_.point(u);
+      const detail::Ball_2 there = place(u);
+      if (at_time_.are_alike(point, here, other, there)) {
+        if (std::ranges::find(alike, u) == alike.end()) alike.push_back(u);
+      } else if (!kinetic_.is_hidden(id(u))) {
+        at_time_.add(point, here, other, there, sides_);
+        neighbors_.push_back(other);
+      }
+    };
     for (std::size_t i = 0; i < alike.size(); ++i) {
-      const Vertex_handle here = alike[i];
-      if (kinetic_.is_hidden(id(here))) continue;
-      for_each_near(here, [&](Vertex_handle u) {
-        if (are_alike(v, u)) {
-          if (std::ranges::find(alike, u) == alike.end()) alike.push_back(u);
-        } else if (!kinetic_.is_hidden(id(u))) {
-          at_time_.add(v->point(), places_[id(v)], u->point(), places_[id(u)], sides_);
-          neighbors_.push_back(&u->point());
-        }
-      });
+      const Vertex between = alike[i];
+      if (kinetic_.is_hidden(id(between))) continue;
+      at_.for_each_neighbor(between, examine);
+      at_.for_each_hidden_near(between, examine);
     }
     Point_id first = id(v);
-    for (const Vertex_handle u : alike) {
+    for (const Vertex& u : alike) {
       areas_[id(u)].id = id(u);
       first = std::min(first, id(u));
     }
-    areas_[first] = cell_.measure(sides_, places_[id(v)],
-                                  detail::Exact_cell_at_time(at_time_, v->point(), neighbors_));
+    // A periodic box has no walls, for which the position would matter.
+    areas_[first] = cell_.measure(sides_, is_periodic ? detail::Ball_2() : here,
+                                  detail::Exact_cell_at_time(at_time_, point, neighbors_));
     areas_[first].id = first;
     if (kinetic_.number_of_hidden_points() > 0) share_area(first);
   }
@@ -121,17 +140,18 @@ class Areas_now {
   }
 
   const Kinetic& kinetic_;
+  At_time at_;
   detail::Sides_at_time<Traits> at_time_;
   detail::Limited_cell cell_;
-  std::vector<detail::Ball_2> places_;  // by id
+  std::vector<detail::Ball_2> places_;  // by id; in the plane
   std::vector<Cell_area> areas_;        // by id; without an id if not measured yet
   detail::Sides_of_cell sides_;
-  std::vector<const typename Traits::Point_2*> neighbors_;
+  std::vector<Certified_point_2<Traits>> neighbors_;
 };
 
 }  // namespace
 
-template <PlanarKineticTraits_2 Traits>
+template <KineticTraits_2 Traits>
 std::vector<Cell_area> cell_areas(const Kinetic_triangulation_2<Traits>& triangulation,
                                   const Cell_limits& limits) {
   return Areas_now<Traits>(triangulation, limits).areas();
@@ -145,5 +165,9 @@ template std::vector<Cell_area> cell_areas(const Kinetic_triangulation_2<Disc_ki
                                            const Cell_limits&);
 template std::vector<Cell_area> cell_areas(
     const Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>&, const Cell_limits&);
+template std::vector<Cell_area> cell_areas(
+    const Kinetic_triangulation_2<Periodic_kinetic_traits_2>&, const Cell_limits&);
+template std::vector<Cell_area> cell_areas(
+    const Kinetic_triangulation_2<Periodic_disc_kinetic_traits_2>&, const Cell_limits&);
 
 }  // namespace kinetri

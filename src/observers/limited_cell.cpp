@@ -49,8 +49,8 @@ Half_plane to_the_left(const Vector_2& from, const Vector_2& to, const Vector_2&
 
 }  // namespace
 
-Limited_cell::Limited_cell(const Cell_limits& limits) : limits_(limits) {
-  limits.check();
+Limited_cell::Limited_cell(const Cell_limits& limits, bool is_in_box) : limits_(limits) {
+  limits.check(is_in_box);
   if (!limits.walkable) return;
   area_ = &limits.walkable->triangles();
   visited_.assign(area_->triangles().size(), 0);
@@ -119,7 +119,7 @@ void Limited_cell::find_triangles_of_point(const Exact_cell& exact) {
 
 // Returns whether the box is not empty.
 bool Limited_cell::find_box() {
-  const double r = limits_.cutoff;
+  const double r = std::min(limits_.cutoff, reach_);
   box_ = {-r, -r, r, r};
   if (area_ != nullptr) {
     const Box_2& extent = area_->extent();

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -53,7 +54,11 @@ class Exact_cell {
 /// the point is found by a search over triangles from that of the point.
 class Limited_cell {
  public:
-  explicit Limited_cell(const Cell_limits& limits);
+  /// Throws as Cell_limits::check. In a periodic box set_reach must be called.
+  Limited_cell(const Cell_limits& limits, bool is_in_box);
+
+  /// From now on no position of a cell is farther from its point than this, without the limits.
+  void set_reach(double reach) { reach_ = reach; }
 
   /// The area and its error, without the id. `place` is the accurate position of the point.
   Cell_area measure(const Sides_of_cell& sides, const Ball_2& place, const Exact_cell& exact);
@@ -79,6 +84,7 @@ class Limited_cell {
 
   const Cell_limits& limits_;
   const Triangulated_area* area_ = nullptr;
+  double reach_ = std::numeric_limits<double>::infinity();
   // Of the present cell.
   Ball_2 place_;
   Box_2 box_;         // relative to the point, contains the limited cell

@@ -24,10 +24,13 @@ namespace detail {
 template <class Traits>
 class Cell_integrator {
  public:
-  using Point_2 = typename Traits::Point_2;
+  using Point_2 = Certified_point_2<Traits>;  ///< in a periodic box: an image
 
   Cell_integrator(const Traits& traits, Cell_limits limits, double tolerance)
-      : traits_(traits), limits_(std::move(limits)), tolerance_(tolerance), cell_(limits_) {}
+      : traits_(traits),
+        limits_(std::move(limits)),
+        tolerance_(tolerance),
+        cell_(limits_, is_periodic) {}
 
   /// The integral from one time to a later one, and its error, for the cell of the first point
   /// among `points`.
@@ -45,6 +48,8 @@ class Cell_integrator {
   }
 
  private:
+  static constexpr bool is_periodic = PeriodicKineticTraits_2<Traits>;
+
   struct Estimate {
     double integral = 0;
     double error = 0;  // the difference of the two rules
@@ -89,13 +94,12 @@ class Cell_integrator {
     sides_.is_empty = false;
     const Point_2& p = points.front();
     const Ball_2 place = at_time.place(p);
-    neighbors_.clear();
-    for (auto q = points.begin() + 1; q != points.end(); ++q) {
-      at_time.add(p, place, *q, at_time.place(*q), sides_);
-      neighbors_.push_back(&*q);
-    }
-    const Cell_area result =
-        cell_.measure(sides_, place, Exact_cell_at_time(at_time, p, neighbors_));
+    const auto neighbors = std::span(points).subspan(1);
+    for (const Point_2& q : neighbors) at_time.add(p, place, q, at_time.place(q), sides_);
+    cell_.set_reach(at_time.reach());
+    // A periodic box has no walls, for which the position would matter.
+    const Cell_area result = cell_.measure(sides_, is_periodic ? Ball_2() : place,
+                                           Exact_cell_at_time(at_time, p, neighbors));
     greatest_error_ = std::max(greatest_error_, result.error);
     return result.area;
   }
@@ -105,12 +109,11 @@ class Cell_integrator {
   const double tolerance_;
   Limited_cell cell_;
   Sides_of_cell sides_;
-  std::vector<const Point_2*> neighbors_;
   double greatest_error_ = 0;  // of the areas of an integral
 };
 
 // Follows the neighbors of each cell, and integrates its area while these do not change.
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 class Mean_area_tracker final : private Edge_follower<Traits> {
  public:
   Mean_area_tracker(Simulation_2<Traits>& simulation, const Cell_limits& limits, double tolerance);
@@ -120,8 +123,10 @@ class Mean_area_tracker final : private Edge_follower<Traits> {
   std::vector<Mean_cell_area> means();
 
  private:
-  using Point_2 = typename Traits::Point_2;
-  using Changed_point = typename Edge_follower<Traits>::Changed_point;
+  using typename Edge_follower<Traits>::Changed_point;
+  using typename Edge_follower<Traits>::Edge_name;
+  using typename Edge_follower<Traits>::Image_2;
+  using typename Edge_follower<Traits>::Neighbor;
 
   struct Record {
     double from = 0;
@@ -133,20 +138,24 @@ class Mean_area_tracker final : private Edge_follower<Traits> {
     bool is_hidden = false;            // by a triangle
     bool is_linked = false;            // hidden by a point that coincides with it for a while
     int count = 1;                     // of points that share the cell
-    std::vector<Point_2> points = {};  // the point, and the neighbors of the cell
+    std::vector<Image_2> points = {};  // the point, and the neighbors of the cell
   };
 
   void start(const Cell_limits& limits, double tolerance);
   void advance(const Algebraic_number& /*time*/) override {}
-  void change(const Algebraic_number& time, std::span<const Edge_ids> removed,
-              std::span<const Edge_ids> added, std::span<const Changed_point> points) override;
+  void change(const Algebraic_number& time, std::span<const Edge_name> removed,
+              std::span<const Edge_name> added, std::span<const Changed_point> points) override;
   void integrate(Record& record, double until);
   void begin(Point_id id, double time);
   void update_link(Point_id id);
   // The point that has the vertex of the point.
   Point_id shown_at(Point_id id) const {
     const auto link = this->graph().link(id);
-    return link ? (*link)[0] : id;
+    return link ? ids_of(*link)[0] : id;
+  }
+  // Whether a neighbor of a point is one that it hides.
+  bool is_hidden_by(Point_id shown, const Neighbor& neighbor) const {
+    return id_of(neighbor) != shown && shown_at(id_of(neighbor)) == shown;
   }
 
   std::unique_ptr<Cell_integrator<Traits>> integrator_;
@@ -155,21 +164,21 @@ class Mean_area_tracker final : private Edge_follower<Traits> {
   std::size_t links_ = 0;        // those of them that join points that coincide for a while
 };
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Mean_area_tracker<Traits>::Mean_area_tracker(Simulation_2<Traits>& simulation,
                                              const Cell_limits& limits, double tolerance)
     : Edge_follower<Traits>(simulation) {
   start(limits, tolerance);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Mean_area_tracker<Traits>::Mean_area_tracker(Kinetic_triangulation_2<Traits>& triangulation,
                                              const Cell_limits& limits, double tolerance)
     : Edge_follower<Traits>(triangulation) {
   start(limits, tolerance);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Mean_area_tracker<Traits>::start(const Cell_limits& limits, double tolerance) {
   KINETRI_PRECONDITION(tolerance > 0, "the tolerance is " + std::to_string(tolerance) +
                                           "; expected a number greater than 0");
@@ -187,7 +196,7 @@ void Mean_area_tracker<Traits>::start(const Cell_limits& limits, double toleranc
   }
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 std::vector<Mean_cell_area> Mean_area_tracker<Traits>::means() {
   this->update();
   const double now = this->triangulation().current_time().to_double();
@@ -204,7 +213,7 @@ std::vector<Mean_cell_area> Mean_area_tracker<Traits>::means() {
 }
 
 // Integrates from the last change to `until`.
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Mean_area_tracker<Traits>::integrate(Record& record, double until) {
   if (until == record.until) return;
   if (!record.is_hidden) {
@@ -216,7 +225,7 @@ void Mean_area_tracker<Traits>::integrate(Record& record, double until) {
 }
 
 // Counts the point among those that others hide, if it is.
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Mean_area_tracker<Traits>::update_link(Point_id id) {
   Record& record = records_[id];
   if (record.is_linked) --links_;
@@ -225,20 +234,22 @@ void Mean_area_tracker<Traits>::update_link(Point_id id) {
 }
 
 // A point has these neighbors from now on.
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Mean_area_tracker<Traits>::begin(Point_id id, double time) {
   Record& record = records_[id];
   if (!record.has_come) record.from = record.until = time;
   record.has_come = true;
   record.is_there = true;
-  record.points.assign(1, this->graph().point(id));
   record.count = 1;
   const Point_id shown = shown_at(id);
-  for (const Point_id neighbor : this->graph().neighbors(shown)) {
-    if (shown_at(neighbor) == shown) {
+  // Images are as the point that is shown sees them.
+  const auto link = this->graph().link(id);
+  record.points.assign(1, link ? this->second_end(*link) : this->itself(id));
+  for (const Neighbor& neighbor : this->graph().neighbors(shown)) {
+    if (is_hidden_by(shown, neighbor)) {
       ++record.count;
     } else {
-      record.points.push_back(this->graph().point(neighbor));
+      record.points.push_back(this->image(neighbor));
     }
   }
   // If the triangulation has edges, triangles hide points without one; else they hide all but one.
@@ -246,15 +257,15 @@ void Mean_area_tracker<Traits>::begin(Point_id id, double time) {
   if (edges_ > links_) return;
   for (Point_id other = 0; other < this->graph().next_id(); ++other) {
     if (this->graph().contains(other) && shown_at(other) != shown) {
-      record.points.push_back(this->graph().point(other));
+      record.points.push_back(this->itself(other));
     }
   }
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 void Mean_area_tracker<Traits>::change(const Algebraic_number& time,
-                                       std::span<const Edge_ids> removed,
-                                       std::span<const Edge_ids> added,
+                                       std::span<const Edge_name> removed,
+                                       std::span<const Edge_name> added,
                                        std::span<const Changed_point> points) {
   const double now = time.to_double();
   records_.resize(this->graph().next_id());
@@ -263,13 +274,14 @@ void Mean_area_tracker<Traits>::change(const Algebraic_number& time,
   edges_ -= removed.size();
   std::set<Point_id> changed;
   for (const auto edges : {removed, added}) {
-    for (const Edge_ids& edge : edges) changed.insert(edge.begin(), edge.end());
+    for (const Edge_name& edge : edges) changed.insert(ids_of(edge).begin(), ids_of(edge).end());
   }
   for (const Changed_point& point : points) {
     changed.insert(point.id);
     if (!this->graph().contains(point.id)) continue;
-    const auto neighbors = this->graph().neighbors(point.id);
-    changed.insert(neighbors.begin(), neighbors.end());
+    for (const Neighbor& neighbor : this->graph().neighbors(point.id)) {
+      changed.insert(id_of(neighbor));
+    }
   }
   for (const Point_id id : changed) update_link(id);
   if (links_ > 0) {
@@ -278,8 +290,8 @@ void Mean_area_tracker<Traits>::change(const Algebraic_number& time,
       if (!this->graph().contains(id)) continue;
       const Point_id shown = shown_at(id);
       changed.insert(shown);
-      for (const Point_id neighbor : this->graph().neighbors(shown)) {
-        if (shown_at(neighbor) == shown) changed.insert(neighbor);
+      for (const Neighbor& neighbor : this->graph().neighbors(shown)) {
+        if (is_hidden_by(shown, neighbor)) changed.insert(id_of(neighbor));
       }
     }
   }
@@ -300,22 +312,22 @@ void Mean_area_tracker<Traits>::change(const Algebraic_number& time,
 
 }  // namespace detail
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Mean_cell_areas<Traits>::Mean_cell_areas(Simulation_2<Traits>& simulation,
                                          const Cell_limits& limits, double tolerance)
     : tracker_(std::make_unique<detail::Mean_area_tracker<Traits>>(simulation, limits, tolerance)) {
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Mean_cell_areas<Traits>::Mean_cell_areas(Kinetic_triangulation_2<Traits>& triangulation,
                                          const Cell_limits& limits, double tolerance)
     : tracker_(
           std::make_unique<detail::Mean_area_tracker<Traits>>(triangulation, limits, tolerance)) {}
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Mean_cell_areas<Traits>::~Mean_cell_areas() = default;
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 std::vector<Mean_cell_area> Mean_cell_areas<Traits>::means() {
   return tracker_->means();
 }
@@ -324,5 +336,7 @@ template class Mean_cell_areas<Linear_kinetic_traits_2>;
 template class Mean_cell_areas<Polynomial_kinetic_traits_2>;
 template class Mean_cell_areas<Disc_kinetic_traits_2>;
 template class Mean_cell_areas<Polynomial_disc_kinetic_traits_2>;
+template class Mean_cell_areas<Periodic_kinetic_traits_2>;
+template class Mean_cell_areas<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sides of Voronoi and power cells at one time, as half planes relative to the point.
+// The sides of Voronoi and power cells at one time, as half planes relative to the point. In a
+// periodic box the points are images.
 #ifndef KINETRI_SRC_OBSERVERS_SIDES_OF_CELL_H
 #define KINETRI_SRC_OBSERVERS_SIDES_OF_CELL_H
 
@@ -11,9 +12,11 @@
 #include <span>
 
 #include "algebra/rounded_quotient.h"
+#include "kinetri/impl/base/check.h"
 #include "kinetri/simulation/simulation_2.h"
 #include "observers/limited_cell.h"
 #include "triangulation/ball.h"
+#include "triangulation/wrapping.h"
 
 namespace kinetri::detail {
 
@@ -25,11 +28,34 @@ class Exact_cell_at_time;
 template <KineticTraits_2 Traits>
 class Sides_at_time {
  public:
-  using Point_2 = typename Traits::Point_2;
+  using Point_2 = Certified_point_2<Traits>;  ///< in a periodic box: an image
 
   /// The time must live as long as this object.
   Sides_at_time(const Traits& traits, const Algebraic_number& time)
       : traits_(traits), time_(time), t_(ball_of(time)) {}
+
+  /// No position of a cell in a periodic box is farther from its point, since it is in the cell of
+  /// the point among its own images: half of the lengths of two vectors that span the lattice.
+  /// Infinite in the plane. Throws Precondition_error if a cell may reach 1e150.
+  double reach() const {
+    double result = std::numeric_limits<double>::infinity();
+    if constexpr (PeriodicKineticTraits_2<Traits>) {
+      const Periodic_box_2& box = traits_.box();
+      const Wrapping wrapping(box, time_.to_double());
+      double sum = 0;
+      for (const Lattice_offset_2& vector : wrapping.basis()) {
+        const Ball_2 there = ball_place(Image_motion_2{{}, vector, &box}, t_);
+        sum += std::hypot(std::abs(there.x.high) + 2 * there.x.radius,
+                          std::abs(there.y.high) + 2 * there.y.radius);
+      }
+      result = (1 + 0x1p-40) * sum / 2;
+      constexpr double greatest = 1e150;
+      KINETRI_PRECONDITION(result < greatest,
+                           "a Voronoi cell is so large that its area may not be a binary64 number; "
+                           "give lattice vectors below 1e150");
+    }
+    return result;
+  }
 
   /// The accurate position of the point.
   Ball_2 place(const Point_2& p) const {
@@ -84,10 +110,14 @@ class Sides_at_time {
 
   static constexpr bool is_weighted = HasWeight<typename Traits::Motion>;
 
-  static Point_2 at_rest(const Vector_2& place) {
+  Point_2 at_rest(const Vector_2& place) const {
     typename Traits::Motion motion{};
     motion.position = place;
-    return Point_2(motion);
+    if constexpr (PeriodicKineticTraits_2<Traits>) {
+      return traits_.image(typename Traits::Point_2(motion), {});
+    } else {
+      return Point_2(motion);
+    }
   }
 
   bool coincide(const Point_2& p, const Point_2& q) const {
@@ -166,16 +196,15 @@ class Sides_at_time {
 template <KineticTraits_2 Traits>
 class Exact_cell_at_time final : public Exact_cell {
  public:
-  using Point_2 = typename Traits::Point_2;
+  using Point_2 = Certified_point_2<Traits>;
 
   /// All of these must live as long as this object.
   Exact_cell_at_time(const Sides_at_time<Traits>& at_time, const Point_2& point,
-                     std::span<const Point_2* const> neighbors)
+                     std::span<const Point_2> neighbors)
       : at_time_(at_time), point_(point), neighbors_(neighbors) {}
 
   bool is_left(const Vector_2& from, const Vector_2& to) const override {
-    using Sides = Sides_at_time<Traits>;
-    return at_time_.exactly().orientation_2_object()(Sides::at_rest(from), Sides::at_rest(to),
+    return at_time_.exactly().orientation_2_object()(at_time_.at_rest(from), at_time_.at_rest(to),
                                                      point_) != CGAL::RIGHT_TURN;
   }
 
@@ -199,10 +228,10 @@ class Exact_cell_at_time final : public Exact_cell {
     };
     Rational begin = 0;
     Rational end = 1;
-    for (const Point_2* neighbor : neighbors_) {
-      const Exact_position_2 q = neighbor->position(t);
+    for (const Point_2& neighbor : neighbors_) {
+      const Exact_position_2 q = neighbor.position(t);
       const Rational a = slope(p) - slope(q);
-      const Rational b = power(p, point_.weight(t)) - power(q, neighbor->weight(t));
+      const Rational b = power(p, point_.weight(t)) - power(q, neighbor.weight(t));
       // Inside if a s + b < 0.
       if (a == 0 && b >= 0) return false;
       if (a == 0) continue;
@@ -224,7 +253,7 @@ class Exact_cell_at_time final : public Exact_cell {
  private:
   const Sides_at_time<Traits>& at_time_;
   const Point_2& point_;
-  std::span<const Point_2* const> neighbors_;
+  std::span<const Point_2> neighbors_;
 };
 
 }  // namespace kinetri::detail

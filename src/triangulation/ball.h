@@ -212,7 +212,7 @@ template <class CenterMotion>
 Ball ball_weight(const Basic_disc_motion_2<CenterMotion>& disc, const Ball& t) {
   const Ball radius = disc.growth == 0
                           ? Ball(disc.radius)
-                          : Ball(disc.radius) + Ball(disc.growth) * (t - Ball(disc.epoch));
+                          : Ball(disc.radius) + Ball(disc.growth) * (t - Ball(epoch_of(disc)));
   return radius * radius + Ball(disc.weight);
 }
 /// Unknown for other motions.

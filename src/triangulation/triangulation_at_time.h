@@ -334,13 +334,20 @@ class Triangulation_at_time {
     if constexpr (is_weighted) {
       const Triangulation& all = triangulation();
       if (all.number_of_hidden_vertices() == 0) return;
-      if (all.dimension() == 2) {
-        return for_each_face_at(all, v, [&](auto face) {
-          for (const Vertex& h : face->vertex_list()) function(h);
+      if constexpr (is_periodic) {
+        for_each_face_at(all, v.handle, [&](auto face, int i) {
+          const Lattice_offset_2 corner = sum(v.offset, Triangulation::offset(face, i, 0));
+          for (const auto h : face->vertex_list()) function(Vertex{h, sum(corner, h->offset())});
         });
-      }
-      for (auto h = all.hidden_vertices_begin(); h != all.hidden_vertices_end(); ++h) {
-        function(Vertex(h));
+      } else {
+        if (all.dimension() == 2) {
+          return for_each_face_at(all, v, [&](auto face) {
+            for (const Vertex& h : face->vertex_list()) function(h);
+          });
+        }
+        for (auto h = all.hidden_vertices_begin(); h != all.hidden_vertices_end(); ++h) {
+          function(Vertex(h));
+        }
       }
     }
   }

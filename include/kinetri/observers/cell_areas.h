@@ -14,16 +14,18 @@
 
 namespace kinetri {
 
-/// Bounds of cells besides their neighbors. There must be at least one, since the cells of points
-/// on the convex hull are unbounded.
+/// Bounds of cells besides their neighbors. In the plane there must be at least one, since the
+/// cells of points on the convex hull are unbounded. In a periodic box, where all cells are
+/// bounded, there may be a cutoff; walls are not periodic.
 struct Cell_limits {
   std::optional<Walkable_area> walkable = std::nullopt;  ///< where points may be
   /// No position of a cell is farther from its point than this; at least 1e-150, and at most 1e150
   /// or infinite.
   double cutoff = std::numeric_limits<double>::infinity();
 
-  /// Throws Precondition_error if there is no limit, or if the cutoff is not in its range.
-  void check() const;
+  /// Throws Precondition_error if there is no limit, or in a periodic box a walkable area, or if
+  /// the cutoff is not in its range.
+  void check(bool is_in_periodic_box = false) const;
 };
 
 /// The area of a point.
@@ -49,7 +51,8 @@ struct Cell_area {
 /// area of the common cell, or shares it with those that coincide with it for a while, and the
 /// others have 0. A power cell need not contain its point; then all of its parts count. If it is
 /// only a segment, its area is at most `error`. Without obstacles the areas of points in a convex
-/// walkable area sum to its area.
+/// walkable area sum to its area. In a periodic box the cells are those among all images, and
+/// without a cutoff their areas sum to the area of the box.
 ///
 /// The cutoff is an exact circle, not a polygon. Which sides a cell has is exact; the rest is
 /// binary64 arithmetic. `error` bounds the sum of all errors. Let u = 2^-53, h the largest
@@ -62,8 +65,8 @@ struct Cell_area {
 /// Cost: some 100 floating-point operations for each neighbor, and a search in a tree of the walls;
 /// near walls, as much for each triangle of the walkable area that the cell meets. Exact arithmetic
 /// only if positions almost coincide, or lie almost on a wall. Throws Precondition_error as
-/// Cell_limits::check.
-template <PlanarKineticTraits_2 Traits>
+/// Cell_limits::check, and in a periodic box if a cell may reach 1e150.
+template <KineticTraits_2 Traits>
 std::vector<Cell_area> cell_areas(const Kinetic_triangulation_2<Traits>& triangulation,
                                   const Cell_limits& limits);
 
@@ -75,6 +78,10 @@ extern template std::vector<Cell_area> cell_areas(
     const Kinetic_triangulation_2<Disc_kinetic_traits_2>&, const Cell_limits&);
 extern template std::vector<Cell_area> cell_areas(
     const Kinetic_triangulation_2<Polynomial_disc_kinetic_traits_2>&, const Cell_limits&);
+extern template std::vector<Cell_area> cell_areas(
+    const Kinetic_triangulation_2<Periodic_kinetic_traits_2>&, const Cell_limits&);
+extern template std::vector<Cell_area> cell_areas(
+    const Kinetic_triangulation_2<Periodic_disc_kinetic_traits_2>&, const Cell_limits&);
 
 }  // namespace kinetri
 

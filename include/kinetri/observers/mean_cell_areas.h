@@ -14,7 +14,7 @@
 namespace kinetri {
 
 namespace detail {
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 class Mean_area_tracker;
 }  // namespace detail
 
@@ -42,7 +42,7 @@ struct Mean_cell_area {
 ///
 /// Cost: 7 areas of cells for each piece and point, and more if it is halved. Memory: O(n), and one
 /// result for each point that has ever existed.
-template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
+template <DistanceKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Mean_cell_areas {
  public:
   /// @{
@@ -68,6 +68,8 @@ extern template class Mean_cell_areas<Linear_kinetic_traits_2>;
 extern template class Mean_cell_areas<Polynomial_kinetic_traits_2>;
 extern template class Mean_cell_areas<Disc_kinetic_traits_2>;
 extern template class Mean_cell_areas<Polynomial_disc_kinetic_traits_2>;
+extern template class Mean_cell_areas<Periodic_kinetic_traits_2>;
+extern template class Mean_cell_areas<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 
