@@ -620,23 +620,21 @@ template Certificate Basic_kinetic_traits_2<Image_disc_motion_2>::meeting_certif
 template Sign Basic_kinetic_traits_2<Image_disc_motion_2>::certain_turn(
     const Moving_image_disc_2&, const Moving_image_disc_2&, const Moving_image_disc_2&,
     const Double_interval&) const;
-// Of images of points, the certificates of distances.
-template Certificate Basic_kinetic_traits_2<Image_motion_2>::apart_certificate(
-    const Moving_image_2&, const Moving_image_2&, double, const Time&) const;
-template Certificate Basic_kinetic_traits_2<Image_motion_2>::next_apart_certificate(
-    const Moving_image_2&, const Moving_image_2&, double, const Time&) const;
-template Certificate Basic_kinetic_traits_2<Image_motion_2>::near_certificate(const Moving_image_2&,
-                                                                              const Moving_image_2&,
-                                                                              double,
-                                                                              const Time&) const;
-template Certificate Basic_kinetic_traits_2<Image_motion_2>::closer_certificate(
-    const Moving_image_2&, const Moving_image_2&, const Moving_image_2&, const Moving_image_2&,
-    const Time&) const;
-template Time Basic_kinetic_traits_2<Image_motion_2>::closer_failure(const Moving_image_2&,
-                                                                     const Moving_image_2&,
-                                                                     const Moving_image_2&,
-                                                                     const Moving_image_2&,
-                                                                     const Double_interval&) const;
+// The certificates of distances.
+#define KINETRI_DISTANCES_OF_IMAGES(Motion, Image)                                \
+  template Certificate Basic_kinetic_traits_2<Motion>::apart_certificate(         \
+      const Image&, const Image&, double, const Time&) const;                     \
+  template Certificate Basic_kinetic_traits_2<Motion>::next_apart_certificate(    \
+      const Image&, const Image&, double, const Time&) const;                     \
+  template Certificate Basic_kinetic_traits_2<Motion>::near_certificate(          \
+      const Image&, const Image&, double, const Time&) const;                     \
+  template Certificate Basic_kinetic_traits_2<Motion>::closer_certificate(        \
+      const Image&, const Image&, const Image&, const Image&, const Time&) const; \
+  template Time Basic_kinetic_traits_2<Motion>::closer_failure(                   \
+      const Image&, const Image&, const Image&, const Image&, const Double_interval&) const
+KINETRI_DISTANCES_OF_IMAGES(Image_motion_2, Moving_image_2);
+KINETRI_DISTANCES_OF_IMAGES(Image_disc_motion_2, Moving_image_disc_2);
+#undef KINETRI_DISTANCES_OF_IMAGES
 // The certificates of contacts.
 #define KINETRI_CONTACTS_OF_IMAGES(Motion, Image)                                               \
   template Certificate Basic_kinetic_traits_2<Motion>::contact_certificate(                     \

@@ -115,7 +115,7 @@ struct Distance_root : Root_source {
     return precise_distance_comparison(center(p), center(q), center(r), center(s), high, low);
   }
   std::optional<Rounding> rounded(const Double_interval& bracket) const override {
-    if constexpr (is_linear<Motion> && !std::same_as<Motion, Image_motion_2>) {
+    if constexpr (is_linear<Motion> && !std::same_as<Center_motion_of<Motion>, Image_motion_2>) {
       return rounded_distance_comparison(center(p), center(q), center(r), center(s), bracket);
     } else {
       return std::nullopt;

@@ -164,7 +164,7 @@ class Encounter_tracker final : private Edge_follower<Traits> {
   // since its sum with the range may not be a binary64 number.
   template <class Function>
   auto with_discs(const Image_2& p, const Image_2& q, Function function) const {
-    if constexpr (!has_radii && !is_periodic) {
+    if constexpr (!has_radii) {
       if (radius_ != 0) {
         using Moving_disc = typename Disc_traits::Point_2;
         return function(disc_traits_, Moving_disc(disc_about(p.motion(), radius_), p.id()),

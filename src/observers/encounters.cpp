@@ -4,26 +4,13 @@
 #include "observers/encounter_tracker.h"
 
 namespace kinetri {
-namespace {
-
-// clang before 16 instantiates this for periodic boxes, too.
-template <class Traits>
-std::unique_ptr<detail::Encounter_tracker<Traits>> tracker_of(Simulation_2<Traits>& simulation,
-                                                              double range) {
-  if constexpr (PeriodicKineticTraits_2<Traits>) {
-    return nullptr;
-  } else {
-    return std::make_unique<detail::Encounter_tracker<Traits>>(simulation, range,
-                                                               simulation.options().radius);
-  }
-}
-
-}  // namespace
 
 template <DistanceKineticTraits_2 Traits>
 Encounters<Traits>::Encounters(Simulation_2<Traits>& simulation,
-                               double range) requires(!PeriodicKineticTraits_2<Traits>)
-    : tracker_(tracker_of(simulation, range)) {}
+                               double range) requires(!PeriodicKineticTraits_2<Traits> ||
+                                                      !HasWeight<typename Traits::Motion>)
+    : tracker_(std::make_unique<detail::Encounter_tracker<Traits>>(simulation, range,
+                                                                   simulation.options().radius)) {}
 
 template <DistanceKineticTraits_2 Traits>
 Encounters<Traits>::Encounters(Triangulation& triangulation,

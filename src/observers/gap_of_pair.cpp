@@ -75,11 +75,7 @@ struct Relative_place {
   }
   template <class Disc>
   static Interval radius(const Disc& disc, const Interval& t) {
-    if constexpr (HasWeight<Disc>) {
-      return Interval(disc.radius) + Interval(disc.growth) * (t - Interval(disc.epoch));
-    } else {
-      return {0.0};
-    }
+    return Interval(disc.radius) + Interval(disc.growth) * (t - Interval(epoch_of(disc)));
   }
 };
 
@@ -190,12 +186,8 @@ Coefficients squared_distance(const Disc& p, const Disc& q) {
 }
 
 template <class Disc>
-bool has_radius([[maybe_unused]] const Disc& disc) {
-  if constexpr (HasWeight<Disc>) {
-    return disc.radius != 0 || disc.growth != 0;
-  } else {
-    return false;
-  }
+bool has_radius(const Disc& disc) {
+  return disc.radius != 0 || disc.growth != 0;
 }
 
 template <class Disc>
@@ -204,13 +196,10 @@ bool are_points(const Disc& p, const Disc& q) {
 }
 
 // The sum of the radii.
-Coefficients reach(const Image_motion_2& /*p*/, const Image_motion_2& /*q*/) {
-  return {0, 0};
-}
 template <class Disc>
 Coefficients reach(const Disc& p, const Disc& q) {
   const auto constant_term = [](const Disc& disc) -> Rational {
-    return to_rational(disc.radius) - to_rational(disc.growth) * to_rational(disc.epoch);
+    return to_rational(disc.radius) - to_rational(disc.growth) * to_rational(epoch_of(disc));
   };
   return {constant_term(p) + constant_term(q), to_rational(p.growth) + to_rational(q.growth)};
 }
@@ -356,9 +345,10 @@ Comparison_result Gap_of_pair<Disc>::compare(const Gap_of_pair& other) const {
 // ---- the least one ----
 
 template <>
-Gap_of_pair<Image_motion_2> least_gap(const Image_motion_2& p, const Image_motion_2& q,
-                                      const Algebraic_number& since,
-                                      const Algebraic_number& until) {
+Gap_of_pair<Image_disc_motion_2> least_gap(const Image_disc_motion_2& p,
+                                           const Image_disc_motion_2& q,
+                                           const Algebraic_number& since,
+                                           const Algebraic_number& until) {
   return {p, q, time_of_least_gap(p, q, since, until)};
 }
 
@@ -434,7 +424,7 @@ Double_interval least_gap_bounds(const Disc& p, const Disc& q, const Algebraic_n
                                             const Algebraic_number&)
 KINETRI_INSTANTIATE(Disc_motion_2);
 KINETRI_INSTANTIATE(Polynomial_disc_motion_2);
-KINETRI_INSTANTIATE(Image_motion_2);
+KINETRI_INSTANTIATE(Image_disc_motion_2);
 #undef KINETRI_INSTANTIATE
 
 }  // namespace kinetri::detail

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gap between two discs: the distance of their centers minus both radii. Points are discs of
-// radius 0; so are images of points in a periodic box.
+// The gap between two discs, or their images in a periodic box: the distance of their centers minus
+// both radii. Points are discs of radius 0.
 #ifndef KINETRI_SRC_OBSERVERS_GAP_OF_PAIR_H
 #define KINETRI_SRC_OBSERVERS_GAP_OF_PAIR_H
 
-#include <concepts>
 #include <optional>
 
 #include "kinetri/algebra/algebraic_number.h"
@@ -15,11 +14,10 @@
 
 namespace kinetri::detail {
 
-/// The disc itself if it has a radius of its own, else the disc of that radius about the point; an
-/// image of a point itself, which has no radius.
+/// The disc itself if it has a radius of its own, else the disc of that radius about the point.
 template <class Motion>
 auto disc_about(const Motion& motion, [[maybe_unused]] double radius) {
-  if constexpr (HasWeight<Motion> || std::same_as<Motion, Image_motion_2>) {
+  if constexpr (HasWeight<Motion>) {
     return motion;
   } else {
     return Basic_disc_motion_2<Motion>{motion, radius, 0, 0};
@@ -27,7 +25,7 @@ auto disc_about(const Motion& motion, [[maybe_unused]] double radius) {
 }
 
 /// The gap of two discs at a time, exactly. `Disc` is Disc_motion_2, Polynomial_disc_motion_2 or
-/// Image_motion_2, whose box must exist as long as this object.
+/// Image_disc_motion_2, whose box must exist as long as this object.
 template <class Disc>
 class Gap_of_pair {
  public:
@@ -73,7 +71,7 @@ Double_interval least_gap_bounds(const Disc& p, const Disc& q, const Algebraic_n
 
 extern template class Gap_of_pair<Disc_motion_2>;
 extern template class Gap_of_pair<Polynomial_disc_motion_2>;
-extern template class Gap_of_pair<Image_motion_2>;
+extern template class Gap_of_pair<Image_disc_motion_2>;
 
 }  // namespace kinetri::detail
 

@@ -72,11 +72,12 @@ TEST(Periodic_encounters, refuse_what_is_no_range) {
 
 // ---- all pairs of images ----
 
-std::vector<Encounter> expected(const Periodic_run& run, double range) {
+std::vector<Encounter> expected(const Periodic_run& run, double range, double radius = 0) {
   std::vector<Encounter> result;
-  run.for_each_pair(range, [&](const Periodic_edge& pair, const auto& p, const auto& q) {
-    test::add_encounters(p, q, pair, 0, range, false, result);
-  });
+  run.for_each_pair(range + 2 * radius,
+                    [&](const Periodic_edge& pair, const auto& p, const auto& q) {
+                      test::add_encounters(p, q, pair, radius, range, false, result);
+                    });
   test::sort_encounters(result);
   return result;
 }
@@ -111,6 +112,37 @@ TEST(Periodic_encounters, are_those_of_all_pairs_of_images) {
   EXPECT_GT(own, 80U);
   EXPECT_GT(touches, 25U);
   EXPECT_GT(several, 250U);
+}
+
+// A radius that is no short binary64 number: its sums with the range are rounded.
+TEST(Periodic_encounters, of_discs_of_one_radius_are_those_of_all_pairs_of_images) {
+  std::size_t number = 0;
+  std::size_t overlaps = 0;
+  for (unsigned seed = 0; seed < seeds(60); ++seed) {
+    Periodic_run run(seed);
+    const double range = ranges[seed % ranges.size()];
+    const double radius = seed % 2 == 0 ? 0.5 : 0.1;
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed) + ", range " +
+                 std::to_string(range));
+    std::vector<Linear_motion_2> motions;
+    for (Point_id id = 0; id < run.kinetic().next_id(); ++id) {
+      motions.push_back(run.kinetic().motion(id));
+    }
+    Simulation_options options;
+    options.radius = radius;
+    Simulation_2<Traits> simulation(motions, options, 0, Traits(run.box()));
+    Encounters encounters(simulation, range);
+    simulation.advance_to(2.0);
+    run.kinetic().advance_to(2.0);
+    const auto found = encounters.encounters();
+    test::expect_equal(found, expected(run, range, radius));
+    if (testing::Test::HasFailure()) return;
+    number += found.size();
+    overlaps += static_cast<std::size_t>(
+        std::ranges::count_if(found, [](const Encounter& e) { return e.gap < 0; }));
+  }
+  EXPECT_GT(number, 500U);
+  EXPECT_GT(overlaps, 50U);
 }
 
 // Points that turn, jump, come, go, and coincide with images of others for a while.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "kinetri/observers/connected_components.h"
+#include "kinetri/observers/encounters.h"
 #include "kinetri/observers/nearest_neighbors.h"
 #include "support/multiplier.h"
 
@@ -47,6 +48,7 @@ TEST(Observers_of_a_periodic_simulation, tell_what_those_of_a_triangulation_tell
   std::size_t across = 0;
   std::size_t changes = 0;
   std::size_t merges = 0;
+  std::size_t meetings = 0;
   for (unsigned seed = 1; seed <= 6 * static_cast<unsigned>(test::multiplier()); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
@@ -67,6 +69,8 @@ TEST(Observers_of_a_periodic_simulation, tell_what_those_of_a_triangulation_tell
     Connected_components same_components(kinetic, range);
     Nearest_neighbors nearest(simulation);
     Nearest_neighbors same_nearest(kinetic);
+    Encounters encounters(simulation, range - 2 * radius);
+    Encounters same_encounters(kinetic, range);
 
     while (simulation.step(3) > 0) {
       kinetic.advance_to(simulation.current_time());
@@ -103,12 +107,27 @@ TEST(Observers_of_a_periodic_simulation, tell_what_those_of_a_triangulation_tell
       EXPECT_EQ(moves[i].after_offset, same_moves[i].after_offset);
     }
     changes += moves.size();
+
+    const auto met = encounters.encounters();
+    const auto same_met = same_encounters.encounters();
+    ASSERT_EQ(met.size(), same_met.size());
+    for (std::size_t i = 0; i < met.size(); ++i) {
+      EXPECT_EQ(met[i].begin, same_met[i].begin);
+      EXPECT_EQ(met[i].end, same_met[i].end);
+      EXPECT_EQ(met[i].closest, same_met[i].closest);
+      EXPECT_EQ(met[i].points, same_met[i].points);
+      EXPECT_EQ(met[i].offset, same_met[i].offset);
+      EXPECT_EQ(met[i].distance, same_met[i].distance);
+      EXPECT_NEAR(met[i].gap, met[i].distance - 2 * radius, 1e-15);
+    }
+    meetings += met.size();
     if (testing::Test::HasFailure()) return;
   }
   EXPECT_GT(contacts, 50U);
   EXPECT_GT(across, 10U);
   EXPECT_GT(changes, 200U);
   EXPECT_GT(merges, 20U);
+  EXPECT_GT(meetings, 50U);
 }
 
 }  // namespace

@@ -68,9 +68,10 @@ class Encounters {
 
   /// Observes from the current time on. The simulation must outlive this object. Throws
   /// Precondition_error if `range` is negative or not finite, or if a radius enlarged by half of it
-  /// is not finite. Not for simulations in periodic boxes.
+  /// is not finite. Not for discs with radii of their own in a periodic box.
   Encounters(Simulation_2<Traits>& simulation,
-             double range) requires(!PeriodicKineticTraits_2<Traits>);
+             double range) requires(!PeriodicKineticTraits_2<Traits> ||
+                                    !HasWeight<typename Traits::Motion>);
   /// The same of a triangulation of points.
   Encounters(Triangulation& triangulation,
              double range) requires(!HasWeight<typename Traits::Motion>);
@@ -96,7 +97,7 @@ class Encounters {
 };
 
 /// The traits follow from the simulation.
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Encounters(Simulation_2<Traits>&, double) -> Encounters<Traits>;
 
 extern template class Encounters<Linear_kinetic_traits_2>;

@@ -50,5 +50,11 @@ template std::array<Filter_result, 5> filter_after_flip(const Flip_neighborhood<
 template Filter_result filter_contact(const D&, const D&, double, const Double_interval&);
 template Sign certain_distance_slope(const D&, const D&, const Double_interval&);
 template Sign certain_gap(const D&, const D&, double, const Double_interval&);
+template Filter_result filter_apart(const D&, const D&, double, const Double_interval&, bool);
+template Filter_result filter_near(const D&, const D&, double, const Double_interval&, bool);
+template Filter_result filter_closer(const D&, const D&, const D&, const D&, const Double_interval&,
+                                     bool);
+template Sign certain_distance_comparison(const D&, const D&, const D&, const D&,
+                                          const Double_interval&);
 
 }  // namespace kinetri
