@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,9 +40,13 @@ class Answer_table {
                               std::vector<std::uint8_t>, std::vector<double>,
                               std::vector<std::string>>;  ///< what one holds
 
+  /// What stands for a missing integer.
+  static constexpr std::int64_t missing = std::numeric_limits<std::int64_t>::min();
+
   /// Adds a column of `value`, a member or a function, for each of the rows. An exact time gives
-  /// three columns: rounded, and the tightest bounds, with names that end in _lo and _hi. Adds
-  /// nothing unless `is_known`.
+  /// three columns: rounded, and the tightest bounds, with names that end in _lo and _hi. An offset
+  /// gives two, with k and l in place of "offset" at the end of the name. Adds nothing unless
+  /// `is_known`.
   template <class Row, class Value>
   void add(const std::string& name, const std::vector<Row>& rows, const Value& value,
            bool is_known = true) {
@@ -52,6 +57,16 @@ class Answer_table {
       add(name, rows, [&](const Row& row) { return std::invoke(value, row).to_double(); });
       add(name + "_lo", rows, [&](const Row& row) { return bounds(row).lower; });
       add(name + "_hi", rows, [&](const Row& row) { return bounds(row).upper; });
+    } else if constexpr (std::same_as<Result, std::optional<Lattice_offset_2>>) {
+      const std::string begin = name.substr(0, name.size() - std::string("offset").size());
+      const auto part = [&](std::int32_t Lattice_offset_2::*axis) {
+        return [&value, axis](const Row& row) {
+          const auto offset = std::invoke(value, row);
+          return offset ? std::int64_t{(*offset).*axis} : missing;
+        };
+      };
+      add(begin + "k", rows, part(&Lattice_offset_2::x));
+      add(begin + "l", rows, part(&Lattice_offset_2::y));
     } else {
       std::vector<Element<Result>> column;
       column.reserve(rows.size());
@@ -68,11 +83,10 @@ class Answer_table {
  private:
   // The type of elements of a column for values of a type.
   template <class Value>
-  using Element =
-      std::conditional_t<std::same_as<Value, Point_id> || std::same_as<Value, double>, Value,
-                         std::conditional_t<std::same_as<Value, bool>, std::uint8_t,
-                                            std::conditional_t<std::same_as<Value, std::size_t>,
-                                                               std::int64_t, std::string>>>;
+  using Element = std::conditional_t<
+      std::same_as<Value, Point_id> || std::same_as<Value, double>, Value,
+      std::conditional_t<std::same_as<Value, bool>, std::uint8_t,
+                         std::conditional_t<std::integral<Value>, std::int64_t, std::string>>>;
 
   std::vector<std::pair<std::string, Column>> columns_;
 };

@@ -101,11 +101,11 @@ def periodic_cases():
     yield simulate("--periodic 1,1e300 --shear 1e10", rate="1e10", height="1e+300")
     yield simulate("--periodic 1,1e-300 --shear 1e-100", rate="1e-100", height="1e-300")
     for option in ("--box 0,0,9,9", "--rim", "--replay e", "--certificates c",
-                   "--range 1",
-                   "--neighbors n", "--exchanges n", "--nearest n", "--components n --range 1",
-                   "--connected n --between 0,1 --range 1", "--spanning-tree n", "--areas n --cutoff 1",
-                   "--mean-areas n --cutoff 1", "--encounters n --range 1", "--contact-plan n --range 1"):
+                   "--walkable w --areas n", "--walkable w --mean-areas n",
+                   "--connected n --between 0,1 --range 1", "--spanning-tree n",
+                   "--contact-plan n --range 1"):
         yield simulate(f"--periodic 9,9 {option}", option=option.split()[0])
+    yield simulate("--periodic 9,9 --html p --components n --range 1", option="--html with --range")
     yield case("simulate p.csv --until-share 0.5 --periodic 9,9", option="--until-share")
     box = "--until 1 --periodic 4,4,1 --shear 0.5"
     yield points("x,y,vx,vy,ax,ay\n0,0,0,0,1,0\n", box)
@@ -117,6 +117,8 @@ def periodic_cases():
     yield points("x,y,vx,vy\n0,0,0,0\n6,8,4,0\n", collide + " --radius 1", line=3, first=2)
     yield points("x,y,vx,vy\n0,0,0,0\n", collide + " --radius 2.125", line=2, id=0, x=1, y=0, time=0)
     yield points("x,y,vx,vy,radius\n0,0,0,0,0.5\n2,2,0,0,2.125\n", collide, line=3, id=1, x=1, y=0, time=0)
+    yield case(f"simulate p.csv {collide} --encounters n --range 1",
+               files={"p.csv": "x,y,vx,vy,radius\n0,0,0,0,0.5\n2,2,0,0,1\n"})
     yield case(f"simulate p.csv {collide} --verify", files={"p.csv": "x,y,vx,vy,radius\n0,0,0,0,0.5\n2,2,0,0,1\n"})
     yield case("simulate p.csv --until 2 --periodic 1,1", time="0.6465", a=0, b=1, x=2147483648, y=1,
                files={"p.csv": "x,y,vx,vy\n0,0,0,0\n2147483000.5,0.25,1000,0\n"})
@@ -165,7 +167,7 @@ def meaning_cases():
     yield case("tracks t.csv --date-format %m", format="%m")
     yield case("tracks t.csv --unwrap nearest", file="t.csv", option="--unwrap")
     yield case("tracks t.csv --periodic", file="t.csv", option="--periodic")
-    for option in ("--unwrap nearest", "--closest 3", "--collisions log", "--areas n --cutoff 1", "--range 1"):
+    for option in ("--unwrap nearest", "--closest 3", "--collisions log", "--walkable w --areas n"):
         yield case(f"tracks t.csv --periodic {option}", option=option.split()[0])
     yield case("tracks t.csv --format rows --columns t=t,id=id,x=x,y=y", file="t.csv", format="rows")
     yield simulate("--fps 5", option="--fps,--frames-per-time")

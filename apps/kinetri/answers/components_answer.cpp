@@ -11,17 +11,14 @@ namespace kinetri::app {
 namespace {
 
 // Calls `follow` if the simulation is one of points without radii.
-template <class Follow>
-std::unique_ptr<Answer> of_points(const char* option, const Any_simulation& simulation,
+template <class Traits, class Follow>
+std::unique_ptr<Answer> of_points(const char* option, Simulation_2<Traits>& simulation,
                                   const Follow& follow) {
-  return simulation.visit_plane(
-      [&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
-        if constexpr (!HasWeight<typename Traits::Motion>) {
-          if (s.options().radius == 0) return follow(s);
-        }
-        throw Usage_error(joined(
-            option, ": distances between discs are not supported; expected points without radii"));
-      });
+  if constexpr (!HasWeight<typename Traits::Motion>) {
+    if (simulation.options().radius == 0) return follow(simulation);
+  }
+  throw Usage_error(
+      joined(option, ": distances between discs are not supported; expected points without radii"));
 }
 
 // The points with this name in the input.
@@ -58,23 +55,27 @@ std::vector<Edge_ids> pairs_of_points(const std::array<std::string, 2>& names,
 std::unique_ptr<Answer> components_answer(const Answer_settings& settings,
                                           const Any_simulation& simulation,
                                           const Run_source& source) {
-  return of_points("--components", simulation, [&]<class Traits>(Simulation_2<Traits>& s) {
-    return table_answer<Connected_components<Traits>>(source, detail::Component_columns(), s,
-                                                      settings.range);
+  return simulation.visit([&](auto& any) {
+    return of_points("--components", any, [&]<class Traits>(Simulation_2<Traits>& s) {
+      return table_answer<Connected_components<Traits>>(
+          source, detail::Component_columns{PeriodicKineticTraits_2<Traits>}, s, settings.range);
+    });
   });
 }
 
 std::unique_ptr<Answer> connected_answer(const Answer_settings& settings,
                                          const Any_simulation& simulation,
                                          const Run_source& source) {
-  return of_points("--connected", simulation, [&]<class Traits>(Simulation_2<Traits>& s) {
-    std::vector<std::vector<Edge_ids>> pairs;
-    for (const auto& names : settings.between) {
-      pairs.push_back(pairs_of_points(names, source, s.triangulation().next_id()));
-    }
-    return table_answer<detail::Connections<Traits>>(
-        source, detail::Connection_columns<std::string>{settings.between}, s, settings.range,
-        pairs);
+  return simulation.visit_plane([&](auto& any) {
+    return of_points("--connected", any, [&]<class Traits>(Simulation_2<Traits>& s) {
+      std::vector<std::vector<Edge_ids>> pairs;
+      for (const auto& names : settings.between) {
+        pairs.push_back(pairs_of_points(names, source, s.triangulation().next_id()));
+      }
+      return table_answer<detail::Connections<Traits>>(
+          source, detail::Connection_columns<std::string>{settings.between}, s, settings.range,
+          pairs);
+    });
   });
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "answers/table_answer.h"
+#include "cli/arguments.h"
 #include "kinetri/impl/io/json_writer.h"
 
 namespace kinetri::app {
@@ -56,12 +57,19 @@ class Contact_plan : public Answer {
 std::unique_ptr<Answer> encounters_answer(const Answer_settings& settings,
                                           const Any_simulation& simulation,
                                           const Run_source& source) {
-  return simulation.visit_plane(
-      [&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
-        const bool has_discs = HasWeight<typename Traits::Motion> || s.options().radius != 0;
-        return table_answer<Encounters<Traits>>(source, detail::Encounter_columns{has_discs}, s,
-                                                settings.range);
-      });
+  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
+    constexpr bool is_periodic = PeriodicKineticTraits_2<Traits>;
+    constexpr bool has_radii = HasWeight<typename Traits::Motion>;
+    if constexpr (is_periodic && has_radii) {
+      throw Usage_error(
+          "--encounters: in a periodic box those of discs of several radii, or that grow, are not "
+          "supported; expected points, or discs of one constant radius");
+    } else {
+      const bool has_discs = has_radii || s.options().radius != 0;
+      return table_answer<Encounters<Traits>>(
+          source, detail::Encounter_columns{has_discs, is_periodic}, s, settings.range);
+    }
+  });
 }
 
 std::unique_ptr<Answer> contact_plan_answer(const Answer_settings& settings,

@@ -6,11 +6,10 @@ namespace kinetri::app {
 std::unique_ptr<Answer> mean_areas_answer(const Answer_settings& settings,
                                           const Any_simulation& simulation,
                                           const Run_source& source) {
-  return simulation.visit_plane(
-      [&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
-        return table_answer<Mean_cell_areas<Traits>>(source, detail::Mean_area_columns(), s,
-                                                     *settings.limits);
-      });
+  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
+    return table_answer<Mean_cell_areas<Traits>>(source, detail::Mean_area_columns(), s,
+                                                 *settings.limits);
+  });
 }
 
 }  // namespace kinetri::app

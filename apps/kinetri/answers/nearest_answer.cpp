@@ -6,10 +6,10 @@ namespace kinetri::app {
 
 std::unique_ptr<Answer> nearest_answer(const Answer_settings& /*settings*/,
                                        const Any_simulation& simulation, const Run_source& source) {
-  return simulation.visit_plane([&]<class Traits>(
-                                    Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
+  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) -> std::unique_ptr<Answer> {
     if constexpr (HasNearestNeighbors<Traits>) {
-      return table_answer<Nearest_neighbors<Traits>>(source, detail::Nearest_neighbor_columns(), s);
+      return table_answer<Nearest_neighbors<Traits>>(
+          source, detail::Nearest_neighbor_columns{PeriodicKineticTraits_2<Traits>}, s);
     } else {
       throw Usage_error(
           "--nearest: nearest discs need not be neighbors in a regular triangulation; expected "

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@
 #include "cli/text.h"
 #include "kinetri/impl/io/text.h"
 #include "kinetri/impl/observers/answer_columns.h"
+#include "kinetri/io/event_log.h"
 
 namespace kinetri::app {
 
@@ -65,6 +67,8 @@ void write_table(std::ostream& out, const Columns& columns, const Rows& rows,
         if (!labels.empty()) {
           append(last_columns, ",", value != no_point ? csv_field(labels[value]) : std::string());
         }
+      } else if constexpr (std::same_as<Value, std::optional<Lattice_offset_2>>) {
+        if (value) text += offset_field(*value);
       } else if constexpr (std::same_as<Value, double>) {
         if (!std::isnan(value)) append(text, value);
       } else if constexpr (std::same_as<Value, bool>) {

@@ -60,7 +60,8 @@ void expect_periodic(const Run_options& options) {
       refuse_with_periodic(row.option);
     }
   }
-  if (options.range) refuse_with_periodic("--range");
+  if (options.range && options.outputs[Output::html]) refuse_with_periodic("--html with --range");
+  if (options.walkable) refuse_with_periodic("--walkable");
 }
 
 }  // namespace kinetri::app

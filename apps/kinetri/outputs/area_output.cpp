@@ -13,10 +13,11 @@
 
 namespace kinetri::app {
 
-Cell_limits cell_limits(const Answer_settings& settings, const Run_source& source,
+Cell_limits cell_limits(const Answer_settings& settings, const Run_source& source, bool is_periodic,
                         const char* option) {
   Cell_limits result;
   if (settings.cutoff) result.cutoff = *settings.cutoff;
+  if (is_periodic) return result;  // all cells are bounded
   if (!settings.walkable) {
     const std::string area = source.walkable_area();
     if (area.empty() && !settings.cutoff) {
@@ -49,7 +50,7 @@ Cell_limits cell_limits(const Answer_settings& settings, const Run_source& sourc
 void Area_output::start(const Run_source& source, const Any_simulation& simulation, double until) {
   labels_ = source.labels();
   const double from =
-      simulation.visit_plane([](const auto& s) { return s.current_time().tight_interval().upper; });
+      simulation.visit([](const auto& s) { return s.current_time().tight_interval().upper; });
   const std::optional<Frame_rate> own = source.frame_rate();
   times_ = !rate_ && own ? times_of_input(from, until, *own) : frame_times(from, until, rate_);
 }
@@ -63,8 +64,8 @@ void Area_output::write(std::ostream& out, const Any_simulation& simulation) {
   std::string rows;
   if (next_ == 0) append(rows, "t,id,area,density", labels_.empty() ? "\n" : ",label\n");
   const double time = times_[next_++];
-  const std::vector<Cell_area> areas = simulation.visit_plane(
-      [&](const auto& s) { return cell_areas(s.triangulation(), *limits_); });
+  const std::vector<Cell_area> areas =
+      simulation.visit([&](const auto& s) { return cell_areas(s.triangulation(), *limits_); });
   for (const Cell_area& cell : areas) {
     append(rows, time, ",", cell.id, ",", cell.area, ",");
     if (cell.area > 0) append(rows, cell.density());

@@ -21,8 +21,8 @@
 namespace kinetri::app {
 
 /// The bounds of the cells that `option` measures. Reads the walkable area from its file or the
-/// source. Throws Input_error, and Usage_error if cells have no bounds.
-Cell_limits cell_limits(const Answer_settings& settings, const Run_source& source,
+/// source; a periodic box needs none. Throws Input_error, and Usage_error if cells have no bounds.
+Cell_limits cell_limits(const Answer_settings& settings, const Run_source& source, bool is_periodic,
                         const char* option);
 
 /// A table with a row for each point and frame. If the source has labels, the last column contains

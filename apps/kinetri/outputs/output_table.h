@@ -45,7 +45,9 @@ constexpr bool is_for_periodic_boxes(Output output) {
   return output == Output::events || output == Output::motions || output == Output::initial_edges ||
          output == Output::edges || output == Output::stats || output == Output::frames ||
          output == Output::vtu || output == Output::html || output == Output::ids ||
-         output == Output::checkpoint || output == Output::plot;
+         output == Output::checkpoint || output == Output::plot || output == Output::neighbors ||
+         output == Output::exchanges || output == Output::nearest || output == Output::components ||
+         output == Output::areas || output == Output::mean_areas || output == Output::encounters;
 }
 
 /// The commands that have an output.

@@ -177,7 +177,6 @@ void Simulation_run::build() {
   if (outputs_.has(Output::events) || outputs_.has(Output::motions)) {
     source_.expect_logs(outputs_.identities());
   }
-  read_limits();
   statistics_.points = source_.number_of_points();
   statistics_.from = source_.from();
   progress_.show_stage(joined("triangulating ", counted(statistics_.points, "point")));
@@ -186,6 +185,7 @@ void Simulation_run::build() {
   simulation_ =
       source_.make_simulation(settings_.exact_only ? Arithmetic::exact_only : Arithmetic::filtered);
   expect_periodic_outputs();
+  read_limits();
   simulation_.visit([this](auto& s) { s.set_threads(settings_.threads); });
   statistics_.until = end_of_run();
   progress_.set_range(statistics_.from, statistics_.until);
@@ -232,13 +232,15 @@ void Simulation_run::expect_periodic_outputs() {
     if (outputs_.has(row.output) && !is_for_periodic_boxes(row.output)) refuse(row.option);
   }
   if (settings_.html_range) refuse("--range");
+  if (asked_.walkable) refuse("--walkable");
 }
 
 // Reads the limits of cells if an output measures cells.
 void Simulation_run::read_limits() {
   for (const Output_row& row : output_table) {
     if (!row.has_limits || !outputs_.has(row.output) || asked_.limits) continue;
-    asked_.limits = std::make_shared<Cell_limits>(cell_limits(asked_, source_, row.option));
+    asked_.limits = std::make_shared<Cell_limits>(
+        cell_limits(asked_, source_, simulation_.is_periodic(), row.option));
   }
   if (outputs_.has(Output::areas)) areas_.emplace(asked_.limits, settings_.frame_rate);
 }

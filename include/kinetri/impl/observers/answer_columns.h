@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "kinetri/impl/observers/connections.h"
@@ -21,6 +22,11 @@
 
 namespace kinetri::detail {
 
+/// The offset of an image of a point; none if there is no point.
+inline std::optional<Lattice_offset_2> offset_of_end(Point_id id, const Lattice_offset_2& offset) {
+  return id == no_point ? std::nullopt : std::optional(offset);
+}
+
 /// The columns of a table. `Row` is the type of a row; rows(observer) returns all rows.
 ///
 /// visit(column) calls column(name, value) for each column, in their order. `value` is a member of
@@ -28,6 +34,8 @@ namespace kinetri::detail {
 /// - Algebraic_number: an exact time, which files give as its tight_interval() in two columns,
 ///   name_lo and name_hi;
 /// - Point_id: a point, or no_point;
+/// - std::optional<Lattice_offset_2>: of an image, against the point in a column before; files give
+///   it as two integers with a blank between, or nothing, in a column whose name ends in "offset";
 /// - std::size_t: a count; bool; a text;
 /// - double: a number, or NaN.
 ///
@@ -48,12 +56,14 @@ struct Approach_columns {
 
 struct Encounter_columns {
   using Row = Encounter;
-  bool has_gaps = false;  ///< whether the points are discs
+  bool has_gaps = false;     ///< whether the points are discs
+  bool has_offsets = false;  ///< whether there is a periodic box
 
   static auto rows(auto& observer) { return observer.encounters(); }
   void visit(const auto& column) const {
     column("a", [](const Row& row) { return row.points[0]; });
     column("b", [](const Row& row) { return row.points[1]; });
+    if (has_offsets) column("offset", [](const Row& row) { return std::optional(row.offset); });
     column("begin", &Row::begin);
     column("end", &Row::end);
     column("closest", &Row::closest);
@@ -64,15 +74,20 @@ struct Encounter_columns {
 
 struct Component_columns {
   using Row = Component_event;
+  bool has_offsets = false;  ///< whether there is a periodic box
 
   static const std::vector<Row>& rows(auto& observer) { return observer.events(); }
-  static void visit(const auto& column) {
+  void visit(const auto& column) const {
     column("time", &Row::time);
     column("kind", [](const Row& row) { return name(row.kind); });
     column("a", [](const Row& row) { return row.points[0]; });
     column("b", [](const Row& row) { return row.points[1]; });
+    if (has_offsets) {
+      column("offset", [](const Row& row) { return offset_of_end(row.points[1], row.offset); });
+    }
     column("components", &Row::components);
     column("largest", &Row::largest);
+    if (has_offsets) column("wrapping", &Row::wrapping);
   }
 };
 
@@ -106,12 +121,14 @@ struct Spanning_tree_columns {
 
 struct Neighbor_life_columns {
   using Row = Neighbor_life;
-  bool has_ridge = false;  ///< whether there is a threshold
+  bool has_ridge = false;    ///< whether there is a threshold
+  bool has_offsets = false;  ///< whether there is a periodic box
 
   static auto rows(auto& observer) { return observer.lives(); }
   void visit(const auto& column) const {
     column("a", [](const Row& row) { return row.points[0]; });
     column("b", [](const Row& row) { return row.points[1]; });
+    if (has_offsets) column("offset", [](const Row& row) { return std::optional(row.offset); });
     column("begin", &Row::begin);
     column("end", &Row::end);
     column("begins_by", [](const Row& row) { return name(row.begins_by); });
@@ -146,13 +163,22 @@ struct Exchange_columns {
 
 struct Nearest_neighbor_columns {
   using Row = Nearest_neighbor_change;
+  bool has_offsets = false;  ///< whether there is a periodic box
 
   static const std::vector<Row>& rows(auto& observer) { return observer.changes(); }
-  static void visit(const auto& column) {
+  void visit(const auto& column) const {
     column("time", &Row::time);
     column("id", &Row::id);
     column("before", &Row::before);
+    if (has_offsets) {
+      column("before_offset",
+             [](const Row& row) { return offset_of_end(row.before, row.before_offset); });
+    }
     column("after", &Row::after);
+    if (has_offsets) {
+      column("after_offset",
+             [](const Row& row) { return offset_of_end(row.after, row.after_offset); });
+    }
   }
 };
 

@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables about runs in periodic boxes from outside: lifetimes of edges against the log, areas against the box.
+
+usage: periodic_answers_test.py PROGRAM
+"""
+import collections
+import csv
+import io
+import pathlib
+import random
+import subprocess
+import sys
+import unittest
+
+sys.dont_write_bytecode = True
+from in_folder import In_folder  # noqa: E402
+
+PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
+HEADER = "x,y,vx,vy\n"
+
+
+def random_points(seed, number):
+    """Multiples of 1/8, in the box or not."""
+    generator = random.Random(seed)
+    rows = [[generator.randint(-32, 64) / 8, generator.randint(-32, 64) / 8, generator.randint(-16, 16) / 8,
+             generator.randint(-16, 16) / 8] for _ in range(number)]
+    return HEADER + "".join(",".join(map(str, row)) + "\n" for row in rows)
+
+
+class Periodic_answers(In_folder):
+    def run_program(self, command, points, code=0):
+        self.write("p.csv", points)
+        done = subprocess.run([PROGRAM, *command.split(), "--quiet"], cwd=self.folder, text=True, capture_output=True,
+                              stdin=subprocess.DEVNULL, timeout=300, check=False)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def table(self, name):
+        text = (self.folder / name).read_text(encoding="utf-8")
+        return list(csv.DictReader(io.StringIO(text)))
+
+    def header(self, name):
+        return (self.folder / name).read_text(encoding="utf-8").splitlines()[0]
+
+    def lives_by_log(self, until):
+        """The lifetimes by the edges at the start and the log; rows at one exact time have one instant."""
+        present = {(r["a"], r["b"], r["offset"]): ("0", "0") for r in self.table("i.csv")}
+        lives = []
+        for rows in self.instants():
+            change = collections.Counter()
+            for row in rows:
+                for what, count in (("removed", -1), ("added", 1)):
+                    if row[what + "_a"]:
+                        change[row[what + "_a"], row[what + "_b"], row[what + "_offset"]] += count
+            time = rows[0]["time_lo"], rows[0]["time_hi"]
+            for edge, count in change.items():
+                if count < 0:
+                    lives.append((*edge, *present.pop(edge), *time))
+                if count > 0:
+                    present[edge] = time
+        lives += [(*edge, *begin, until, until) for edge, begin in present.items()]
+        return sorted(life for life in lives if life[3:5] != life[5:7])
+
+    def instants(self):
+        rows = collections.defaultdict(list)
+        for row in self.table("e.csv"):
+            rows[int(row["instant"])].append(row)
+        return [rows[instant] for instant in sorted(rows)]
+
+    def test_neighbors_are_those_of_the_log(self):
+        lives = exchanged = own = 0
+        for seed in range(6):
+            number = 1 + 3 * seed
+            self.run_program("simulate p.csv --until 3 --periodic 4,5,1 --shear 0.5 --events e.csv --initial-edges i.csv "
+                             "--neighbors n.csv --exchanges x.csv --ridge 0.5", random_points(seed, number))
+            self.assertEqual(self.header("n.csv"),
+                             "a,b,offset,begin_lo,begin_hi,end_lo,end_hi,begins_by,ends_by,short")
+            table = self.table("n.csv")
+            columns = "a,b,offset,begin_lo,begin_hi,end_lo,end_hi".split(",")
+            self.assertEqual(sorted(tuple(row[c] for c in columns) for row in table), self.lives_by_log("3"))
+            gained, lost = collections.Counter(), collections.Counter()
+            for row in table:
+                own += row["a"] == row["b"]
+                for id in (row["a"], row["b"]):
+                    gained[id] += row["begins_by"] == "exchange"
+                    lost[id] += row["ends_by"] == "exchange"
+            for row in self.table("x.csv"):
+                self.assertEqual((int(row["gained"]), int(row["lost"])), (gained[row["id"]], lost[row["id"]]))
+                exchanged += int(row["gained"])
+            lives += len(table)
+        self.assertGreater(lives, 200)
+        self.assertGreater(exchanged, 100)
+        self.assertGreater(own, 5)
+
+    def test_areas_have_the_sum_of_the_box(self):
+        self.run_program("simulate p.csv --until 2 --periodic 4,5,1 --shear 0.5 --areas a.csv --fps 2 --mean-areas m.csv",
+                         random_points(7, 9))
+        sums = collections.Counter()
+        for row in self.table("a.csv"):
+            sums[row["t"]] += float(row["area"])
+        self.assertEqual(len(sums), 5)
+        for total in sums.values():
+            self.assertAlmostEqual(total, 20, places=12)
+        means = self.table("m.csv")
+        self.assertAlmostEqual(sum(float(row["area"]) for row in means), 20,
+                               delta=sum(float(row["error"]) for row in means))
+        self.run_program("simulate p.csv --until 2 --periodic 4,5,1 --areas a.csv --cutoff 0.25", random_points(7, 2))
+        self.assertTrue(all(float(row["area"]) < 0.19635 for row in self.table("a.csv")))
+
+    def test_discs_have_power_cells_and_lives(self):
+        points = "x,y,vx,vy,radius\n0,0,0,0,2\n4,0,0,0,1\n"
+        self.run_program("simulate p.csv --until 1 --periodic 8,8 --collisions log --areas a.csv --fps 1 --neighbors n.csv",
+                         points)
+        self.assertEqual([float(row["area"]) for row in self.table("a.csv")], [38, 26, 38, 26])
+        self.assertEqual(len(self.table("n.csv")), 6)
+
+    def test_nearest_and_components_have_offsets(self):
+        self.run_program("simulate p.csv --until 9 --periodic 10,10 --nearest n.csv --components c.csv --range 1",
+                         HEADER + "9,5,1,0\n4,5,0,0\n")
+        self.assertEqual(self.header("n.csv"), "time_lo,time_hi,id,before,before_offset,after,after_offset")
+        first = self.table("n.csv")[0]
+        self.assertEqual((first["before"], first["before_offset"], first["after"]), ("", "", "1"))
+        self.assertEqual(self.header("c.csv"), "time_lo,time_hi,kind,a,b,offset,components,largest,wrapping")
+        rows = [(r["kind"], r["a"], r["b"], r["offset"], r["time_lo"], r["wrapping"]) for r in self.table("c.csv")]
+        self.assertEqual(rows, [("start", "", "", "", "0", "0"), ("merge", "0", "1", "1 0", "4", "0"),
+                                ("split", "0", "1", "1 0", "6", "0")])
+        self.run_program("simulate p.csv --until 3 --periodic 4,4 --components c.csv --range 3",
+                         HEADER + "0,0,1,0\n2,0,0,0\n")
+        self.assertIn("unwrap", [row["kind"] for row in self.table("c.csv")])
+
+    def test_tables_in_the_plane_have_no_offsets(self):
+        self.run_program("simulate p.csv --until 1 --neighbors n.csv --nearest x.csv --components c.csv --range 1",
+                         HEADER + "0,0,0,0\n4,0,0,0\n0,4,0,0\n3,3,1,1\n")
+        self.assertEqual(self.header("n.csv"), "a,b,begin_lo,begin_hi,end_lo,end_hi,begins_by,ends_by,short")
+        self.assertEqual(self.header("x.csv"), "time_lo,time_hi,id,before,after")
+        self.assertEqual(self.header("c.csv"), "time_lo,time_hi,kind,a,b,components,largest")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
