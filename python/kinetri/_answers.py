@@ -90,22 +90,25 @@ def _pairs(engine: _kinetri.Engine, between: ArrayLike) -> Ids:
 
 
 def _column(values: Any) -> Any:
-    """A column; ids that may be missing are nullable."""
+    """A column; ids and offsets that may be missing are nullable."""
     import pandas as pd
 
     if isinstance(values, np.ndarray) and values.dtype == np.uint8:
         return values.astype(bool)
-    if isinstance(values, np.ndarray) and values.dtype == np.uint32 and np.any(values == NO_POINT):
-        return pd.arrays.IntegerArray(values.astype(np.int64), values == NO_POINT)
+    for kind, missing in ((np.uint32, NO_POINT), (np.int64, np.iinfo(np.int64).min)):
+        if isinstance(values, np.ndarray) and values.dtype == kind and np.any(values == missing):
+            return pd.arrays.IntegerArray(values.astype(np.int64), values == missing)
     return values
 
 
-def cell_limits(walkable: str | ArrayLike | None, cutoff: float | None) -> _kinetri.CellLimits:
+def cell_limits(engine: _kinetri.Engine, walkable: str | ArrayLike | None,
+                cutoff: float | None) -> _kinetri.CellLimits:
     """The bounds of cells, as arguments of the engine."""
     text = walkable if isinstance(walkable, str) else None
     polygon = None if walkable is None or text is not None else _arrays.point_array("walkable", walkable)
     return _kinetri.CellLimits(text, polygon,
-                               math.inf if cutoff is None else _arrays.one_number("cutoff", cutoff))
+                               math.inf if cutoff is None else _arrays.one_number("cutoff", cutoff),
+                               engine.box() is not None)
 
 
 class RunAnswers:
@@ -187,7 +190,8 @@ class RunAnswers:
             begin, end and closest, the time of the least distance, each with its bounds in columns that
             end in _lo and _hi; distance, the least one, of the centers; gap, if there are discs. Each number is
             the float64 nearest to the exact one. An encounter begins at the earliest now or when a point is
-            inserted, and ends at the latest at the end or when a point is erased.
+            inserted, and ends at the latest at the end or when a point is erased. In a periodic box also k and l,
+            the offset of the image of b that a meets; a and b may be one point.
         """
         return self._answer(self.watch("encounters", range=range), until, progress)
 
@@ -211,7 +215,9 @@ class RunAnswers:
             In order of time: time, time_lo, time_hi; kind, which is 'start' in the first row, then
             'merge' or 'split', and 'insert' or 'erase' of a point without links; a and b, the pair whose
             link begins or ends (of insert and erase a is the point); components, the number of components after
-            that; largest, the number of points in the largest.
+            that; largest, the number of points in the largest. In a periodic box also k and l, the offset of the
+            image of b, and wrapping, the number of components that wrap around the box; kind may be 'wrap' or
+            'unwrap', when one begins or ceases to.
         """
         return self._answer(self.watch("components", range=range), until, progress)
 
@@ -292,7 +298,8 @@ class RunAnswers:
             a < b); begin and end, each with its bounds in columns that end in _lo and _hi; begins_by and
             ends_by: 'exchange' (by motion), 'point' (by inserting or erasing an end or a point nearby), or
             'run' (the observation begins or ends); with `ridge` also short: whether the side between the two
-            cells was always shorter than that, decided exactly.
+            cells was always shorter than that, decided exactly. In a periodic box also k and l, the offset of the
+            image of b that is the neighbor of a; a and b may be one point.
         """
         return self._answer(self.watch("neighbor_lives", ridge=ridge), until, progress)
 
@@ -362,7 +369,8 @@ class RunAnswers:
         -------
         pandas.DataFrame
             In the exact order of time, then by id: time, time_lo, time_hi, id, before and after (ids;
-            missing at the start, and if there is no other point). The first rows are those of the start.
+            missing at the start, and if there is no other point). The first rows are those of the start. In a
+            periodic box also before_k, before_l, after_k and after_l: which images these are.
         """
         return self._answer(self.watch("nearest_neighbor_changes"), until, progress)
 
@@ -387,9 +395,7 @@ class RunAnswers:
         """
         import pandas as pd
 
-        limits = cell_limits(walkable, cutoff)
-        if self._engine.box() is not None:
-            raise PreconditionError("areas of cells are not possible in a periodic box")
+        limits = cell_limits(self._engine, walkable, cutoff)
         frames = _arrays.float_array("times", times, (None,))
         if np.any(np.diff(frames) < 0):
             i = int(np.argmax(np.diff(frames) < 0)) + 1
@@ -440,7 +446,7 @@ class RunAnswers:
         import pandas as pd
 
         watch = _kinetri.Watch(self._engine, "mean_areas", 0, None, np.empty((0, 2), dtype=np.uint32),
-                               limits=cell_limits(walkable, cutoff),
+                               limits=cell_limits(self._engine, walkable, cutoff),
                                tolerance=_arrays.one_number("tolerance", tolerance))
         self._advance(until, None, progress)
         return pd.DataFrame(watch.table())

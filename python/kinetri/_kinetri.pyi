@@ -177,7 +177,8 @@ class Engine:
     def statistics(self) -> dict[str, Any]: ...
 
 class CellLimits:
-    def __init__(self, text: str | None, polygon: Floats | None, cutoff: float, /) -> None: ...
+    def __init__(self, text: str | None, polygon: Floats | None, cutoff: float, is_in_periodic_box: bool,
+                 /) -> None: ...
 
 class Watch:
     def __init__(self, engine: Engine, about: str, number: int, distance: float | None, pairs: Ids,

@@ -889,7 +889,8 @@ class MovingPoints(RunAnswers):
             Where points can be: polygons with holes as Well-Known Text (POLYGON, MULTIPOLYGON, or a
             GEOMETRYCOLLECTION of these), or the vertices of one polygon in either order.
         cutoff : float, optional
-            The greatest distance of a cell's positions from its point. `walkable` or `cutoff` must be given.
+            The greatest distance of a cell's positions from its point. `walkable` or `cutoff` must be given; in a
+            periodic box, where all cells are bounded, neither need be, and `walkable` is refused.
 
         Returns
         -------
@@ -914,7 +915,7 @@ class MovingPoints(RunAnswers):
         >>> kd.cell_areas("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0))")
         array([8., 8.])
         """
-        ids, areas = self._engine.cell_areas(cell_limits(walkable, cutoff))
+        ids, areas = self._engine.cell_areas(cell_limits(self._engine, walkable, cutoff))
         result = np.zeros(self.next_id)
         result[ids] = areas
         return result

@@ -685,12 +685,13 @@ void bind_engine(py::module_& module) {
   module.def("make_simulation", make_moving_simulation);
   py::class_<Cell_limits, std::shared_ptr<Cell_limits>>(module, "CellLimits")
       .def(py::init([](const std::optional<std::string>& text,
-                       const std::optional<Array<double>>& polygon, double cutoff) {
+                       const std::optional<Array<double>>& polygon, double cutoff,
+                       bool is_in_periodic_box) {
         auto limits = std::make_shared<Cell_limits>();
         limits->cutoff = cutoff;
         if (text) limits->walkable = Walkable_area::from_wkt(*text, "walkable");
         if (polygon) limits->walkable = Walkable_area(corners_of(*polygon));
-        limits->check();
+        limits->check(is_in_periodic_box);
         return limits;
       }));
   py::class_<Moving_watch>(module, "Watch")

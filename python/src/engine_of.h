@@ -203,8 +203,7 @@ class Engine_of final : public Engine {
   }
 
   std::unique_ptr<Watch> watch(const Question& question) override {
-    if constexpr (!is_periodic) return python::watch(*core_, question);
-    refuse_in_box("questions about a run, such as " + question.about);
+    return python::watch(*core_, question);
   }
 
   // ---- answers ----
@@ -233,8 +232,7 @@ class Engine_of final : public Engine {
     }
   }
   std::vector<Cell_area> cell_areas(const Cell_limits& limits) const override {
-    if constexpr (!is_periodic) return kinetri::cell_areas(kinetic(), limits);
-    refuse_in_box("areas of cells");
+    return kinetri::cell_areas(kinetic(), limits);
   }
   std::vector<Edge_ids> gabriel_edges() const override {
     if constexpr (has_proximity_graphs) return kinetri::gabriel_edges(kinetic());

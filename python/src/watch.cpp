@@ -22,6 +22,9 @@ struct Traits_of<Core<Traits>> {
 [[noreturn]] void refuse(const std::string& problem) {
   throw Precondition_error(problem);
 }
+[[noreturn]] void refuse_in_box(const Question& question) {
+  refuse("answers to the question '" + question.about + "' are not possible in a periodic box");
+}
 
 // The table of an observer.
 template <class Observer, class Columns>
@@ -63,7 +66,9 @@ bool has_discs(const Kinetic_triangulation_2<Traits>& /*triangulation*/) {
 
 template <class Core, class Traits>
 std::unique_ptr<Watch> closest(Core& core, const Question& question) {
-  if constexpr (std::is_same_v<Core, Simulation_2<Traits>> && HasLinearMotion<Traits>) {
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    refuse_in_box(question);
+  } else if constexpr (std::is_same_v<Core, Simulation_2<Traits>> && HasLinearMotion<Traits>) {
     return watch_of<Closest_approaches<Traits>>(detail::Approach_columns{has_discs(core)}, core,
                                                 question.number);
   } else {
@@ -73,9 +78,14 @@ std::unique_ptr<Watch> closest(Core& core, const Question& question) {
 
 template <class Core, class Traits>
 std::unique_ptr<Watch> encounters(Core& core, const Question& question) {
-  if constexpr (std::is_constructible_v<Encounters<Traits>, Core&, double>) {
-    return watch_of<Encounters<Traits>>(detail::Encounter_columns{has_discs(core)}, core,
-                                        *question.distance);
+  if constexpr (PeriodicKineticTraits_2<Traits> && HasWeight<typename Traits::Motion>) {
+    refuse(
+        "encounters of discs with radii of their own are not possible in a periodic box; expected "
+        "discs of one constant radius");
+  } else if constexpr (std::is_constructible_v<Encounters<Traits>, Core&, double>) {
+    return watch_of<Encounters<Traits>>(
+        detail::Encounter_columns{has_discs(core), PeriodicKineticTraits_2<Traits>}, core,
+        *question.distance);
   } else {
     refuse("encounters of discs with radii of their own are those of a Simulation");
   }
@@ -87,15 +97,17 @@ std::unique_ptr<Watch> components(Core& core, const Question& question) {
     refuse(
         "components are those of points, or of discs of one radius; these have radii of their own");
   } else {
-    return watch_of<Connected_components<Traits>>(detail::Component_columns(), core,
-                                                  *question.distance);
+    return watch_of<Connected_components<Traits>>(
+        detail::Component_columns{PeriodicKineticTraits_2<Traits>}, core, *question.distance);
   }
 }
 
 // Rows have the points of the first pair; with several pairs, the package replaces them by names.
 template <class Core, class Traits>
 std::unique_ptr<Watch> connected(Core& core, const Question& question) {
-  if constexpr (HasWeight<typename Traits::Motion>) {
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    refuse_in_box(question);
+  } else if constexpr (HasWeight<typename Traits::Motion>) {
     refuse("connected are points, or discs of one radius; these have radii of their own");
   } else {
     using Names = detail::Connection_columns<Point_id>;
@@ -107,8 +119,10 @@ std::unique_ptr<Watch> connected(Core& core, const Question& question) {
 }
 
 template <class Core, class Traits>
-std::unique_ptr<Watch> spanning_tree(Core& core, const Question& /*question*/) {
-  if constexpr (HasWeight<typename Traits::Motion>) {
+std::unique_ptr<Watch> spanning_tree(Core& core, [[maybe_unused]] const Question& question) {
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    refuse_in_box(question);
+  } else if constexpr (HasWeight<typename Traits::Motion>) {
     refuse(
         "spanning trees are those of points, or of discs of one radius; these have radii of their "
         "own");
@@ -120,7 +134,8 @@ std::unique_ptr<Watch> spanning_tree(Core& core, const Question& /*question*/) {
 template <class Core, class Traits>
 std::unique_ptr<Watch> neighbor_lives(Core& core, const Question& question) {
   return watch_of<Neighbor_lives<Traits>>(
-      detail::Neighbor_life_columns{question.distance.has_value()}, core, question.distance);
+      detail::Neighbor_life_columns{question.distance.has_value(), PeriodicKineticTraits_2<Traits>},
+      core, question.distance);
 }
 
 template <class Core, class Traits>
@@ -132,7 +147,8 @@ std::unique_ptr<Watch> exchanges(Core& core, const Question& question) {
 template <class Core, class Traits>
 std::unique_ptr<Watch> nearest_neighbor_changes(Core& core, const Question& /*question*/) {
   if constexpr (HasNearestNeighbors<Traits>) {
-    return watch_of<Nearest_neighbors<Traits>>(detail::Nearest_neighbor_columns(), core);
+    return watch_of<Nearest_neighbors<Traits>>(
+        detail::Nearest_neighbor_columns{PeriodicKineticTraits_2<Traits>}, core);
   } else {
     refuse(
         "nearest neighbors are those of points, or of discs of one radius; these have radii of "
@@ -207,8 +223,12 @@ class Certificate_watch final : public Watch {
 };
 
 template <class Core, class Traits>
-std::unique_ptr<Watch> certificates(Core& core, const Question& /*question*/) {
-  return std::make_unique<Certificate_watch<Core, Traits>>(core);
+std::unique_ptr<Watch> certificates(Core& core, [[maybe_unused]] const Question& question) {
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    refuse_in_box(question);
+  } else {
+    return std::make_unique<Certificate_watch<Core, Traits>>(core);
+  }
 }
 
 // The questions by name.
@@ -248,6 +268,8 @@ KINETRI_INSTANTIATE(Linear_kinetic_traits_2);
 KINETRI_INSTANTIATE(Polynomial_kinetic_traits_2);
 KINETRI_INSTANTIATE(Disc_kinetic_traits_2);
 KINETRI_INSTANTIATE(Polynomial_disc_kinetic_traits_2);
+KINETRI_INSTANTIATE(Periodic_kinetic_traits_2);
+KINETRI_INSTANTIATE(Periodic_disc_kinetic_traits_2);
 #undef KINETRI_INSTANTIATE
 
 }  // namespace kinetri::python

@@ -72,8 +72,9 @@ class Periodic_answers(In_folder):
         lives = exchanged = own = 0
         for seed in range(6):
             number = 1 + 3 * seed
-            self.run_program("simulate p.csv --until 3 --periodic 4,5,1 --shear 0.5 --events e.csv --initial-edges i.csv "
-                             "--neighbors n.csv --exchanges x.csv --ridge 0.5", random_points(seed, number))
+            self.run_program("simulate p.csv --until 3 --periodic 4,5,1 --shear 0.5 --events e.csv "
+                             "--initial-edges i.csv --neighbors n.csv --exchanges x.csv --ridge 0.5",
+                             random_points(seed, number))
             self.assertEqual(self.header("n.csv"),
                              "a,b,offset,begin_lo,begin_hi,end_lo,end_hi,begins_by,ends_by,short")
             table = self.table("n.csv")
@@ -94,8 +95,8 @@ class Periodic_answers(In_folder):
         self.assertGreater(own, 5)
 
     def test_areas_have_the_sum_of_the_box(self):
-        self.run_program("simulate p.csv --until 2 --periodic 4,5,1 --shear 0.5 --areas a.csv --fps 2 --mean-areas m.csv",
-                         random_points(7, 9))
+        self.run_program("simulate p.csv --until 2 --periodic 4,5,1 --shear 0.5 --areas a.csv --fps 2 "
+                         "--mean-areas m.csv", random_points(7, 9))
         sums = collections.Counter()
         for row in self.table("a.csv"):
             sums[row["t"]] += float(row["area"])
@@ -110,8 +111,8 @@ class Periodic_answers(In_folder):
 
     def test_discs_have_power_cells_and_lives(self):
         points = "x,y,vx,vy,radius\n0,0,0,0,2\n4,0,0,0,1\n"
-        self.run_program("simulate p.csv --until 1 --periodic 8,8 --collisions log --areas a.csv --fps 1 --neighbors n.csv",
-                         points)
+        self.run_program("simulate p.csv --until 1 --periodic 8,8 --collisions log --areas a.csv --fps 1 "
+                         "--neighbors n.csv", points)
         self.assertEqual([float(row["area"]) for row in self.table("a.csv")], [38, 26, 38, 26])
         self.assertEqual(len(self.table("n.csv")), 6)
 
