@@ -10,9 +10,11 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <vector>
 
 #include "kinetic/certain_signs.h"
 #include "kinetri/impl/base/compiler.h"
+#include "kinetri/impl/triangulation/parallel.h"
 #include "kinetri/impl/triangulation/topology.h"
 
 namespace kinetri::detail {
@@ -30,19 +32,19 @@ class Kinetic_types<Traits>::Moved_points {
         time_(time.to_double()),
         times_(time.interval()) {}
 
-  /// Gives points their motions. O(n).
+  /// Gives points, which are there, their motions. O(n), on all threads of oneTBB's arena.
   void set(std::span<const Change> changes);
   /// Whether all rounded positions and weights are finite.
-  bool are_known() const { return std::isfinite(error_) && std::isfinite(weight_error_); }
+  bool are_known() const { return std::isfinite(errors_.place) && std::isfinite(errors_.weight); }
 
   /// The rounded position of a finite vertex.
   Vector_2 place(Vertex_handle v) const { return rounded_place(v->point().motion(), time_); }
   /// The error of each coordinate of place().
-  double error() const { return error_; }
+  double error() const { return errors_.place; }
 
   /// The orientation of three finite vertices, if it is certain by place(); else ZERO.
   Sign certain_turn(Vertex_handle a, Vertex_handle b, Vertex_handle c) const {
-    return certain_orientation(place(a), place(b), place(c), error_);
+    return certain_orientation(place(a), place(b), place(c), errors_.place);
   }
   /// The orientation of three finite vertices.
   Sign turn(Vertex_handle a, Vertex_handle b, Vertex_handle c) const {
@@ -66,16 +68,27 @@ class Kinetic_types<Traits>::Moved_points {
     if constexpr (is_weighted) {
       if (!topology_.are_weights_equal()) {
         return certain_side_of_oriented_circle(
-            place(a), place(b), place(c), place(v), error_,
-            {{weight(a), weight(b), weight(c), weight(v)}, weight_error_});
+            place(a), place(b), place(c), place(v), errors_.place,
+            {{weight(a), weight(b), weight(c), weight(v)}, errors_.weight});
       }
     }
-    return certain_side_of_oriented_circle(place(a), place(b), place(c), place(v), error_);
+    return certain_side_of_oriented_circle(place(a), place(b), place(c), place(v), errors_.place);
   }
   /// Whether a finite vertex is in the circle of a finite face.
   bool is_in_circle(Face_handle face, Vertex_handle v) const;
 
  private:
+  // Bounds; infinite if a number is not finite.
+  struct Errors {
+    double place = 0;   // of each coordinate
+    double weight = 0;  // of each weight
+  };
+  struct Block {
+    std::span<const Change> changes;
+    Errors errors;
+  };
+
+  void add_errors(const Motion& motion, Errors& errors) const;
   double weight(Vertex_handle v) const { return rounded_weight(v->point().motion(), time_); }
   bool is_infinite(Vertex_handle v) const { return triangulation_.is_infinite(v); }
 
@@ -83,33 +96,43 @@ class Kinetic_types<Traits>::Moved_points {
   const Triangulation& triangulation_;
   const double time_;
   const Double_interval times_;
-  double error_ = 0;         // of each coordinate; infinite if a position is not finite
-  double weight_error_ = 0;  // of each weight
+  Errors errors_;
 };
 
 template <class Traits>
 void Kinetic_types<Traits>::Moved_points::set(std::span<const Change> changes) {
-  // The bound is infinite if the number is not finite.
+  std::vector<Block> blocks;
+  for (const auto& some : blocks_of(changes)) blocks.push_back({some, {}});
+  for_each_in_parallel(blocks, [&](Block& block) {
+    constexpr std::size_t ahead = 8;
+    for (std::size_t k = 0; k < block.changes.size(); ++k) {
+      if (k + ahead < block.changes.size()) {
+        prefetch(topology_.vertex(block.changes[k + ahead].point));
+      }
+      topology_.set_point(block.changes[k]);
+      add_errors(*block.changes[k].motion, block.errors);
+    }
+  });
+  for (const Block& block : blocks) {
+    errors_.place = std::max(errors_.place, block.errors.place);
+    errors_.weight = std::max(errors_.weight, block.errors.weight);
+  }
+  if (changes.size() == topology_.number_of_vertices()) return;
+  for (const Vertex_handle v : topology_.vertices()) {
+    if (v != Vertex_handle()) add_errors(v->point().motion(), errors_);
+  }
+}
+
+template <class Traits>
+void Kinetic_types<Traits>::Moved_points::add_errors(const Motion& motion, Errors& errors) const {
   const auto add = [](double& bound, double number, double error) {
     const bool is_finite = std::isfinite(number) && std::isfinite(error);
     bound = is_finite ? std::max(bound, error) : std::numeric_limits<double>::infinity();
   };
-  const auto add_errors = [&](const Motion& motion) {
-    const auto [x, y] = rounded_place(motion, time_);
-    add(error_, x + y, place_error(motion, time_, times_));
-    if constexpr (is_weighted) {
-      add(weight_error_, rounded_weight(motion, time_), weight_error(motion, time_, times_));
-    }
-  };
-  constexpr std::size_t ahead = 8;
-  for (std::size_t k = 0; k < changes.size(); ++k) {
-    if (k + ahead < changes.size()) prefetch(topology_.vertex(changes[k + ahead].point));
-    topology_.set_point(changes[k]);
-    add_errors(*changes[k].motion);
-  }
-  if (changes.size() == topology_.number_of_vertices()) return;
-  for (const Vertex_handle v : topology_.vertices()) {
-    if (v != Vertex_handle()) add_errors(v->point().motion());
+  const auto [x, y] = rounded_place(motion, time_);
+  add(errors.place, x + y, place_error(motion, time_, times_));
+  if constexpr (is_weighted) {
+    add(errors.weight, rounded_weight(motion, time_), weight_error(motion, time_, times_));
   }
 }
 

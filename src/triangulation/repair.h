@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -25,6 +26,7 @@
 #include "kinetri/impl/base/compiler.h"
 #include "kinetri/impl/triangulation/edge_changes.h"
 #include "kinetri/impl/triangulation/incident.h"
+#include "kinetri/impl/triangulation/parallel.h"
 #include "kinetri/impl/triangulation/static_construction.h"
 #include "kinetri/impl/triangulation/topology.h"
 #include "triangulation/moved_points.h"
@@ -34,8 +36,8 @@ namespace kinetri::detail {
 /// Moves points. Precondition: dimension 2; the triangulation is Delaunay (regular) at the instant
 /// of its predicates.
 ///
-/// Cost: O(n), O(log n) expected for each flip that is noted, and for each point that is taken out
-/// what its removal and insertion cost.
+/// Cost: O(n), on all threads of oneTBB's arena; O(log n) expected for each flip that is noted, and
+/// for each point that is taken out what its removal and insertion cost.
 template <class Traits>
 class Kinetic_types<Traits>::Repair {
  public:
@@ -69,7 +71,13 @@ class Kinetic_types<Traits>::Repair {
   bool is_violated(Face_handle face, int i) const;
 
   // ---- triangles that turn over ----
+  struct Block {
+    std::span<const Face_handle> faces;
+    std::vector<Face_handle> turned;
+    std::vector<Edge> suspects;
+  };
   bool find_turned();
+  void find_turned(Block& block) const;
   bool embed();
   void flip_turned();
   bool try_flip_turned(Face_handle face);
@@ -148,11 +156,33 @@ bool Kinetic_types<Traits>::Repair::is_violated(Face_handle face, int i) const {
 
 // ---- triangles that turn over ----
 
-// Finds triangles that may have turned over, and edges between the others that may be violated.
-// Returns false if there are too many of the former.
+// Finds triangles that may have turned over, and edges that may be violated. Returns false if there
+// are too many of the former. The result is the same on any number of threads.
 template <class Traits>
 bool Kinetic_types<Traits>::Repair::find_turned() {
+  constexpr std::size_t faces_per_block = 8192;
   const std::size_t most = topology_.number_of_vertices() / points_for_each_turned;
+  const std::vector<Face_handle> faces = topology_.faces();
+  std::vector<Block> blocks;
+  for (const auto& some : blocks_of(std::span(faces), faces_per_block)) {
+    blocks.push_back({some, {}, {}});
+  }
+  std::atomic<std::size_t> turned = 0;
+  for_each_in_parallel(blocks, [&](Block& block) {
+    if (turned > most) return;
+    find_turned(block);
+    turned += block.turned.size();
+  });
+  if (turned > most) return false;
+  for (const Block& block : blocks) {
+    turned_.insert(turned_.end(), block.turned.begin(), block.turned.end());
+    suspects_.insert(suspects_.end(), block.suspects.begin(), block.suspects.end());
+  }
+  return true;
+}
+
+template <class Traits>
+void Kinetic_types<Traits>::Repair::find_turned(Block& block) const {
   // Edges in batches, so that the vertices beyond them are in the cache when they are needed.
   std::array<Edge, 96> edges;
   std::array<Vertex_handle, 96> beyond;
@@ -165,15 +195,15 @@ bool Kinetic_types<Traits>::Repair::find_turned() {
     for (std::size_t k = 0; k < count; ++k) {
       if (is_infinite(beyond[k])) continue;
       if (points_.certain_side(edges[k].first, beyond[k]) != CGAL::NEGATIVE) {
-        suspects_.push_back(edges[k]);
+        block.suspects.push_back(edges[k]);
       }
     }
     count = 0;
   };
-  for (const Face_handle face : triangulation_.finite_face_handles()) {
+  for (const Face_handle face : block.faces) {
+    if (triangulation_.is_infinite(face)) continue;
     if (points_.certain_turn(face->vertex(0), face->vertex(1), face->vertex(2)) != CGAL::POSITIVE) {
-      turned_.push_back(face);
-      if (turned_.size() > most) return false;
+      block.turned.push_back(face);
     }
     for (int i = 0; i < 3; ++i) {
       const Face_handle neighbor = face->neighbor(i);
@@ -184,7 +214,6 @@ bool Kinetic_types<Traits>::Repair::find_turned() {
     if (count + 3 > edges.size()) find_violated();
   }
   find_violated();
-  return true;
 }
 
 // Makes all finite triangles counterclockwise, and the hull convex and simple. Returns false if it
