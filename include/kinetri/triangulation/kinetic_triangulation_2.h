@@ -208,8 +208,8 @@ class Kinetic_triangulation_2 {
   /// call computes those certificates again, or all if they are deferred (see set_motions).
   bool has_event_before(const Time& time) const;
 
-  /// Advances to the time of the next event and executes all events of that time. Returns their
-  /// number; 0 if there is no next event.
+  /// Advances to the next time that has events and executes all of these. Returns their number; 0
+  /// if there is none. Points may meet without an event: such a time is passed.
   std::size_t step();
 
   /// Advances to `time` and executes every event up to it, included. Returns the number of events.
