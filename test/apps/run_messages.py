@@ -69,9 +69,10 @@ def periodic_checkpoint_cases():
     def resume(content, more="", **values):
         return case(f"resume c --until 3 {more}", files={"c": content}, **values)
 
-    for option in ("--certificates n", "--neighbors n", "--components n --range 1", "--areas n --cutoff 1",
-                   "--spanning-tree n", "--encounters n --range 1"):
+    for option in ("--certificates n", "--spanning-tree n", "--connected n --between 0,1 --range 1",
+                   "--contact-plan n --range 1"):
         yield resume(checkpoint(*run), option, option=option.split()[0])
+    yield resume(checkpoint(*run), "--areas n --walkable w", option="--walkable")
     yield resume(checkpoint(*run), "--html n --range 1", option="--range")
     rates = [[9.0, 0.0, 0.25, 0.0, 0.0], [0.0, 9.0, 0.0, 0.25, 0.0]]
     yield resume(forged(setter("periodic_box", rates), *run), "--verify")
