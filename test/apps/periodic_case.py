@@ -44,8 +44,8 @@ class Program_in_box(In_folder):
     def read(self, name):
         return (self.folder / name).read_text(encoding="utf-8")
 
-    def rows(self):
-        return list(csv.DictReader(io.StringIO(self.read("e.csv"))))
+    def rows(self, name="e.csv"):
+        return list(csv.DictReader(io.StringIO(self.read(name))))
 
     def discs(self, columns, rows):
         """One in each square of side 2 of a box of side 10, in it or an image of it, moving in eighths."""

@@ -6,20 +6,15 @@ velocities after each contact; that runs give the same bytes; pictures; and what
 
 usage: periodic_contacts_test.py PROGRAM
 """
-import csv
 import fractions
 import math
-import pathlib
 import random
 import re
-import subprocess
 import sys
 import unittest
 
 sys.dont_write_bytecode = True
-from in_folder import In_folder  # noqa: E402
-
-PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
+from periodic_case import Program_in_box  # noqa: E402
 
 Fraction = fractions.Fraction
 
@@ -130,22 +125,8 @@ class All_pairs:
                     self.add(min(a, b), max(a, b), now)
 
 
-class Periodic_contacts(In_folder):
-    def run_program(self, command, points=None, code=0):
-        if points is not None:
-            self.write("p.csv", points)
-        done = subprocess.run([PROGRAM, *command.split()], cwd=self.folder, text=True, capture_output=True,
-                              stdin=subprocess.DEVNULL, timeout=300, check=False)
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done
-
-    def read(self, name):
-        return (self.folder / name).read_text(encoding="utf-8")
-
-    def rows(self, name):
-        return list(csv.DictReader(self.read(name).splitlines()))
-
-    def discs(self, generator, side, masses=False, radii=(), growths=()):
+class Periodic_contacts(Program_in_box):
+    def jittered_discs(self, generator, side, masses=False, radii=(), growths=()):
         """A disc for each unit square of a lattice, in it or an image of it; numbers are multiples of 1/64."""
         def number(least, most):
             return generator.randint(64 * least, 64 * most) / 64
@@ -244,7 +225,7 @@ class Periodic_contacts(In_folder):
                     continue  # images of discs that are stopped go on
                 generator = random.Random(f"{response} {seed}")
                 box = Box(5, 5, generator.choice([0, 1, -2]), shear)
-                offsets = self.check_run(response, box, self.discs(generator, 5), 0.25, 2)
+                offsets = self.check_run(response, box, self.jittered_discs(generator, 5), 0.25, 2)
                 found.setdefault(response, []).extend(offsets)
         for response, offsets in found.items():
             self.assertGreater(len(offsets), 15, response)
@@ -260,7 +241,7 @@ class Periodic_contacts(In_folder):
                     continue  # images of discs that are stopped go on
                 generator = random.Random(f"{name} {response} {seed}")
                 box = Box(5, 5, generator.choice([0, 1, -2]), shear)
-                points = self.discs(generator, 5, radii=radii, growths=growths.get(response, growths.get("")))
+                points = self.jittered_discs(generator, 5, radii=radii, growths=growths.get(response, growths.get("")))
                 found.setdefault(response, []).extend(self.check_run(response, box, points, None, until))
         for response, offsets in found.items():
             self.assertGreater(len(offsets), 10, response)
@@ -275,26 +256,26 @@ class Periodic_contacts(In_folder):
         growths = {"": (0, 0.03125, 0.0625, -0.0625), "swap": None}
         self.check_all_responses("growth", (0.125, 0.25, 0.3), growths, 1.5)
         generator = random.Random("from nothing")
-        offsets = self.check_run("elastic", Box(4, 4, 1, 0.25), self.discs(generator, 4), None, 2, more="--growth 0.125")
+        offsets = self.check_run("elastic", Box(4, 4, 1, 0.25), self.jittered_discs(generator, 4), None, 2, more="--growth 0.125")
         self.assertGreater(len(offsets), 5)
 
     def test_discs_that_overlap_pass_through_each_other(self):
         """Most of them are hidden by large ones."""
         for seed in range(4):
             generator = random.Random(f"overlap {seed}")
-            points = self.discs(generator, 5, radii=(0, 0, 0.125, 0.5, 2))
+            points = self.jittered_discs(generator, 5, radii=(0, 0, 0.125, 0.5, 2))
             offsets = self.check_run("log", Box(5, 5, seed - 1, 0.25 * (seed - 2)), points, None, 2)
             self.assertGreater(len(offsets), 30)
 
     def test_masses_may_be_areas(self):
         generator = random.Random(7)
-        points = self.discs(generator, 5, radii=(0.125, 0.25, 0.4))
+        points = self.jittered_discs(generator, 5, radii=(0.125, 0.25, 0.4))
         masses = {i: Fraction(float(line.split(",")[4])) ** 2 for i, line in enumerate(points.splitlines()[1:])}
         self.assertGreater(len(self.check_run("elastic", Box(5, 5), points, None, 2, masses, "--mass area")), 15)
 
     def test_elastic_collisions_have_masses(self):
         generator = random.Random(5)
-        points = self.discs(generator, 4, masses=True)
+        points = self.jittered_discs(generator, 4, masses=True)
         masses = {i: Fraction(line.split(",")[4]) for i, line in enumerate(points.splitlines()[1:])}
         self.assertGreater(len(set(masses.values())), 5)
         self.assertGreater(len(self.check_run("elastic", Box(4, 4), points, 0.25, 2, masses)), 15)
@@ -308,7 +289,7 @@ class Periodic_contacts(In_folder):
 
     def test_radii_may_be_a_column(self):
         generator = random.Random(3)
-        points = self.discs(generator, 4)
+        points = self.jittered_discs(generator, 4)
         run = "simulate p.csv --until 1 --periodic 4,4 --collisions elastic --events - --quiet "
         expected = self.run_program(run + "--radius 0.25", points).stdout
         self.assertIn(",collision,", expected)
@@ -319,9 +300,9 @@ class Periodic_contacts(In_folder):
         self.assertEqual(self.run_program(run + "--mass area").stdout, expected)
 
     def test_same_run_gives_the_same_bytes(self):
-        radii = self.discs(random.Random(9), 6, radii=(0, 0.25, 0.375), growths=(0, 0.0625))
+        radii = self.jittered_discs(random.Random(9), 6, radii=(0, 0.25, 0.375), growths=(0, 0.0625))
         names = ("e.csv", "m.csv", "i.csv", "f.csv", "r.html")
-        for points, radius in (self.discs(random.Random(9), 6), "--radius 0.25"), (radii, ""):
+        for points, radius in (self.jittered_discs(random.Random(9), 6), "--radius 0.25"), (radii, ""):
             run = (f"simulate p.csv --until 2 --periodic 6,6,1 --shear 0.25 --collisions elastic {radius} --quiet "
                    "--events e.csv --motions m.csv --initial-edges i.csv --edges f.csv --html r.html")
             self.run_program(run, points)
@@ -333,7 +314,7 @@ class Periodic_contacts(In_folder):
 
     def test_what_a_run_says(self):
         done = self.run_program("simulate p.csv --until 1 --periodic 4,4 --collisions log --radius 0.25 --stats s.json",
-                                self.discs(random.Random(1), 4))
+                                self.jittered_discs(random.Random(1), 4))
         self.assertRegex(done.stderr, r"events +\d+ at \d+ instants \(.*\d+ collision\)\n")
         self.assertRegex(self.read("s.json"), r'"collision": [1-9]')
 
@@ -370,8 +351,8 @@ class Periodic_contacts(In_folder):
         return len(images)
 
     def test_pictures_have_images_of_discs_at_the_border(self):
-        radii = self.discs(random.Random(8), 5, radii=(0.125, 0.25, 0.375), growths=(0, 0.0625))
-        for name, points, radius in ("one", self.discs(random.Random(8), 5), "--radius 0.25"), ("many", radii, ""):
+        radii = self.jittered_discs(random.Random(8), 5, radii=(0.125, 0.25, 0.375), growths=(0, 0.0625))
+        for name, points, radius in ("one", self.jittered_discs(random.Random(8), 5), "--radius 0.25"), ("many", radii, ""):
             self.run_program(f"simulate p.csv --until 2 --periodic 5,5,1 --shear 0.25 --collisions elastic {radius} --quiet "
                              f"--frames {name} --frames-per-time 1 --html r.html", points)
             images = 0
