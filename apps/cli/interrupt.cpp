@@ -30,7 +30,7 @@ enum Stage : int {
   committed,   // nothing, and there are no temporary files
 };
 // Atomic since a handler reads and writes them.
-std::atomic<int> stage = reading;
+std::atomic<int> current_stage = reading;
 std::atomic<bool> stop_requested = false;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
                   std::atomic<pid_t>::is_always_lock_free && std::atomic<long>::is_always_lock_free,
@@ -78,12 +78,12 @@ static void on_signal(int signal) {
     ::pthread_kill(outputs_thread, signal);
     return;
   }
-  if (stage == committing) return;
-  if (stage == committed) end_now();
+  if (current_stage == committing) return;
+  if (current_stage == committed) end_now();
   // A closing terminal sends it twice: the shell does, and the system when the shell ends.
   if (signal == SIGHUP && stop_requested) return;
-  if (stage != reading && !stop_requested.exchange(true)) {
-    if (stage == running) set_alarm(patience);
+  if (current_stage != reading && !stop_requested.exchange(true)) {
+    if (current_stage == running) set_alarm(patience);
     return;
   }
   constexpr std::string_view at_once = ": interrupted, nothing written\n";
@@ -121,20 +121,20 @@ sigset_t handled_signals() {
 
 void stop_gracefully_from_now_on(std::chrono::microseconds most) {
   patience = static_cast<long>(most.count());
-  stage = running;
+  current_stage = running;
 }
 
 void complete_outputs_from_now_on() {
-  stage = writing;
+  current_stage = writing;
   set_alarm(0);
 }
 
 Commit_section::Commit_section() {
-  stage = committing;
+  current_stage = committing;
 }
 
 Commit_section::~Commit_section() {
-  stage = committed;
+  current_stage = committed;
 }
 
 Child_section::Child_section(pid_t id) {

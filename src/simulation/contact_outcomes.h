@@ -127,7 +127,12 @@ auto Simulation_types<Traits>::Contact_outcomes::collision(Point_id a, const Dis
   const auto would_approach = [&](const Vector_2& after_a, const Vector_2& after_b) {
     return do_approach(motion_with(a, after_a), motion_with(b, after_b));
   };
-  const bool is_pressed = !traits.has_approach_speed(geometry_.point_of(geometry_.itself(a)),
+  // Two discs without a radius are at one place: their squared gap has no slope at any speed.
+  const auto has_radius = [this](Point_id id) {
+    return !geometry_.is_seed(id) && !geometry_.is_without_area(id);
+  };
+  const bool is_pressed = (has_radius(a) || has_radius(b)) &&
+                          !traits.has_approach_speed(geometry_.point_of(geometry_.itself(a)),
                                                      geometry_.point_of(other), now);
   const Contact_response_2 response =
       setup_.options().response({time,

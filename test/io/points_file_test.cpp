@@ -283,10 +283,10 @@ TEST(Write_points, what_the_format_cannot_hold_throws) {
   const std::vector<double> one(1);
   const std::vector<double> none;
   using Columns = std::array<std::vector<double>, 3>;
-  for (const auto& [radii, growths, masses] :
+  for (const Columns& columns :
        {Columns{one, none, none}, Columns{none, one, none}, Columns{none, none, one}}) {
     EXPECT_PRECONDITION_ERROR(
-        write_points(out, std::vector<Linear_motion_2>(2), radii, growths, masses),
+        write_points(out, std::vector<Linear_motion_2>(2), columns[0], columns[1], columns[2]),
         "a column has not as many numbers as there are points; expected one for each, or none");
   }
 }

@@ -22,15 +22,15 @@ Periodic_box_2 box(double tilt, double rate) {
 
 TEST(Drawn_box, leans_by_half_of_its_first_side_at_most) {
   const Drawn_box_2 square(box(0, 1), 0);
-  EXPECT_EQ(square.first(), Vector_2(8, 0));
-  EXPECT_EQ(square.second(), Vector_2(0, 4));
+  EXPECT_EQ(square.first(), (Vector_2{8, 0}));
+  EXPECT_EQ(square.second(), (Vector_2{0, 4}));
   EXPECT_EQ(square.corners(), (std::array<Vector_2, 4>{Vector_2{0, 0}, {8, 0}, {8, 4}, {0, 4}}));
-  EXPECT_EQ(Drawn_box_2(box(0, 1), 3).second(), Vector_2(3, 4));
-  EXPECT_EQ(Drawn_box_2(box(0, 1), 5).second(), Vector_2(-3, 4));
-  EXPECT_EQ(Drawn_box_2(box(-2, 1), 85).second(), Vector_2(3, 4));
+  EXPECT_EQ(Drawn_box_2(box(0, 1), 3).second(), (Vector_2{3, 4}));
+  EXPECT_EQ(Drawn_box_2(box(0, 1), 5).second(), (Vector_2{-3, 4}));
+  EXPECT_EQ(Drawn_box_2(box(-2, 1), 85).second(), (Vector_2{3, 4}));
   // A box that lies on its side.
   const Drawn_box_2 other({{{0, 8}, {0, 0}}, {{-4, 21}, {0, 0}}}, 0);
-  EXPECT_EQ(other.second(), Vector_2(-4, -3));
+  EXPECT_EQ(other.second(), (Vector_2{-4, -3}));
 }
 
 TEST(Drawn_box, has_one_image_of_each_point) {

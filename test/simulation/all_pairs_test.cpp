@@ -131,13 +131,13 @@ class All_pairs : public testing::TestWithParam<Case> {
       std::vector<Motion> motions;
       while (motions.size() < points) {
         const auto motion = random_motion<Motion>(numbers, sizes);
-        const auto is_refused = [&](const auto& other) {
+        const auto is_refused = [&, is_allowed = may_overlap](const auto& other) {
           const Rational contact =
               test::radius_at(motion, 0, options) + test::radius_at(other, 0, options);
           const bool overlap = CGAL::squared_distance(test::place_at(motion, 0),
                                                       test::place_at(other, 0)) < contact * contact;
-          if (overlap && may_overlap) ++overlaps;
-          return overlap && !may_overlap;
+          if (overlap && is_allowed) ++overlaps;
+          return overlap && !is_allowed;
         };
         if (std::ranges::none_of(motions, is_refused)) motions.push_back(motion);
         // Some coincide for a while.

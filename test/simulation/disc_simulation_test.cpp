@@ -83,6 +83,20 @@ TEST(Discs_of_any_size, that_rest_and_grow_pass_through_each_other_if_they_swap)
   EXPECT_EQ(count(simulation, Event_kind::collision), 1u);
 }
 
+// At one place without radii the square of their gap has no slope, but the gap has one: they are
+// not in resting contact.
+TEST(Discs_of_any_size, that_grow_from_one_place_pass_through_each_other_if_they_approach) {
+  for (const auto& response : {swap_velocities, collide_elastically}) {
+    for (const double speed : {0.0, 0.5, 1.0, 2.0}) {
+      Discs simulation({disc({1, 2}, {0, 0}, 0, 0.5), disc({1, 2}, {speed, 0}, 0, 0.5)},
+                       responding(response));
+      simulation.advance_to(5.0);
+      EXPECT_EQ(count(simulation, Event_kind::collision), speed < 1 ? 1u : 0u) << speed;
+      EXPECT_EQ(simulation.triangulation().motion(0).growth, 0.5);
+    }
+  }
+}
+
 TEST(Discs_of_any_size, stop_growing_where_they_stop) {
   Discs simulation({disc({0, 0}, {0, 1}, 1, 0.5), disc({4, 0}, {0, 1}, 1, 0.5)},
                    responding(stop_both));

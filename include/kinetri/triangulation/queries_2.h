@@ -120,8 +120,7 @@ class Kinetic_queries_2 {
   using Point_2 = typename Traits::Point_2;  ///< of the traits
 
   /// Queries at the current time.
-  template <KineticTraits_2 Own>
-  requires detail::HasTriangulationOf<Own, Traits>
+  template <detail::HasTriangulationOf<Traits> Own>
   explicit Kinetic_queries_2(const Kinetic_triangulation_2<Own>& triangulation)
       : Kinetic_queries_2(triangulation, triangulation.current_time()) {}
 
@@ -129,9 +128,8 @@ class Kinetic_queries_2 {
   /// before the event. Precondition: `time` is neither before triangulation.current_time() nor
   /// after the next event (checked exactly, see has_event_before). The contacts of a Simulation_2
   /// do not count: after the next contact the answers still assume the current motions.
-  template <KineticTraits_2 Own>
-  requires detail::HasTriangulationOf<Own, Traits> Kinetic_queries_2(
-      const Kinetic_triangulation_2<Own>& triangulation, const Time& time)
+  template <detail::HasTriangulationOf<Traits> Own>
+  Kinetic_queries_2(const Kinetic_triangulation_2<Own>& triangulation, const Time& time)
       : Kinetic_queries_2(std::make_unique<detail::Queried<Own, Traits>>(triangulation), time) {}
 
   /// The time of the queries.
