@@ -134,6 +134,17 @@ mpq_class value(const verify::Motion& m, std::size_t what, const verify::Dyadic&
   return m[what] + s * (m[what + 2] + s / 2 * (m[what + 4] + s / 3 * m[what + 6]));
 }
 
+// The number of points, those included that come later.
+std::size_t number_of_ids(const std::vector<verify::Change>& points,
+                          const std::vector<verify::Row>& rows) {
+  std::set<verify::Id> ids;
+  for (const verify::Change& change : points) ids.insert(change.id);
+  for (const verify::Row& row : rows) {
+    for (const verify::Change& change : row.changes) ids.insert(change.id);
+  }
+  return ids.size();
+}
+
 // The sides of a box, as shortest decimal numbers, on which the points of all rows of walls are at
 // the times of these rows; none if there are no such sides. The change of velocity determines the
 // side.
@@ -307,8 +318,8 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
       verify::Checker checker(tried, points, rows);
       const std::size_t certificates =
           checker.check(initial_edges, has_final ? &final_edges : nullptr);
-      std::cout << "verified: " << points.size() << " points, " << rows.size() << " events, "
-                << certificates << " certificates\n";
+      std::cout << "verified: " << number_of_ids(points, rows) << " points, " << rows.size()
+                << " events, " << certificates << " certificates\n";
       return 0;
     } catch (const verify::Refuted& refuted) {
       if (!first) first = refuted;

@@ -58,7 +58,11 @@ class ContactError(Error):
 
 
 class EndlessContactsError(ContactError):
-    """Endless contacts: too many at one time, or points accelerated against a wall or each other.
+    """Endless contacts: too many at one time, or ever more within less time, or points pressed together.
+
+    Ever more contacts are those of discs without free area, or of a response that adds energy: their rate has
+    increased again and again, and they seem to be infinitely many before the end of the call. A second call
+    continues. Points pressed together accelerate against a wall or each other, without any speed.
 
     The simulation is in the state before the contact, which is still due: changing the motions of its points
     may let it continue. Its `time` and `positions` are those of the contact.

@@ -164,7 +164,9 @@ Simulation_options options(const Json_value& state) {
   }
   state.member("masses").for_each(
       [&](const Json_value& mass) { result.masses.push_back(mass.number()); });
-  result.max_contacts_per_instant = count(state.member("max_contacts_per_instant"));
+  if (state.has_member("max_contacts_per_instant")) {
+    result.max_contacts_per_instant = count(state.member("max_contacts_per_instant"));
+  }
   return result;
 }
 

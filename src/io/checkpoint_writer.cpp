@@ -146,7 +146,9 @@ class Checkpoint_writer {
     add("refuses_overlaps", options.refuses_overlaps);
     add("refuses_coincident_points", options.coincident == Coincident_points::refuse);
     add("has_response", snapshot.has_response);
-    add("max_contacts_per_instant", options.max_contacts_per_instant);
+    if (options.max_contacts_per_instant) {
+      add("max_contacts_per_instant", *options.max_contacts_per_instant);
+    }
   }
 
   // The writer of the value of a member.

@@ -16,6 +16,7 @@
 #include "kinetri/simulation/simulation_2.h"
 #include "simulation/contact_outcomes.h"
 #include "simulation/overlap_tracker.h"
+#include "simulation/zeno_watch.h"
 
 namespace kinetri::detail {
 
@@ -82,6 +83,7 @@ class Simulation_types<Traits>::Contact_loop {
   void execute_contact(const Entry& contact, std::uint64_t& velocity_changes);
   std::vector<Change> changes_of(const Entry& contact, std::uint64_t& velocity_changes);
   void check_limit(const Entry& entry, std::uint64_t velocity_changes) const;
+  void check_accumulation(const Entry& entry);
   void refuse_own_image(const Entry& contact);
   void apply(const Entry& contact, std::span<const Change> changes);
   template <class Make_changes>
@@ -104,6 +106,8 @@ class Simulation_types<Traits>::Contact_loop {
   Contact_counters& counters_;
   Observer_list<Overlap_observer> overlap_observers_;
   std::uint64_t passes_ = 0;
+  Zeno_watch zeno_watch_;
+  const Time* until_ = nullptr;     // of the call of `step`
   bool is_within_instant_ = false;  // stays true after an exception
   bool is_within_contact_ = false;  // the same
 };

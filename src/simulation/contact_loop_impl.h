@@ -22,6 +22,7 @@ namespace kinetri::detail {
 
 template <class Traits>
 std::size_t Simulation_types<Traits>::Contact_loop::step(const Time* until) {
+  until_ = until;
   schedule_.settle();
   auto& queue = schedule_.queue();
   const auto step_triangulation = [this](const Time* end) {
@@ -208,7 +209,10 @@ auto Simulation_types<Traits>::Contact_loop::changes_of(const Entry& contact,
     -> std::vector<Change> {
   try {
     std::vector<Change> result = outcomes_.changes(contact, current_time());
-    if (!result.empty()) check_limit(contact, ++velocity_changes);
+    if (!result.empty()) {
+      check_limit(contact, ++velocity_changes);
+      if (zeno_watch_.count()) check_accumulation(contact);
+    }
     return result;
   } catch (const Endless_contacts_error&) {
     schedule_.put_contact(contact);
@@ -217,19 +221,41 @@ auto Simulation_types<Traits>::Contact_loop::changes_of(const Entry& contact,
   }
 }
 
+// The points of a contact, as in "point 0 and a wall".
+template <class Entry>
+std::string named_points_of(const Entry& entry) {
+  return "point " + std::to_string(entry.point_a) +
+         (entry.kind == Contact_kind::wall ? " and a wall"
+                                           : " and point " + std::to_string(entry.point_b));
+}
+
 template <class Traits>
 void Simulation_types<Traits>::Contact_loop::check_limit(const Entry& entry,
                                                          std::uint64_t velocity_changes) const {
-  const std::uint64_t most = setup_.options().max_contacts_per_instant;
+  const std::uint64_t most = setup_.options().max_contacts_per_instant.value_or(
+      10'000 + 100 * std::uint64_t{geometry_.number_of_ids()});
   if (velocity_changes <= most) return;
   throw Endless_contacts_error(
+      entry.point_a, "more than " + std::to_string(most) + " contacts at t = " +
+                         text(current_time()) + ", the last one of " + named_points_of(entry) +
+                         "; expected that time goes on: let the points touch one by one, or take "
+                         "another response");
+}
+
+// Contacts that accumulate before the end of the call.
+template <class Traits>
+void Simulation_types<Traits>::Contact_loop::check_accumulation(const Entry& entry) {
+  const double now = current_time().to_double();
+  const auto found = zeno_watch_.look(now, geometry_.number_of_ids());
+  // As far beyond as it is ahead, since it is estimated.
+  if (!found || (until_ != nullptr && Time(2 * found->point - now) >= *until_)) return;
+  throw Endless_contacts_error(
       entry.point_a,
-      "more than " + std::to_string(most) + " contacts at t = " + text(current_time()) +
-          ", the last one of point " + std::to_string(entry.point_a) +
-          (entry.kind == Contact_kind::wall ? " and a wall"
-                                            : " and point " + std::to_string(entry.point_b)) +
-          "; expected that time goes on: let the points touch one by one, or take another "
-          "response");
+      "contacts without end before about t = " + text(found->point) + ": their rate is " +
+          std::to_string(std::llround(found->rate / found->rate_before)) + " times that of t = " +
+          text(found->began) + ", the last one is of " + named_points_of(entry) +
+          "; expected room between the points and a response that adds no energy: let the run end "
+          "before, take smaller, fewer or slower growing discs, a slower box, or another response");
 }
 
 // Throws, before the contact, if it is that of a disc with an image of itself.

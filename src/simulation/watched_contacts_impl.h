@@ -19,7 +19,7 @@ namespace kinetri::detail {
 template <class Traits>
 bool Watched_contacts<Traits>::can_run(const Core& core) {
   const Simulation_options& options = core.setup.options();
-  return options.max_contacts_per_instant > 0 &&
+  return options.max_contacts_per_instant != 0 &&
          (!options.response || options.response_is_pure || is_pure(options.response)) &&
          !is_log_contact(options.response) && !is_erase_both(options.response) &&
          core.loop.overlap_observers().empty() &&

@@ -186,8 +186,15 @@ def run_cases():
     at_wall = "x,y,vx,vy,ax,ay,jx,jy\n2,1,0,-3,0,6,0,-6\n"
     yield case("simulate d.csv --until 2 --box 0,0,9,9 --edges old.csv --quiet", files={"d.csv": at_wall},
                file="d.csv", line=2, a=0, side="lower", time=1, until=2, writes=True)
-    yield case("simulate d.csv --until 2 --periodic 16,3,7 --shear=-1 --collisions elastic --radius 2.5",
-               files={"d.csv": "x,y,vx,vy\n0,0,0,0\n"}, file="d.csv", line=2, id=0, x=0, y=1, time=1, until=2, writes=True)
+    for until, more in ((2, {"until": 2}), (1, {})):
+        yield case(f"simulate d.csv --until {until} --periodic 16,3,7 --shear=-1 --collisions elastic --radius 2.5",
+                   files={"d.csv": "x,y,vx,vy\n0,0,0,0\n"}, file="d.csv", line=2, id=0, x=0, y=1, time=1, writes=True,
+                   **more)
+    # Exchanges of velocities add energy.
+    yield case("simulate d.csv --until 6 --periodic 6,3 --shear 1 --radius 1.49 --collisions swap --edges old.csv --quiet",
+               files={"d.csv": "x,y,vx,vy\n3,0,0,2\n0,0,0,0\n"}, file="d.csv", line=2, a=0, b=1, until=6, writes=True,
+               time="0.4035134205347714", end="0.40351448146651275", times=1349215,
+               began="0.4034882887148859")
     yield case("simulate d.csv --until 2 --box 0,0,9,9 --verify --quiet", files={"d.csv": at_wall}, writes=True)
     at_disc = "x,y,vx,vy,ax,ay\n0,0,0,0,1,0\n2,0,0,0,-1,0\n"
     for response in ("swap", "elastic"):

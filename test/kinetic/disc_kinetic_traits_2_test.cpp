@@ -253,19 +253,21 @@ TYPED_TEST(Certificates_of_discs, agree_with_static_predicates_at_many_times) {
         },
         t);
     // Contacts of discs that are apart, as long as no radius is negative.
-    const auto gap = [&](const Rational& s) {
-      const Rational reach = radius_at(m[0], s) + radius_at(m[1], s);
-      return CGAL::compare(
-          CGAL::squared_distance(test::place_at(center(m[0]), s), test::place_at(center(m[1]), s)),
-          reach * reach);
-    };
-    if (gap(t) == CGAL::POSITIVE && radius_at(m[0], t) >= 0 && radius_at(m[1], t) >= 0) {
+    for (const std::size_t k : {0U, 1U, 2U}) {
+      const auto gap = [&](const Rational& s) {
+        const Rational reach = radius_at(m[k], s) + radius_at(m[k + 1], s);
+        return CGAL::compare(CGAL::squared_distance(test::place_at(center(m[k]), s),
+                                                    test::place_at(center(m[k + 1]), s)),
+                             reach * reach);
+      };
+      if (gap(t) != CGAL::POSITIVE || radius_at(m[k], t) < 0 || radius_at(m[k + 1], t) < 0)
+        continue;
       const auto contact = failure_of(
           [&](const Algebraic_number& after) {
-            return traits.contact_certificate(p[0], p[1], 0, after);
+            return traits.contact_certificate(p[k], p[k + 1], 0, after);
           },
           [&](const Double_interval& bounds) {
-            return traits.contact_failure(p[0], p[1], 0, bounds);
+            return traits.contact_failure(p[k], p[k + 1], 0, bounds);
           },
           time);
       contacts += contact ? 1 : 0;

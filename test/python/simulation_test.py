@@ -510,6 +510,18 @@ def test_after_contacts_without_end_the_state_can_be_had_and_the_run_goes_on():
     assert simulation.positions().tolist() == [[0, 0], [0, 4]]
 
 
+def test_jammed_discs_end_the_run():
+    # Four radii are the width of the box at t = 2.
+    run = kinetri.Simulation([[2, 4], [6, 4]], [[1, 0], [-1, 0]], radius=1, growth=0.5, box=(0, 0, 8, 8), rim=True,
+                             collisions="swap")
+    assert len(run.record(until=1.9)) > 0
+    with pytest.raises(kinetri.EndlessContactsError, match="contacts without end before about t = "):
+        run.advance_to(5)
+    assert 1.9 < run.time < 2.001
+    run.erase(0)
+    run.advance_to(5)
+
+
 def test_after_contacts_without_end_the_events_before_them_can_be_had():
     # Two balls touch at rest, until one of them begins to accelerate toward the other; a third one bounces.
     def simulation():

@@ -258,7 +258,12 @@ class All_pairs_simulator {
     };
     const Vector_2 place_p = rounded_place(p, time);
     const Vector_2 place_q = rounded_place(q, time);
-    const bool is_pressed = sign_at(derivative(gap(p, q)), time_) != CGAL::NEGATIVE;
+    const Polynomial distance = interpolate(1, [&](const Rational& t) {
+      return Rational(radius_at(p, t, options_) + radius_at(q, t, options_));
+    });
+    // Without radii the square of the gap has no slope at any speed.
+    const bool is_pressed = sign_at(distance, time_) == CGAL::POSITIVE &&
+                            sign_at(derivative(gap(p, q)), time_) != CGAL::NEGATIVE;
     const Contact_response_2 response =
         options_.response({time,
                            a,

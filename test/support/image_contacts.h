@@ -92,17 +92,22 @@ class Image_contacts {
   }
   double mass(Point_id id) const { return id < options_.masses.size() ? options_.masses[id] : 1; }
 
+  // The sum of the radii.
+  Rational reach(const Image& p, const Image& q, const Rational& t) const {
+    Rational result = 2 * to_rational(options_.radius);
+    if constexpr (HasWeight<Motion>) {
+      for (const Image* disc : {&p, &q}) {
+        result += to_rational(disc->radius) +
+                  to_rational(disc->growth) * (t - to_rational(epoch_of(*disc)));
+      }
+    }
+    return result;
+  }
   Polynomial gap(const Image& p, const Image& q) const {
     return interpolate(2, [&](const Rational& t) {
-      Rational reach = 2 * to_rational(options_.radius);
-      if constexpr (HasWeight<Motion>) {
-        for (const Image* disc : {&p, &q}) {
-          reach += to_rational(disc->radius) +
-                   to_rational(disc->growth) * (t - to_rational(epoch_of(*disc)));
-        }
-      }
+      const Rational contact = reach(p, q, t);
       const auto distance = CGAL::squared_distance(place_at(center(p), t), place_at(center(q), t));
-      return Rational(distance - reach * reach);
+      return Rational(distance - contact * contact);
     });
   }
   Polynomial gap(const Periodic_edge& pair) const {
@@ -208,7 +213,11 @@ class Image_contacts {
           gap(image_of(moving(a, v), {}, &box_), image_of(moving(b, w), pair.offset, &box_));
       return sign_just_after(derivative(p), time_) == CGAL::NEGATIVE;
     };
-    const bool is_pressed = sign_at(derivative(gap(pair)), time_) != CGAL::NEGATIVE;
+    const Polynomial contact = interpolate(
+        1, [&](const Rational& t) { return reach(image(a, {}), image(b, pair.offset), t); });
+    // Without radii the square of the gap has no slope at any speed.
+    const bool is_pressed = sign_at(contact, time_) == CGAL::POSITIVE &&
+                            sign_at(derivative(gap(pair)), time_) != CGAL::NEGATIVE;
     const Contact_response_2 response =
         options_.response({time,
                            a,

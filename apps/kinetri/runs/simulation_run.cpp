@@ -477,8 +477,11 @@ std::string Simulation_run::jammed_discs() const {
 }
 
 void Simulation_run::report_early_end() const {
-  const std::string where = joined("the run ends at t = ", statistics_.reached, " instead of ",
-                                   statistics_.until, "; results up to then are written; ");
+  const std::string end = statistics_.reached < statistics_.until
+                              ? joined(" instead of ", statistics_.until)
+                              : ", before the last events of that time";
+  const std::string where = joined("the run ends at t = ", statistics_.reached, end,
+                                   "; results up to then are written; ");
   if (jammed_) {
     report("kinetri", joined("the discs are jammed (", jammed_discs(), "), and ", where,
                              "expected an earlier end or a smaller share, slower growth, faster or "

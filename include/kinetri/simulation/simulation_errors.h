@@ -27,10 +27,16 @@ class Contact_error : public Error {
   Point_id point_;
 };
 
-/// Endless contacts: more at one time than allowed, or a resting contact of a point with a wall or
-/// another point, which no new velocity separates. The contact has not been executed and is due at
-/// the present time; until then the simulation is as between two events, and so is its snapshot.
-/// Other motions of its points may let the run continue.
+/// Endless contacts: more at one time than allowed; or a resting contact of a point with a wall or
+/// another point, which no new velocity separates; or ever more within less time, as those of discs
+/// without free area, or with a response that adds energy (Zeno behavior). The last one is
+/// estimated from the rate of contacts, which has increased 256 times and more, if they seem to be
+/// infinitely many before the end of the call; a second call continues. A restored simulation
+/// measures it from then on; in time windows (Simulation_2::set_threads) it is not measured.
+///
+/// The contact has not been executed and is due at the present time; until then the simulation is
+/// as between two events, and so is its snapshot. Other motions of its points may let the run
+/// continue.
 class Endless_contacts_error : public Contact_error {
  public:
   using Contact_error::Contact_error;
