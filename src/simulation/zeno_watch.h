@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace kinetri::detail {
 
@@ -46,26 +47,32 @@ class Zeno_watch {
       return std::nullopt;
     }
     const double rate = static_cast<double>(contacts_) / elapsed;
-    contacts_ = 0;
+    in_sequence_ += contacts_;
     next_ = more;
     time_ = now;
+    const std::uint64_t contacts = std::exchange(contacts_, 0);
     if (is_first) return std::nullopt;
     if (level_ == 0 || rate < level_ / 2) {
       begin_level(now, rate);
       doublings_ = 0;
     } else if (rate >= 2 * level_) {
       double_level(now, rate);
+      if (doublings_ == 1) in_sequence_ = contacts;
     }
-    if (doublings_ < enough) return std::nullopt;
+    if (doublings_ < enough || in_sequence_ < std::max(least, least_of_each * points)) {
+      return std::nullopt;
+    }
     found_.rate = rate;
     return found_;
   }
 
  private:
-  // So that Jam_watch, which names the jammed discs, looks before.
-  static constexpr std::uint64_t fewest = 2500;
+  static constexpr std::uint64_t fewest = 1000;
   static constexpr std::uint64_t contacts_of_each = 16;
   static constexpr int enough = 8;
+  // More than those after which Jam_watch finds jammed discs, which it names.
+  static constexpr std::uint64_t least = 25'000;
+  static constexpr std::uint64_t least_of_each = 80;
 
   void begin_level(double now, double rate) {
     level_ = rate;
@@ -89,10 +96,11 @@ class Zeno_watch {
   std::uint64_t contacts_ = 0;  // since time_
   std::uint64_t next_ = 0;      // the number of them at the next measurement; 0 before the first
   double time_ = 0;
-  double level_ = 0;           // the rate at the last doubling
-  double level_began_ = 0;     // the time of that doubling
-  double elapsed_before_ = 0;  // between that doubling and the one before
-  int doublings_ = 0;          // in sequence, each within less time than the one before
+  double level_ = 0;               // the rate at the last doubling
+  double level_began_ = 0;         // the time of that doubling
+  double elapsed_before_ = 0;      // between that doubling and the one before
+  int doublings_ = 0;              // in sequence, each within less time than the one before
+  std::uint64_t in_sequence_ = 0;  // contacts since the first of these began
   Accumulation found_;
 };
 

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "kinetri/kinetic/periodic_kinetic_traits_2.h"
@@ -61,35 +60,25 @@ TEST(Zeno_watch, is_not_alarmed_by_times_that_go_on) {
       find([](double k) { return k + 1e5 * 0.99 / 3.2 * std::sin(k * 3.2 / 1e5); }, number));
 }
 
-// Two discs between walls that have no free area left at t = 2, and one that fills the box at 3.
+// Two discs between walls that have no free area left at t = 2.
 TEST(Zeno, of_jammed_discs_ends_the_run) {
-  const std::vector<Disc_motion_2> two = {{{{2, 4}, {1, 0}}, 1, 0.5, 0},
-                                          {{{6, 4}, {-1, 0}}, 1, 0.5, 0}};
-  const std::vector<Disc_motion_2> one = {{{{4, 3}, {1, 0.5}}, 1, 1, 0}};
-  struct Case {
-    const std::vector<Disc_motion_2>& discs;
-    Collision_response response;
-    double end;
-  };
-  for (const Case& jam :
-       {Case{two, collide_elastically, 2}, Case{two, swap_velocities, 2}, Case{one, nullptr, 3}}) {
-    Simulation_options options;
-    options.box = Box_2{0, 0, 8, 8};
-    options.rim_touches = true;
-    options.response = jam.response;
-    Simulation_2<Disc_kinetic_traits_2> simulation(jam.discs, options);
-    simulation.advance_to(0.95 * jam.end);
-    const std::string message =
-        test::message_of<Endless_contacts_error>([&] { simulation.advance_to(5.0); });
-    EXPECT_TRUE(message.starts_with("contacts without end before about t = ")) << message;
-    const double time = simulation.current_time().to_double();
-    EXPECT_GT(time, 0.95 * jam.end);
-    EXPECT_LT(time, 1.001 * jam.end);
-    EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
-    // It can go on, and meets more of them.
-    EXPECT_THROW(simulation.advance_to(5.0), Endless_contacts_error);
-    EXPECT_GT(simulation.current_time().to_double(), time);
-  }
+  Simulation_options options;
+  options.box = Box_2{0, 0, 8, 8};
+  options.rim_touches = true;
+  options.response = swap_velocities;
+  Simulation_2<Disc_kinetic_traits_2> simulation(
+      {{{{2, 4}, {1, 0}}, 1, 0.5, 0}, {{{6, 4}, {-1, 0}}, 1, 0.5, 0}}, options);
+  simulation.advance_to(1.9);
+  const std::string message =
+      test::message_of<Endless_contacts_error>([&] { simulation.advance_to(5.0); });
+  EXPECT_TRUE(message.starts_with("contacts without end before about t = ")) << message;
+  const double time = simulation.current_time().to_double();
+  EXPECT_GT(time, 1.9);
+  EXPECT_LT(time, 2.001);
+  EXPECT_TRUE(simulation.audit(Audit_level::certificates).passed());
+  // It can go on, and meets more of them.
+  EXPECT_THROW(simulation.advance_to(5.0), Endless_contacts_error);
+  EXPECT_GT(simulation.current_time().to_double(), time);
 }
 
 // Discs in a sheared box with little room, whose exchanges of velocities add energy.
