@@ -47,7 +47,7 @@ struct Simulation_options {
   /// The masses by point id, each positive and finite: one for each point at the start, or none.
   /// Points without one have the mass 1.
   std::vector<double> masses = {};
-  /// The greatest number of contacts at one time that change points; if none is given, 10 000 and
+  /// The greatest number of contacts at one time that change points; if none is given, 10 000 plus
   /// 100 for each point. Contacts at which both discs keep their motions do not count: there is at
   /// most one for each pair.
   std::optional<std::uint64_t> max_contacts_per_instant = std::nullopt;
