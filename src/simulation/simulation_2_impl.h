@@ -271,8 +271,13 @@ Point_id Simulation_2<Traits>::insert(const Motion& motion, double mass) {
   const detail::Flag_while changing = start_change();
   const Point_id id = triangulation().next_id();
   KINETRI_PRECONDITION(detail::mass_problem(id, mass).empty(), detail::mass_problem(id, mass));
-  core_->loop.insert(motion, std::nullopt);
-  core_->setup.set_mass(id, mass);
+  core_->setup.set_mass(id, mass);  // observers of the insertion may ask for it
+  try {
+    core_->loop.insert(motion, std::nullopt);
+  } catch (...) {
+    core_->setup.forget_masses_from(id);
+    throw;
+  }
   return id;
 }
 

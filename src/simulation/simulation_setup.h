@@ -47,6 +47,10 @@ class Simulation_types<Traits>::Simulation_setup {
     if (id >= options_.masses.size()) options_.masses.resize(id + 1, 1.0);
     options_.masses[id] = mass;
   }
+  /// The masses of this id and of greater ones are 1 from now on.
+  void forget_masses_from(Point_id id) {
+    if (id < options_.masses.size()) options_.masses.resize(id);
+  }
 
   /// The error of the options; empty if they are valid.
   std::string problem() const;

@@ -214,6 +214,28 @@ TEST(Masses, of_points_that_come_later_are_one_or_given) {
   EXPECT_EQ(simulation.options().masses, (std::vector<double>{1, 1, 3, 7, 2}));
 }
 
+TEST(Masses, of_an_inserted_point_are_known_to_observers) {
+  struct Observer : Event_observer {
+    explicit Observer(const Simulation& simulation) : simulation_(simulation) {}
+    void after_event(const Event& event) override {
+      if (event.kind == Event_kind::insert) mass = simulation_.mass(*event.point_a);
+    }
+    double mass = 0;
+    const Simulation& simulation_;
+  };
+  Simulation_options options = discs(1, collide_elastically);
+  options.refuses_overlaps = true;
+  Simulation simulation({{{0, 0}, {0, 0}, 0}}, options);
+  Observer observer(simulation);
+  simulation.add_observer(observer);
+  simulation.insert({{5, 0}, {0, 0}, 0}, 3);
+  EXPECT_EQ(observer.mass, 3);
+  EXPECT_THROW(simulation.insert({{6, 0}, {0, 0}, 0}, 7), Overlapping_discs_error);
+  EXPECT_EQ(simulation.options().masses, (std::vector<double>{1, 3}));
+  const Simulation restored = Simulation::restore(simulation.snapshot(), collide_elastically);
+  EXPECT_EQ(restored.mass(1), 3);
+}
+
 TEST(Masses, are_in_snapshots) {
   Simulation_options options = discs(1, collide_elastically);
   options.masses = {3, 1, 1};
