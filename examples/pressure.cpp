@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lesson 17, periodic boxes: the pressure of a gas of hard discs, from the momenta that they
-// exchange.
+// Lesson 17, periodic boxes: the pressure of a gas of hard discs.
 #include <kinetri/kinetic/periodic_kinetic_traits_2.h>
+#include <kinetri/observers/mean_pressure.h>
 #include <kinetri/simulation/simulation_2.h>
 
 #include <array>
@@ -16,39 +16,6 @@
 using Traits = kinetri::Periodic_kinetic_traits_2;
 using Simulation = kinetri::Simulation_2<Traits>;
 using kinetri::Vector_2;
-
-// Adds up the products of the momenta that two discs exchange and of the vector between them.
-class Virial : public kinetri::Event_observer {
- public:
-  explicit Virial(Simulation& simulation) : simulation_(simulation) {
-    simulation.add_observer(*this);
-  }
-  ~Virial() override { simulation_.remove_observer(*this); }
-
-  void before_event(const kinetri::Event& event) override {
-    if (event.kind == kinetri::Event_kind::collision) before_ = motion(*event.point_b).velocity;
-  }
-  void after_event(const kinetri::Event& event) override {
-    if (event.kind != kinetri::Event_kind::collision) return;
-    const double t = event.time.to_double();
-    const auto& box = simulation_.triangulation().traits().box();
-    // The image of the second disc that the first one has touched.
-    const kinetri::Image_motion_2 image = {motion(*event.point_b), event.added_offset, &box};
-    const Vector_2 a = rounded_place(motion(*event.point_a), t);
-    const Vector_2 b = rounded_place(image, t);
-    const Vector_2 after = image.motion.velocity;
-    sum_ += (b.x - a.x) * (after.x - before_.x) + (b.y - a.y) * (after.y - before_.y);
-  }
-  double sum() const { return sum_; }
-
- private:
-  const kinetri::Linear_motion_2& motion(kinetri::Point_id id) const {
-    return simulation_.triangulation().motion(id);
-  }
-  Simulation& simulation_;
-  Vector_2 before_;
-  double sum_ = 0;
-};
 
 // Discs on a square lattice, which melts at once, get random velocities. Their sum is zero, so that
 // the temperature is the kinetic energy divided by one less than the number of discs: 1.
@@ -98,7 +65,7 @@ static bool measure(double share, int side, double collisions) {
   options.response = kinetri::collide_elastically;
   options.refuses_overlaps = true;
   Simulation simulation(gas(side), options, 0, Traits(box));
-  Virial virial(simulation);
+  kinetri::Mean_pressure pressure(simulation);
 
   const double number = side * side;
   constexpr int blocks = 20;
@@ -109,10 +76,12 @@ static bool measure(double share, int side, double collisions) {
   double squares = 0;
   // The first four blocks are not counted.
   for (int block = -4; block < blocks; ++block) {
-    const double before = virial.sum();
     simulation.advance_to((block + 5) * duration);
+    const kinetri::Pressure_2 mean_pressure = pressure.next();
     if (block < 0) continue;
-    const double compressibility = 1 + (virial.sum() - before) / (2 * number * duration);
+    // The temperature is 1, and the area is the number of discs.
+    const double compressibility =
+        1 + (mean_pressure.pressure() * number - mean_pressure.energy) / number;
     mean += compressibility / blocks;
     squares += compressibility * compressibility / blocks;
   }

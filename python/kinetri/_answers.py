@@ -28,6 +28,7 @@ QUESTIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "neighbor_lives": ((), ("ridge",)),
     "exchanges": ((), ("ridge",)),
     "nearest_neighbor_changes": ((), ()),
+    "pressure": ((), ()),
     "certificates": ((), ()),
 }
 
@@ -135,7 +136,7 @@ class RunAnswers:
         ----------
         about : str
             The question: 'closest', 'encounters', 'components', 'connected', 'spanning_tree',
-            'neighbor_lives', 'exchanges', 'nearest_neighbor_changes' or 'certificates'. The method of
+            'neighbor_lives', 'exchanges', 'nearest_neighbor_changes', 'pressure' or 'certificates'. The method of
             that name answers it.
         number : int, optional
             The number of approaches; for 'closest' only.

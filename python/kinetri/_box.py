@@ -135,6 +135,40 @@ class Box:
         """
         return np.array([_nearest(number) for number in self._exact_vectors(_fraction_of(time))]).reshape(2, 2)
 
+    def flow_at(self, positions: ArrayLike, time: TimeLike) -> Floats:
+        """The flow of the box: the velocity of positions that keep their coordinates in the lattice vectors.
+
+        Images of a point differ in velocity as the flow at their positions does. In a box at rest the flow is 0; in a
+        sheared one it is (rate y, 0).
+
+        Parameters
+        ----------
+        positions : array_like of float, shape (n, 2)
+            Anywhere in the plane.
+        time : float, int, fractions.Fraction or Time
+            As in `vectors_at`; the area is positive then.
+
+        Returns
+        -------
+        array of float64, shape (n, 2)
+            Rounded.
+
+        Examples
+        --------
+        >>> import kinetri
+        >>> kinetri.Box.shear(4, 2, 0.5).flow_at([[1, 0], [1, 2]], 3).tolist()
+        [[0.0, 0.0], [1.0, 0.0]]
+        """
+        return self._flow(_arrays.point_array("positions", positions), time)
+
+    def _flow(self, positions: Floats, time: TimeLike) -> Floats:
+        (ax, ay), (bx, by) = self.vectors_at(time)
+        x, y = positions.T
+        area = ax * by - ay * bx
+        first, second = (x * by - y * bx) / area, (ax * y - ay * x) / area
+        # Not by a product of matrices, which other processors round otherwise.
+        return np.column_stack([first * a + second * b for a, b in self.rates.T])
+
     def area(self, time: TimeLike) -> float:
         """The area at a time; negative while the second vector is to the right of the first one.
 

@@ -2,6 +2,7 @@
 """The classes of moving points. Each holds an engine of `_kinetri` and checks its arguments."""
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from types import EllipsisType
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, overload
@@ -1633,13 +1634,103 @@ class Simulation(MovingPoints):
     def energy(self) -> float:
         """The kinetic energy now: half the sum of mass times squared speed.
 
+        In a periodic box speeds are relative to its flow (`Box.flow_at`), so it does not matter which image of a point is
+        meant.
+
         Returns
         -------
         float
             Computed in float64.
         """
+        x, y = self._velocities_in_flow().T
+        return float(0.5 * np.nansum(self.masses() * (x * x + y * y)))
+
+    def _velocities_in_flow(self) -> Floats:
         velocities = self.velocities()
-        return float(0.5 * np.nansum(self.masses() * np.einsum("ij,ij->i", velocities, velocities)))
+        box = self.box
+        return velocities - box._flow(self.positions(), self.time) if isinstance(box, Box) else velocities
+
+    def set_energy(self, energy: float) -> None:
+        """A thermostat: multiplies all velocities by one factor such that `energy()` is this one, up to rounding.
+
+        In a periodic box velocities relative to its flow are multiplied. In a box that shears, shrinks or grows, and if
+        discs grow, the energy changes without end: in a long run call this now and then.
+
+        Parameters
+        ----------
+        energy : float
+            At least 0.
+
+        Raises
+        ------
+        PreconditionError
+            If the energy is negative or not finite, or if no point moves.
+        """
+        wanted = _arrays.one_number("energy", energy)
+        before = self.energy()
+        if wanted < 0:
+            raise PreconditionError(f"energy is {wanted}; expected 0 or more")
+        if not before > 0:
+            raise PreconditionError("no point moves, so that no factor changes the energy; expected moving points")
+        change = math.sqrt(wanted / before) - 1
+        if change == 0:
+            return
+        ids = self.ids
+        velocities = self.velocities() + change * self._velocities_in_flow()
+        self.set_velocities(ids, velocities[ids])
+
+    def pressure(self, times: ArrayLike, *, progress: Progress = False) -> pd.DataFrame:
+        """Advances to several times and returns the mean pressure between them, by the virial theorem.
+
+        For discs that collide in a periodic box, which has no wall to measure the pressure at. In the flow of the box, u
+        is the velocity of a disc and m its mass; at a collision, q is the momentum that the second disc gets, and r the
+        vector to the center of the image that the first one touches. The pressure tensor is the mean over time of the sum
+        of m u u^T over the discs and, per unit of time, of q r^T over the collisions, divided by the area.
+
+        Parameters
+        ----------
+        times : array_like of float, shape (k,)
+            Ascending, after `self.time`.
+        progress : bool or callable
+            As in `advance_to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            from, until, collisions, energy, pressure, xx, xy, yy: a row for each interval, the first from now; the number
+            of contacts in it, `energy()` at its end, and the means of the pressure and of the components of its tensor.
+            Computed in float64.
+
+        Raises
+        ------
+        PreconditionError
+            If the box is not periodic, or the times are not ascending.
+
+        Examples
+        --------
+        Without collisions it is the energy, divided by the area:
+
+        >>> import kinetri
+        >>> gas = kinetri.Simulation([[1, 1], [3, 2]], [[1, 0], [0, -1]], box=kinetri.Box((4, 4)))
+        >>> gas.pressure([2.0])[["until", "collisions", "energy", "pressure"]].round(4).values.tolist()
+        [[2.0, 0.0, 1.0, 0.0625]]
+        """
+        import pandas as pd
+
+        ends = _arrays.float_array("times", times, (None,))
+        steps = np.diff(ends, prepend=float(self.time))
+        if np.any(steps <= 0):
+            i = int(np.argmax(steps <= 0))
+            before = f"times[{i - 1}]" if i > 0 else f"the time now, {float(self.time)}"
+            raise PreconditionError(f"times[{i}] is {ends[i]}, not after {before}; expected ascending times")
+        watch = self.watch("pressure")
+        rows = []
+        with progress_bar(progress, float(self.time), float(ends[-1]) if len(ends) > 0 else float(self.time)) as show:
+            for end in ends:
+                self._go(Time(end), None, show)
+                rows.append(pd.DataFrame(watch.table()))
+        return pd.concat(rows, ignore_index=True) if rows else pd.DataFrame(
+            columns=["from", "until", "collisions", "energy", "pressure", "xx", "xy", "yy"])
 
     def set_motions(self, ids: IdsLike, positions: ArrayLike, velocities: ArrayLike, *,
                     acceleration: ArrayLike | None = None, jerk: ArrayLike | None = None,

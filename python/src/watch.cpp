@@ -162,6 +162,15 @@ std::unique_ptr<Watch> mean_areas(Core& core, const Question& question) {
                                            question.tolerance);
 }
 
+template <class Core, class Traits>
+std::unique_ptr<Watch> pressure(Core& core, [[maybe_unused]] const Question& question) {
+  if constexpr (PeriodicKineticTraits_2<Traits> && std::is_same_v<Core, Simulation_2<Traits>>) {
+    return watch_of<Mean_pressure<Traits>>(detail::Pressure_columns(), core);
+  } else {
+    refuse("the pressure is that of a Simulation in a periodic box; expected box=kinetri.Box(...)");
+  }
+}
+
 template <class Traits>
 const Kinetic_triangulation_2<Traits>& triangulation_of(const Simulation_2<Traits>& simulation) {
   return simulation.triangulation();
@@ -243,7 +252,7 @@ struct Named_question {
 template <class Core>
 std::unique_ptr<Watch> watch(Core& core, const Question& question) {
   using Traits = typename Traits_of<Core>::type;
-  constexpr std::array<Named_question<Core>, 10> questions = {{
+  constexpr std::array<Named_question<Core>, 11> questions = {{
       {"closest", &closest<Core, Traits>},
       {"encounters", &encounters<Core, Traits>},
       {"components", &components<Core, Traits>},
@@ -253,6 +262,7 @@ std::unique_ptr<Watch> watch(Core& core, const Question& question) {
       {"exchanges", &exchanges<Core, Traits>},
       {"nearest_neighbor_changes", &nearest_neighbor_changes<Core, Traits>},
       {"mean_areas", &mean_areas<Core, Traits>},
+      {"pressure", &pressure<Core, Traits>},
       {"certificates", &certificates<Core, Traits>},
   }};
   for (const auto& [about, follow] : questions) {

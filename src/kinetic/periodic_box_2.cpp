@@ -51,6 +51,16 @@ Rational Periodic_box_2::area(const Rational& t) const {
   return a.x * b.y - a.y * b.x;
 }
 
+Vector_2 Periodic_box_2::flow_at(const Vector_2& place, double t) const {
+  const Vector_2 a = rounded_place(first_, t);
+  const Vector_2 b = rounded_place(second_, t);
+  const double area = a.x * b.y - a.y * b.x;
+  const double k = (place.x * b.y - place.y * b.x) / area;
+  const double l = (a.x * place.y - a.y * place.x) / area;
+  return {k * first_.velocity.x + l * second_.velocity.x,
+          k * first_.velocity.y + l * second_.velocity.y};
+}
+
 std::optional<Algebraic_number> Periodic_box_2::collapse_after(const Algebraic_number& t) const {
   const Polynomial area = area_polynomial();
   KINETRI_PRECONDITION(sign_at(area, t) == CGAL::POSITIVE,

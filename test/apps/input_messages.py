@@ -111,6 +111,12 @@ def periodic_cases():
     yield points("x,y,vx,vy,ax,ay\n0,0,0,0,1,0\n", box)
     yield points("x,y,vx,vy\n0,0,0,0\n6,8,4,0\n", box + " --coincident refuse", line=3, first=2)
     yield points("x,y,vx,vy\n0,0,0,0\n1e10,0,0,0\n", box, id=1)
+    yield simulate("--pressure p")
+    yield simulate("--thermostat 1,2,3", text="1,2,3", n=3)
+    yield simulate("--thermostat=-1", text="-1", number=-1)
+    yield simulate("--thermostat 1,0", text="1,0", number=0)
+    yield simulate("--thermostat 2e6", rate="2000000", most=1000000)
+    yield simulate("--thermostat 1", files={"p.csv": "x,y,vx,vy\n0,0,0,0\n"})
     yield simulate("--periodic 9,9 --radius 1")
     yield simulate("--periodic 9,9 --collisions log", option="--collisions", file="p.csv")
     collide = box + " --collisions elastic"
@@ -170,11 +176,12 @@ def meaning_cases():
     for option in ("--unwrap nearest", "--closest 3", "--collisions log", "--walkable w --areas n"):
         yield case(f"tracks t.csv --periodic {option}", option=option.split()[0])
     yield case("tracks t.csv --format rows --columns t=t,id=id,x=x,y=y", file="t.csv", format="rows")
-    yield simulate("--fps 5", option="--fps,--frames-per-time")
-    yield simulate("--frames-per-time 5", option="--fps,--frames-per-time")
-    yield case("tracks t.csv --frames-per-time 5", option="--frames-per-time")
-    yield case("resume c --until 1 --fps 5", option="--fps,--frames-per-time", files={"c": checkpoint()})
-    yield case("wave --fps 5", option="--fps,--frames-per-time")
+    both, outputs = "--fps,--frames-per-time", "--frames, --vtu, --areas or --pressure"
+    yield simulate("--fps 5", option=both, outputs=outputs)
+    yield simulate("--frames-per-time 5", option=both, outputs=outputs)
+    yield case("tracks t.csv --frames-per-time 5", option="--frames-per-time", outputs="--frames, --vtu or --areas")
+    yield case("resume c --until 1 --fps 5", option=both, outputs=outputs, files={"c": checkpoint()})
+    yield case("wave --fps 5", option=both, outputs="--frames or --vtu")
     yield simulate("--frames f --fps 1e9", option="--fps,--frames-per-time", rate="1000000000",
                    **{"from": 0}, until=1, most=1000000)
     nowhere = {"PATH": "/nowhere"}

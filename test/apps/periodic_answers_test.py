@@ -130,6 +130,60 @@ class Periodic_answers(In_folder):
                          HEADER + "0,0,1,0\n2,0,0,0\n")
         self.assertIn("unwrap", [row["kind"] for row in self.table("c.csv")])
 
+    def gas(self, seed, side=6):
+        """A disc in each unit square of a box of this side, with its velocity."""
+        generator = random.Random(seed)
+        rows = [[i + generator.random() / 4, j + generator.random() / 4, generator.uniform(-1, 1), generator.uniform(-1, 1)]
+                for i in range(side) for j in range(side)]
+        return HEADER + "".join(",".join(map(repr, row)) + "\n" for row in rows)
+
+    GAS = "simulate p.csv --periodic 6,6 --radius 0.3 --collisions elastic"
+
+    def test_pressure_in_intervals(self):
+        self.run_program(f"{self.GAS} --until 3 --pressure p.csv.out --fps 4 --events e.csv", self.gas(1))
+        self.assertEqual(self.header("p.csv.out"), "from,until,collisions,energy,pressure,xx,xy,yy")
+        rows = [{name: float(text) for name, text in row.items()} for row in self.table("p.csv.out")]
+        self.assertEqual([row["until"] for row in rows], [k / 4 for k in range(1, 13)])
+        self.assertEqual([row["from"] for row in rows], [k / 4 for k in range(12)])
+        contacts = collections.Counter(float(row["time"]) // 0.25 for row in self.table("e.csv") if row["kind"] == "collision")
+        self.assertEqual([row["collisions"] for row in rows], [contacts[k] for k in range(12)])
+        for row in rows:
+            self.assertAlmostEqual(row["energy"], rows[0]["energy"], places=9)  # the box is at rest
+            self.assertAlmostEqual(row["pressure"], (row["xx"] + row["yy"]) / 2, places=12)
+            self.assertGreater(row["pressure"] * 36, row["energy"])
+        self.run_program(f"{self.GAS} --until 3 --pressure p.csv.out", self.gas(1))
+        self.assertEqual(len(self.table("p.csv.out")), 100)
+
+    def test_thermostat_keeps_the_energy(self):
+        shear = f"{self.GAS} --shear 0.5"
+        energies = []
+        for more in ("", " --thermostat 8"):
+            self.run_program(f"{shear} --until 4 --pressure p.csv.out --fps 8 --events e.csv --edges t.csv --motions m.csv "
+                             f"--verify{more}", self.gas(2))
+            energies.append([float(row["energy"]) for row in self.table("p.csv.out")])
+        heated, kept = energies
+        self.assertGreater(heated[-1], 1.3 * heated[0])
+        start = self.energy(self.gas(2), 0.5)
+        for energy in kept:
+            self.assertAlmostEqual(energy, start, places=9)
+        # In two parts, the second one with the energy of the first.
+        whole = (self.folder / "e.csv").read_text(encoding="utf-8"), (self.folder / "t.csv").read_text(encoding="utf-8")
+        self.run_program(f"{shear} --until 1.5 --thermostat 8 --events e.csv --checkpoint c", self.gas(2))
+        first = (self.folder / "e.csv").read_text(encoding="utf-8")
+        self.run_program(f"resume c --until 4 --thermostat 8,{start!r} --events f.csv --edges t.csv", self.gas(2))
+        rest = (self.folder / "f.csv").read_text(encoding="utf-8").split("\n", 1)[1]
+        self.assertEqual((first + rest, (self.folder / "t.csv").read_text(encoding="utf-8")), whole)
+
+    def energy(self, points, rate):
+        """The kinetic energy, with velocities relative to the flow of a sheared box."""
+        rows = [{name: float(text) for name, text in row.items()} for row in csv.DictReader(io.StringIO(points))]
+        return sum((row["vx"] - rate * row["y"]) ** 2 + row["vy"] ** 2 for row in rows) / 2
+
+    def test_thermostat_in_the_plane(self):
+        self.run_program("simulate p.csv --until 4 --thermostat 1,12.5 --motions m.csv --events e.csv",
+                         HEADER + "0,0,3,0\n0,9,0,4\n9,0,0,0\n")
+        self.assertEqual([row["kind"] for row in self.table("e.csv")].count("trajectory"), 0)  # nothing changes
+
     def test_tables_in_the_plane_have_no_offsets(self):
         self.run_program("simulate p.csv --until 1 --neighbors n.csv --nearest x.csv --components c.csv --range 1",
                          HEADER + "0,0,0,0\n4,0,0,0\n0,4,0,0\n3,3,1,1\n")

@@ -210,6 +210,47 @@ def test_what_is_not_possible_in_a_box_says_so(call):
     assert sim.audit()
 
 
+@pytest.mark.parametrize("sizes", ["one", "many"])
+def test_the_energy_of_a_sheared_gas_changes_by_the_work_of_its_box(sizes):
+    box = kinetri.Box.shear(5, 5, 0.5)
+    sim = gas(box, 6, sizes=sizes, collisions="elastic", mass=np.arange(1, 26) / 8)
+    flow = box.flow_at(sim.positions(), 0)
+    assert flow == pytest.approx(np.column_stack((0.5 * sim.positions()[:, 1], np.zeros(25))))
+    sim.set_velocities(sim.ids, sim.velocities() + flow)
+    energies = [sim.energy()]
+    table = sim.pressure([0.5, 1.0, 3.0])
+    energies += table["energy"].tolist()
+    assert table["until"].tolist() == [0.5, 1, 3] and table["from"].tolist() == [0, 0.5, 1] and sim.time == 3
+    work = -25 * 0.5 * table["xy"] * (table["until"] - table["from"])
+    assert np.diff(energies) == pytest.approx(work.to_numpy(), rel=1e-9) and np.all(np.abs(work) > 0.01)
+    assert table["pressure"].tolist() == pytest.approx(((table["xx"] + table["yy"]) / 2).tolist())
+    assert table["collisions"].min() > 3
+    sim.set_energy(energies[0])
+    assert sim.energy() == pytest.approx(energies[0]) and sim.audit()
+
+
+def test_a_thermostat_works_in_the_plane():
+    sim = kinetri.Simulation([[0, 0], [9, 0]], [[3, 4], [0, 0]])
+    sim.erase(sim.insert([5, 5], [1, 1]))
+    sim.set_energy(2.0)
+    assert sim.velocities()[:2] == pytest.approx(np.array([[1.2, 1.6], [0, 0]])) and sim.energy() == pytest.approx(2)
+    sim.set_energy(0)
+    for energy, message in ((1, "no point moves"), (-1, "expected 0 or more"), (np.nan, "energy")):
+        with pytest.raises(kinetri.PreconditionError, match=message):
+            sim.set_energy(energy)
+
+
+def test_the_pressure_is_that_of_a_periodic_box():
+    sim = gas(BOXES[0], 7, collisions="elastic")
+    for times, message in (([0.0], "not after the time now, 0.0"), ([1, 1], r"times\[1\] is 1.0, not after times\[0\]")):
+        with pytest.raises(kinetri.PreconditionError, match=message):
+            sim.pressure(times)
+    assert len(sim.pressure([])) == 0 and sim.time == 0
+    for other in (kinetri.Simulation([[0, 0]], [[0, 0]]), kinetri.KineticDelaunay([[0, 0]], [[0, 0]], box=(4, 4))):
+        with pytest.raises(kinetri.PreconditionError, match="the pressure is that of a Simulation in a periodic box"):
+            other.watch("pressure")
+
+
 @pytest.mark.parametrize("sizes", ["one", "many", "growing"])
 @pytest.mark.parametrize("box", BOXES)
 def test_copies_and_files_go_on_alike(tmp_path, box, sizes):

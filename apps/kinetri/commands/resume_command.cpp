@@ -25,10 +25,11 @@ Command resume_command() {
   result.add_required("CHECKPOINT", &options->checkpoint, "FILE",
                       "A file that --checkpoint has written; - is standard input");
   add_end_options(result, options->run);
+  add_thermostat_option(result, options->run);
   add_run_options(result, options->run,
                   {Output::checkpoint, Output::neighbors, Output::exchanges, Output::nearest,
                    Output::components, Output::connected, Output::spanning_tree, Output::areas,
-                   Output::mean_areas, Output::encounters, Output::contact_plan});
+                   Output::mean_areas, Output::pressure, Output::encounters, Output::contact_plan});
   result.description = {
       "The run continues as if it had never stopped: the event log of the first part and that of "
       "this one together are the log of one long run, byte for byte, and event numbers continue. "

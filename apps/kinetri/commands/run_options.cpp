@@ -11,6 +11,7 @@
 
 #include "cli/arguments.h"
 #include "cli/text.h"
+#include "commands/common_arguments.h"
 #include "kinetri/base/error.h"
 #include "kinetri/impl/io/input_text.h"
 #include "kinetri/impl/io/text.h"
@@ -152,7 +153,7 @@ void add_outputs(Command& command, Run_options& options, std::initializer_list<O
         .heading = outputs_heading;
     has_range = has_range || row.has_range;
     has_limits = has_limits || row.has_limits;
-    options.has_areas = options.has_areas || row.output == Output::areas;
+    if (row.has_frames) options.framed.emplace_back(row.option);
   }
   if (has_limits) {
     command
@@ -207,6 +208,13 @@ std::optional<double> until_argument(const Run_options& options) {
   throw Usage_error("--until is missing; expected --until T, or --until-share S");
 }
 
+void add_thermostat_option(Command& command, Run_options& options) {
+  command.add("--thermostat", &options.thermostat, "N[,E]",
+              "N times in a unit of time, multiply all velocities by the factor that makes the "
+              "kinetic energy E, by default that at the start; in a periodic box velocities "
+              "relative to its flow");
+}
+
 void add_run_options(Command& command, Run_options& options,
                      std::initializer_list<Output> requested) {
   // Recorded tracks have an option --fps of their own.
@@ -215,11 +223,11 @@ void add_run_options(Command& command, Run_options& options,
   add_outputs(command, options, requested);
   command
       .add(options.frames_per_time_option, &options.frames_per_time, "N",
-           options.has_areas
-               ? "Frames in a unit of time, for --frames, --vtu and --areas (default: 101 frames "
-                 "from start to end; for --areas, if tracks consist of frames: each frame of them)"
-               : "Frames in a unit of time, for --frames and --vtu (default: 101 frames from start "
-                 "to end)")
+           joined("Frames in a unit of time, for ", alternatives(options.framed),
+                  " (default: 101 frames from start to end",
+                  command.find_option("--areas") != nullptr
+                      ? "; for --areas, if tracks consist of frames: each frame of them)"
+                      : ")"))
       .heading = outputs_heading;
   command
       .add("--html-view", &options.html_view, "WORDS",
@@ -270,12 +278,24 @@ Run_settings run_settings(const Run_options& options) {
   if (options.range && options.outputs[Output::html]) result.html_range = result.answers.range;
   if (options.frames_per_time) {
     const std::string& option = options.frames_per_time_option;
-    if (!result.outputs[Output::frames] && !result.outputs[Output::vtu] &&
-        !result.outputs[Output::areas]) {
-      throw Usage_error(joined(option, ": no frames are written; expected --frames",
-                               options.has_areas ? ", --vtu or --areas" : " or --vtu", " as well"));
+    if (std::ranges::none_of(output_table, [&](const Output_row& row) {
+          return row.has_frames && result.outputs[row.output];
+        })) {
+      throw Usage_error(joined(option, ": no frames are written; expected ",
+                               alternatives(options.framed), " as well"));
     }
     result.frame_rate = Frame_rate{positive_argument(option, *options.frames_per_time), option};
+  }
+  if (options.thermostat) {
+    const std::vector<double> numbers =
+        numbers_argument("--thermostat", *options.thermostat, 1, 2, "one or two, N or N,E");
+    for (const double number : numbers) {
+      if (number > 0) continue;
+      throw Usage_error(joined("--thermostat: '", *options.thermostat, "' has ", number,
+                               "; expected numbers greater than 0"));
+    }
+    result.thermostat = Thermostat_settings{numbers[0], std::nullopt};
+    if (numbers.size() == 2) result.thermostat->energy = numbers[1];
   }
   if (result.outputs[Output::plot]) require_gnuplot("no --plot");
   if (options.until_share) {

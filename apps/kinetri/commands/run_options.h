@@ -25,7 +25,8 @@ struct Run_options {
   std::optional<std::string> ridge;
   std::optional<std::string> walkable;
   std::optional<std::string> cutoff;
-  bool has_areas = false;  ///< whether the command has the output --areas
+  std::vector<std::string> framed;  ///< the options for outputs in frames that the command has
+  std::optional<std::string> thermostat;
   std::optional<std::string> frames_per_time;
   std::string frames_per_time_option;  ///< all names, since any of them may have been used
   std::optional<std::string> html_view;
@@ -44,6 +45,9 @@ void add_end_options(Command& command, Run_options& options);
 /// The value of --until; none if --until-share is given instead. Throws Usage_error if neither is
 /// given.
 std::optional<double> until_argument(const Run_options& options);
+
+/// Declares --thermostat. `options` must outlive the command.
+void add_thermostat_option(Command& command, Run_options& options);
 
 /// Declares the other options; the command's own must have been declared. `requested`: outputs that
 /// only some commands have. `options` must outlive the command.

@@ -137,6 +137,7 @@ Command simulate_command() {
   result.add_flag("--regular", options->regular,
                   "Keep the regular triangulation of the discs, whose dual is the power diagram, "
                   "even if nothing touches them");
+  add_thermostat_option(result, options->run);
   add_coincident_option(result, options->coincident);
   result.add("--replay", &options->replay, "EVENTS",
              "Repeat a run: POINTS is the file of its --motions, and EVENTS that of its --events. "
@@ -145,7 +146,7 @@ Command simulate_command() {
   add_run_options(result, options->run,
                   {Output::checkpoint, Output::neighbors, Output::exchanges, Output::nearest,
                    Output::components, Output::connected, Output::spanning_tree, Output::areas,
-                   Output::mean_areas, Output::encounters, Output::contact_plan});
+                   Output::mean_areas, Output::pressure, Output::encounters, Output::contact_plan});
   result.description = {
       "The first line of POINTS names its columns: x,y,vx,vy (position at time 0, and velocity), "
       "and optionally ax,ay (acceleration) and jx,jy (jerk, the rate of change of the "

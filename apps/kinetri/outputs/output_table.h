@@ -34,11 +34,12 @@ enum class Output {
   spanning_tree,
   areas,
   mean_areas,
+  pressure,
   encounters,
   contact_plan,
 };
 
-constexpr std::size_t number_of_outputs = 23;
+constexpr std::size_t number_of_outputs = 24;
 
 /// Whether runs in periodic boxes have the output.
 constexpr bool is_for_periodic_boxes(Output output) {
@@ -47,7 +48,8 @@ constexpr bool is_for_periodic_boxes(Output output) {
          output == Output::vtu || output == Output::html || output == Output::ids ||
          output == Output::checkpoint || output == Output::plot || output == Output::neighbors ||
          output == Output::exchanges || output == Output::nearest || output == Output::components ||
-         output == Output::areas || output == Output::mean_areas || output == Output::encounters;
+         output == Output::areas || output == Output::mean_areas || output == Output::pressure ||
+         output == Output::encounters;
 }
 
 /// The commands that have an output.
@@ -65,6 +67,7 @@ struct Output_row {
   Offered offered = Offered::by_every_run;
   bool has_range = false;   ///< whether it needs --range
   bool has_limits = false;  ///< whether --walkable and --cutoff limit its cells
+  bool has_frames = false;  ///< whether --frames-per-time is for it
 
   bool is_directory() const { return type[0] == 'D'; }
 };
@@ -93,9 +96,11 @@ inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
      Offered::by_request},
     {Output::html, "--html", "--html", "FILE", "Write a page here that plays the run in a browser"},
     {Output::frames, "--frames", "--frames", "DIR",
-     "Write pictures of the run into this new directory, as SVG"},
+     "Write pictures of the run into this new directory, as SVG", Offered::by_every_run, false,
+     false, true},
     {Output::vtu, "--vtu", "--vtu", "DIR",
-     "Write the run into this new directory, as VTU files for ParaView"},
+     "Write the run into this new directory, as VTU files for ParaView", Offered::by_every_run,
+     false, false, true},
     {Output::plot, "--plot", "--plot", "FILE",
      "Draw events, queue lengths and run times here, as SVG (needs gnuplot)"},
     {Output::closest, "--closest", "--closest", "FILE", "", Offered::by_request},
@@ -124,10 +129,14 @@ inline constexpr std::array<Output_row, number_of_outputs> output_table = {{
     {Output::areas, "--areas", "--areas", "FILE",
      "Write here the area of each point's Voronoi cell, of a disc's power cell, and the density, "
      "in each frame, as CSV",
-     Offered::by_request, false, true},
+     Offered::by_request, false, true, true},
     {Output::mean_areas, "--mean-areas", "--mean-areas", "FILE",
      "Write here the mean of that area over the time for which each point exists, as CSV",
      Offered::by_request, false, true},
+    {Output::pressure, "--pressure", "--pressure", "FILE",
+     "Write here the mean pressure tensor of discs that collide in a periodic box, the number of "
+     "their collisions and the kinetic energy, for each interval between frames, as CSV",
+     Offered::by_request, false, false, true},
     {Output::encounters, "--encounters", "--encounters", "FILE",
      "Write all pairs that come near each other here, from when until when, as CSV; needs --range",
      Offered::by_request, true},

@@ -27,6 +27,12 @@ struct Frame_rate {
   std::string option;   ///< the option, for messages
 };
 
+/// When a thermostat scales velocities, and to which kinetic energy.
+struct Thermostat_settings {
+  double per_time = 0;           ///< how often in a unit of time
+  std::optional<double> energy;  ///< none: that at the start
+};
+
 struct Run_settings {
   Output_paths outputs;
   std::optional<Frame_rate> frame_rate;  ///< without one, there are 101 frames
@@ -35,6 +41,7 @@ struct Run_settings {
   std::string html_view;                     ///< what the page of --html shows first
   std::optional<double> html_range;          ///< of the encounters in that page
   std::optional<double> until_share;         ///< the run ends where the discs cover this share
+  std::optional<Thermostat_settings> thermostat;
   Audit_mode audit = Audit_mode::none;
   std::size_t threads = 0;  ///< 0: as many as are available
   bool exact_only = false;  ///< without filters

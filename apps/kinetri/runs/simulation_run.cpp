@@ -28,11 +28,13 @@
 #include "outputs/edge_output.h"
 #include "outputs/frame_outputs.h"
 #include "outputs/motion_output.h"
+#include "outputs/pressure_output.h"
 #include "outputs/run_outputs.h"
 #include "outputs/run_plot.h"
 #include "outputs/verification.h"
 #include "outputs/viewer_output.h"
 #include "runs/run_summary.h"
+#include "runs/thermostat.h"
 
 namespace kinetri::app {
 namespace {
@@ -101,7 +103,8 @@ class Simulation_run {
   void expect_logs_are_written();
   std::optional<double> next_stop() const;
   void stop_at(double time);
-  void make_change();
+  template <class Change>
+  void make_change(const Change& change);
   void audit(Audit_level level);
   void write_outputs();
   void write_edges_now(std::ostream& out);
@@ -130,6 +133,8 @@ class Simulation_run {
   std::vector<Followed_answer> answers_;
   std::optional<Frame_outputs> frames_;
   std::optional<Area_output> areas_;
+  std::optional<Pressure_output> pressure_;
+  std::optional<Thermostat> thermostat_;
   std::unique_ptr<Run_sampler> sampler_;
   std::string coincident_;              // points that coincide at the start, for the summary
   std::optional<Jam_watch> jam_watch_;  // if growing discs may jam
@@ -218,6 +223,12 @@ void Simulation_run::build() {
   answers_ = follow_answers(outputs_, asked_, simulation_, source_);
   if (frames_) frames_->start(source_, simulation_, statistics_.until);
   if (areas_) areas_->start(source_, simulation_, statistics_.until);
+  if (outputs_.has(Output::pressure)) {
+    pressure_.emplace(settings_.frame_rate).start(simulation_, statistics_.until);
+  }
+  if (settings_.thermostat) {
+    thermostat_.emplace(*settings_.thermostat).start(simulation_, statistics_.until);
+  }
   if (sampler_) sampler_->start(statistics_.until, simulation_);
   statistics_.seconds.write += stopwatch_.lap();
 }
@@ -352,14 +363,31 @@ std::optional<double> Simulation_run::next_stop() const {
   };
   include(frames_);
   include(areas_);
+  include(pressure_);
+  include(thermostat_);
   include(sampler_);
   return result;
+}
+
+template <class Change>
+void Simulation_run::make_change(const Change& change) {
+  const std::uint64_t before = number_of_events();
+  try {
+    change();
+  } catch (const Coincident_trajectories_error& error) {
+    throw source_.coincidence(error, time());
+  }
+  executed_ += number_of_events() - before;
+  expect_logs_are_written();
 }
 
 void Simulation_run::stop_at(double time) {
   if (source_.next_change() == time) {
     // What follows from it at this time happens before a frame.
-    return make_change();
+    return make_change([this] { source_.make_change(simulation_); });
+  }
+  if (thermostat_ && thermostat_->next_time() == time) {
+    return make_change([this] { thermostat_->scale(simulation_); });
   }
   statistics_.seconds.run += stopwatch_.lap();
   if (frames_ && frames_->next_time() == time) frames_->write(simulation_);
@@ -367,19 +395,12 @@ void Simulation_run::stop_at(double time) {
     areas_->write(outputs_.stream(Output::areas), simulation_);
     if (!outputs_.stream(Output::areas)) outputs_.finish(Output::areas);
   }
+  if (pressure_ && pressure_->next_time() == time) {
+    pressure_->write(outputs_.stream(Output::pressure));
+    if (!outputs_.stream(Output::pressure)) outputs_.finish(Output::pressure);
+  }
   if (sampler_ && sampler_->next_time() == time) sampler_->take(simulation_);
   statistics_.seconds.write += stopwatch_.lap();
-}
-
-void Simulation_run::make_change() {
-  const std::uint64_t before = number_of_events();
-  try {
-    source_.make_change(simulation_);
-  } catch (const Coincident_trajectories_error& error) {
-    throw source_.coincidence(error, time());
-  }
-  executed_ += number_of_events() - before;
-  expect_logs_are_written();
 }
 
 // Executes the events, up to the end or an interruption.

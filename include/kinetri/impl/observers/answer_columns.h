@@ -17,6 +17,7 @@
 #include "kinetri/observers/connected_components.h"
 #include "kinetri/observers/encounters.h"
 #include "kinetri/observers/mean_cell_areas.h"
+#include "kinetri/observers/mean_pressure.h"
 #include "kinetri/observers/nearest_neighbors.h"
 #include "kinetri/observers/neighbor_lives.h"
 
@@ -192,6 +193,23 @@ struct Mean_area_columns {
     column("until", &Row::until);
     column("area", &Row::area);
     column("error", &Row::error);
+  }
+};
+
+struct Pressure_columns {
+  using Row = Pressure_2;
+
+  /// The mean since the last call, in one row.
+  static std::vector<Row> rows(auto& observer) { return {observer.next()}; }
+  static void visit(const auto& column) {
+    column("from", &Row::from);
+    column("until", &Row::until);
+    column("collisions", [](const Row& row) { return static_cast<std::size_t>(row.collisions); });
+    column("energy", &Row::energy);
+    column("pressure", &Row::pressure);
+    column("xx", &Row::xx);
+    column("xy", &Row::xy);
+    column("yy", &Row::yy);
   }
 };
 
