@@ -35,6 +35,15 @@ awk -F, 'NR == 1 { print $0 ",radius,growth" } NR > 1 { print $0 (NR % 3 ? ",0.3
 "$kinetri" render grow.html --animate "$folder/packing.webp" --from 0.7 --until 10.7 --fps 8 --speed 4 \
   --width 300 --height 300
 
+# A packing in a periodic box that is sheared.
+"$kinetri" generate packing --points 60 --sizes 1.4 --share 0.8 --periodic --side 10 --speed 0.3 --seed 4 \
+  --output packing.csv 2> /dev/null
+awk -F, -v OFS=, 'NR > 1 { $3 += 0.1 * $2 } { print }' packing.csv > moving.csv
+"$kinetri" simulate moving.csv --until 20 --periodic 10,10 --shear 0.1 --collisions elastic --mass area --thermostat 8 \
+  --quiet --html sheared.html --html-view 'color=size&show=voronoi&hide=delaunay,ids&theme=dark&kinds=hide&legend=off'
+"$kinetri" render sheared.html --animate "$folder/sheared.webp" --from 0 --until 20 --fps 6 --speed 2.5 \
+  --width 380 --height 270
+
 # A flock that is steered live.
 "$here/flock.py" > flock.csv
 "$kinetri" tracks flock.csv --html flock.html --quiet --html-view 'show=arrows&hide=ids,hull&kinds=flip'
