@@ -63,6 +63,10 @@ const std::map<std::string, Mode> modes = {
     {"lattice-row",
      {measure_lattice_row, "time per event of a lattice in which one row moves, against uniform"}},
     {"periodic", {measure_periodic, "time per event in a periodic box, against the plane", 1}},
+#ifdef KINETRI_WITH_VORO
+    {"periodic-steps",
+     {measure_periodic_steps, "neighbors after each step in a periodic box, beside voro++", 1}},
+#endif
     {"paper-table", {measure_paper_table, "events scheduled, executed, discarded: eager and lazy"}},
     {"weights",
      {measure_weights, "time per event of the regular triangulation, beside the Delaunay one", 1}},

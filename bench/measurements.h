@@ -98,6 +98,10 @@ nlohmann::json measure_lattice_row(const Setup& setup);
 /// and of the start for each point.
 nlohmann::json measure_periodic(const Setup& setup);
 
+/// In the same box, steps of all points: seconds until all neighbors are known, by events, by
+/// repair, and by voro++, from nothing each time. Only if voro++ is installed.
+nlohmann::json measure_periodic_steps(const Setup& setup);
+
 /// The frame rates above which the exact triangulation takes less time than a static rebuild for
 /// each frame, and than moving each vertex of a static triangulation for each frame.
 nlohmann::json measure_frames(const Setup& setup);
