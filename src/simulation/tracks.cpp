@@ -79,36 +79,60 @@ std::unique_ptr<Simulation_2<Traits>> simulate(std::span<const std::vector<Obser
   return simulation;
 }
 
-}  // namespace
-
-std::unique_ptr<Simulation_2<>> simulate_tracks(std::span<const std::vector<Observation_2>> tracks,
-                                                std::span<const Stay> stays, double start,
-                                                const Simulation_options& options,
-                                                const Linear_kinetic_traits_2& traits) {
+// The same of points.
+template <class Traits>
+std::unique_ptr<Simulation_2<Traits>> simulate(std::span<const std::vector<Observation_2>> tracks,
+                                               std::span<const Stay> stays, double start,
+                                               const Simulation_options& options,
+                                               const Traits& traits) {
   return simulate(tracks, stays, start, options, traits, [&](const Stay& stay, std::size_t i) {
     return motion_after(tracks[stay.track], i);
   });
 }
 
-#ifndef KINETRI_WITHOUT_PERIODIC_BOXES
-std::unique_ptr<Simulation_2<Periodic_kinetic_traits_2>> simulate_tracks(
-    std::span<const std::vector<Observation_2>> tracks, std::span<const Stay> stays, double start,
-    const Simulation_options& options, const Periodic_kinetic_traits_2& traits) {
-  return simulate(tracks, stays, start, options, traits, [&](const Stay& stay, std::size_t i) {
-    return motion_after(tracks[stay.track], i);
-  });
-}
-#endif
-
-std::unique_ptr<Simulation_2<Disc_kinetic_traits_2>> simulate_tracks(
-    std::span<const std::vector<Observation_2>> tracks, std::span<const double> radii,
-    std::span<const Stay> stays, double start, const Simulation_options& options,
-    const Disc_kinetic_traits_2& traits) {
+// The same of discs.
+template <class Traits>
+std::unique_ptr<Simulation_2<Traits>> simulate(std::span<const std::vector<Observation_2>> tracks,
+                                               std::span<const double> radii,
+                                               std::span<const Stay> stays, double start,
+                                               const Simulation_options& options,
+                                               const Traits& traits) {
   KINETRI_PRECONDITION(radii.size() == tracks.size(),
                        "there are not as many radii as tracks; expected one for each");
   return simulate(tracks, stays, start, options, traits, [&](const Stay& stay, std::size_t i) {
     return Disc_motion_2{motion_after(tracks[stay.track], i), radii[stay.track]};
   });
 }
+
+}  // namespace
+
+std::unique_ptr<Simulation_2<>> simulate_tracks(std::span<const std::vector<Observation_2>> tracks,
+                                                std::span<const Stay> stays, double start,
+                                                const Simulation_options& options,
+                                                const Linear_kinetic_traits_2& traits) {
+  return simulate(tracks, stays, start, options, traits);
+}
+
+std::unique_ptr<Simulation_2<Disc_kinetic_traits_2>> simulate_tracks(
+    std::span<const std::vector<Observation_2>> tracks, std::span<const double> radii,
+    std::span<const Stay> stays, double start, const Simulation_options& options,
+    const Disc_kinetic_traits_2& traits) {
+  return simulate(tracks, radii, stays, start, options, traits);
+}
+
+#ifndef KINETRI_WITHOUT_PERIODIC_BOXES
+std::unique_ptr<Simulation_2<Periodic_kinetic_traits_2>> simulate_tracks(
+    std::span<const std::vector<Observation_2>> tracks, std::span<const Stay> stays, double start,
+    const Simulation_options& options, const Periodic_kinetic_traits_2& traits) {
+  return simulate(tracks, stays, start, options, traits);
+}
+
+std::unique_ptr<Simulation_2<Periodic_disc_kinetic_traits_2>> simulate_tracks(
+    std::span<const std::vector<Observation_2>> tracks, std::span<const double> radii,
+    std::span<const Stay> stays, double start, const Simulation_options& options,
+    const Periodic_disc_kinetic_traits_2& traits) {
+  return simulate(tracks, radii, stays, start, options, traits);
+}
+#endif
 
 }  // namespace kinetri

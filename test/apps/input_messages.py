@@ -173,7 +173,7 @@ def meaning_cases():
     yield case("tracks t.csv --date-format %m", format="%m")
     yield case("tracks t.csv --unwrap nearest", file="t.csv", option="--unwrap")
     yield case("tracks t.csv --periodic", file="t.csv", option="--periodic")
-    for option in ("--unwrap nearest", "--closest 3", "--collisions log", "--walkable w --areas n"):
+    for option in ("--unwrap nearest", "--closest 3", "--walkable w --areas n"):
         yield case(f"tracks t.csv --periodic {option}", option=option.split()[0])
     yield case("tracks t.csv --format rows --columns t=t,id=id,x=x,y=y", file="t.csv", format="rows")
     both, outputs = "--fps,--frames-per-time", "--frames, --vtu, --areas or --pressure"

@@ -261,6 +261,26 @@ class Periodic(Program_in_box):
             # Motions go on as before at each frame, which the log says all the same.
             self.assertEqual(sum(row["kind"] == "trajectory" for row in self.rows()), 4 * len(points))
 
+    def test_tracks_of_discs_have_the_contacts_of_their_motions(self):
+        """At a frame a disc gets its motion again; discs that overlap and approach then have a contact at that time."""
+        generator = random.Random(13)
+        points = [(x % 5 + 2, y % 8 + 1, vx, vy) for x, y, vx, vy in random_points(generator, 12, 8)]
+        self.dump(points, range(6))
+        discs = "--collisions log --radius 0.75 --events e.csv --quiet --audit end --verify"
+
+        def contacts():
+            return [(row["time"], row["point_a"], row["point_b"], row["added_offset"]) for row in self.rows()
+                    if row["kind"] == "collision"]
+
+        self.run_program(f"simulate p.csv --until 4 --periodic 8,10,2 {discs}", text_of(points))
+        expected = contacts()
+        self.assertGreater(len(expected), 20)
+        self.run_program(f"tracks d.lammpstrj --periodic --until 4 {discs}")
+        found = contacts()
+        self.assertEqual([row for row in found if float(row[0]) % 1 or row in expected], expected)
+        wide = self.run_program("tracks d.lammpstrj --periodic --collisions log --radius 4.5", code=2)
+        self.assertIn("meets its own image", wide.stderr)
+
     def test_tracks_that_come_and_go(self):
         generator = random.Random(12)
         points = [(x % 5 + 2, y % 8 + 1, vx, vy) for x, y, vx, vy in random_points(generator, 12, 8)]

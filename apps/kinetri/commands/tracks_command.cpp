@@ -158,9 +158,6 @@ void expect_periodic_options(const Tracks_options& options) {
   expect_periodic(options.run);
   if (options.unwrap) refuse_with_periodic("--unwrap");
   if (options.closest) refuse_with_periodic("--closest");
-  if (collisions_argument(options.collisions, none_and_log).response != nullptr) {
-    refuse_with_periodic("--collisions");
-  }
 }
 
 }  // namespace

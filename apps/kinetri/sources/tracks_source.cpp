@@ -59,6 +59,7 @@ class Tracks_source final : public Run_source {
   void check_frame_rate() const;
   void check_velocities() const;
   void check_radii() const;
+  bool is_periodic() const { return settings_.reading.unwrap == Tracks_unwrap::periodic; }
   Periodic_box_2 periodic_box() const;
   std::vector<double> disc_radii() const;
 
@@ -128,22 +129,24 @@ void Tracks_source::check_velocities() const {
 Any_simulation Tracks_source::make_simulation(Arithmetic arithmetic) const {
   Simulation_options options;
   options.coincident = settings_.coincident;
+  std::vector<double> radii;
+  if (settings_.logs_contacts && !stays_.empty()) {
+    options.response = log_contact;
+    radii = disc_radii();
+    const bool are_equal = std::ranges::all_of(radii, [&](double r) { return r == radii.front(); });
+    if (are_equal) options.radius = radii.front();
+    if (are_equal) radii.clear();
+  }
+  const auto simulate = [&](const auto& traits, const auto& traits_of_discs) -> Any_simulation {
+    if (radii.empty()) return simulate_tracks(observations_, stays_, from_, options, traits);
+    return simulate_tracks(observations_, radii, stays_, from_, options, traits_of_discs);
+  };
   try {
-    if (settings_.logs_contacts && !stays_.empty()) {
-      options.response = log_contact;
-      const std::vector<double> radii = disc_radii();
-      if (std::ranges::any_of(radii, [&](double radius) { return radius != radii.front(); })) {
-        return simulate_tracks(observations_, radii, stays_, from_, options,
-                               Disc_kinetic_traits_2(arithmetic));
-      }
-      options.radius = radii.front();
+    if (is_periodic()) {
+      return simulate(Periodic_kinetic_traits_2(periodic_box(), arithmetic),
+                      Periodic_disc_kinetic_traits_2(periodic_box(), arithmetic));
     }
-    if (settings_.reading.unwrap == Tracks_unwrap::periodic) {
-      return simulate_tracks(observations_, stays_, from_, options,
-                             Periodic_kinetic_traits_2(periodic_box(), arithmetic));
-    }
-    return simulate_tracks(observations_, stays_, from_, options,
-                           Linear_kinetic_traits_2(arithmetic));
+    return simulate(Linear_kinetic_traits_2(arithmetic), Disc_kinetic_traits_2(arithmetic));
   } catch (const Coincident_trajectories_error& coincident) {
     throw coincidence(coincident, from_);
   } catch (const Periodic_box_error& too_far) {
@@ -217,7 +220,8 @@ Input_error Tracks_source::coincidence(const Coincident_trajectories_error& coin
       std::max(one, other),
       joined("from t = ", time, " on ids ", pair_of(first, second), " go the same way (see ",
              file_.place_name, ' ', std::min(one, other), ")", others,
-             "; expected different positions at one of two observations, or --coincident hide"));
+             "; expected different positions at one of two observations, or ",
+             is_periodic() && settings_.logs_contacts ? "no --collisions" : "--coincident hide"));
 }
 
 void Tracks_source::write_points(std::ostream& out) const {

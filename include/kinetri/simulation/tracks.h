@@ -78,6 +78,12 @@ std::unique_ptr<Simulation_2<Disc_kinetic_traits_2>> simulate_tracks(
     std::span<const Stay> stays, double start, const Simulation_options& options = {},
     const Disc_kinetic_traits_2& traits = {});
 
+/// The same in the periodic box of the traits.
+std::unique_ptr<Simulation_2<Periodic_disc_kinetic_traits_2>> simulate_tracks(
+    std::span<const std::vector<Observation_2>> tracks, std::span<const double> radii,
+    std::span<const Stay> stays, double start, const Simulation_options& options,
+    const Periodic_disc_kinetic_traits_2& traits);
+
 }  // namespace kinetri
 
 #endif  // KINETRI_SIMULATION_TRACKS_H
