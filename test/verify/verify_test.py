@@ -243,6 +243,9 @@ TURNING = [(2, 0, 2, 2, 1, 0), (2, -2, -2, 2, 0, 0), (1, -1, 1, 0, 1, 0), (0, 3,
            (3, 2, 0, -1, 0.5, 0), (3, 2, 0, 2, 1, 0)]
 TURNING_BACK = [(x + vx, y + vy, -vx, -vy, radius, growth) for x, y, vx, vy, radius, growth in TURNING]
 
+# Equal discs that grow. The centers are on one circle at t = 1, and the same edge is right before and after.
+TOUCHING = [(x, y, 0, vy, 0.125, 0.125) for x, y, vy in ((-1, 0, 0), (0, 1, 0), (0, -1, 0), (1, -1, 1))]
+
 
 def check_instants(case):
     """Several events of one exact time: discs of a wave meet, at times that are no binary64 numbers."""
@@ -256,6 +259,10 @@ def check_instants(case):
         assert len([row for row in run.rows if row[2] == time]) > 2, run.rows
         code, text, _ = case.verify(run)
         assert code == 0, f"{discs}: {text}"
+    run = case.simulate(TOUCHING, 2, 0, ["--regular"])
+    assert not run.rows, run.rows
+    code, text, _ = case.verify(run)
+    assert code == 0, text
     options = ["--collisions", "log", "--box=-6,-6,15,15", "--rim"]
     run = case.simulate(PASSING, 4, 0, options)
     assert [row[1] for row in run.rows if row[2] > "3.4117" and row[2] < "3.4118"].count("reveal") == 1, run.rows
