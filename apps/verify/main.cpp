@@ -10,6 +10,7 @@ constexpr const char* usage =
     "                      [--edges FILE] [--motions FILE] [--box XMIN,YMIN,XMAX,YMAX]\n"
     "                      [--rim] [--collisions RESPONSE] [--threads N]\n"
     "                      [--periodic LX,LY[,XY]] [--shear RATE]\n"
+    "                      [--rates AX,AY,BX,BY] [--epochs TA,TB]\n"
     "\n"
     "Decides whether the edges are a Delaunay triangulation of the points just after T0,\n"
     "and whether the events keep them one at all times until T, in exact arithmetic.\n"
@@ -19,7 +20,8 @@ constexpr const char* usage =
     "collide.\n"
     "--threads 2 checks certificates on a second thread.\n"
     "--periodic and --shear are those of the run, whose logs have offsets. Four numbers\n"
-    "AX,AY,BX,BY are the two vectors of a box of recorded atoms.\n"
+    "AX,AY,BX,BY are the two vectors of a box, at the times --epochs (0,0 without it);\n"
+    "--rates is how much they change in a unit of time (nothing without it).\n"
     "\n"
     "Exit code: 0 verified, 1 refuted, 2 bad usage or bad input, 3 internal error.\n"
     "\n"
@@ -67,44 +69,33 @@ std::vector<verify::Edge> undone(const std::vector<verify::Edge>& final_edges,
   return {edges.begin(), edges.end()};
 }
 
-// The vectors of a periodic box, from the numbers LX,LY or LX,LY,XY or AX,AY,BX,BY. The rate of the
-// second one is rounded, as that of the run is.
-std::vector<verify::Motion> lattice(const std::vector<double>& numbers, double shear) {
-  const bool has_both = numbers.size() == 4;
-  verify::Motion first = {};
-  verify::Motion second = {};
-  first[verify::x] = numbers[0];
-  first[verify::y] = has_both ? numbers[1] : 0;
-  second[verify::x] = numbers.size() > 2 ? numbers[2] : 0;
-  second[verify::y] = numbers[has_both ? 3 : 1];
-  second[verify::vx] = shear * second[verify::y];
-  if (has_both ? mpq_class(first[verify::x]) * mpq_class(second[verify::y]) <=
-                     mpq_class(first[verify::y]) * mpq_class(second[verify::x])
-               : numbers[0] <= 0 || numbers[1] <= 0) {
-    fail_usage("the --periodic box is empty");
-  }
-  if (has_both && shear != 0) fail_usage("--shear needs --periodic LX,LY or LX,LY,XY");
-  if (!std::isfinite(second[verify::vx])) fail_usage("the --shear is too fast");
-  return {first, second};
-}
-
-// Discs in a periodic box have one radius, which is constant. No collision may change it.
-void expect_one_radius(const std::vector<verify::Change>& points,
-                       const std::vector<verify::Row>& rows) {
-  std::vector<verify::Change> all = points;
-  for (const verify::Row& row : rows) {
-    if (row.kind != "collision") all.insert(all.end(), row.changes.begin(), row.changes.end());
-  }
-  std::erase_if(all, [](const verify::Change& change) { return !change.motion; });
-  for (const auto& [id, motion] : all) {
-    if ((*motion)[verify::growth] == 0 &&
-        (*motion)[verify::radius] == (*all.front().motion)[verify::radius]) {
-      continue;
+// The vectors of a periodic box, from the numbers of the options.
+std::vector<verify::Motion> lattice(std::map<std::string, std::string>& given) {
+  std::vector<double> vectors = numbers_of("--periodic", given["--periodic"], 2, 4);
+  std::vector<double> rates(4), epochs(2);
+  if (vectors.size() == 4) {
+    if (given.contains("--shear")) fail_usage("--shear needs --periodic LX,LY or LX,LY,XY");
+    if (given.contains("--rates")) rates = numbers_of("--rates", given["--rates"], 4, 4);
+    if (given.contains("--epochs")) epochs = numbers_of("--epochs", given["--epochs"], 2, 2);
+  } else {
+    for (const char* name : {"--rates", "--epochs"}) {
+      if (given.contains(name)) fail_usage(std::string(name) + " needs --periodic AX,AY,BX,BY");
     }
-    throw verify::Bad_input("point " + std::to_string(id) +
-                            " grows, or has not the radius of the first one; expected discs of one "
-                            "constant radius in a periodic box");
+    vectors = {vectors[0], 0, vectors.size() > 2 ? vectors[2] : 0, vectors[1]};
+    // The product is rounded, as that of the run is.
+    if (given.contains("--shear"))
+      rates[2] = numbers_of("--shear", given["--shear"], 1, 1)[0] * vectors[3];
+    if (!std::isfinite(rates[2])) fail_usage("the --shear is too fast");
   }
+  std::vector<verify::Motion> result(2, verify::Motion());
+  for (std::size_t i = 0; i < 2; ++i) {
+    result[i][verify::x] = vectors[2 * i];
+    result[i][verify::y] = vectors[2 * i + 1];
+    result[i][verify::vx] = rates[2 * i];
+    result[i][verify::vy] = rates[2 * i + 1];
+    result[i][verify::epoch] = epochs[i];
+  }
+  return result;
 }
 
 // Checks that the discs at the start have the radii and growths of the columns of the points, or
@@ -208,8 +199,8 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
       continue;
     }
     static const std::set<std::string> names = {
-        "--until", "--from",       "--initial-edges", "--edges",    "--motions",
-        "--box",   "--collisions", "--threads",       "--periodic", "--shear"};
+        "--until",      "--from",    "--initial-edges", "--edges", "--motions", "--box",
+        "--collisions", "--threads", "--periodic",      "--shear", "--rates",   "--epochs"};
     if (name != "--rim" && !names.contains(name)) fail_usage("unknown option " + name);
     std::string value;
     if (name == "--rim" && name != arguments[i]) fail_usage("--rim takes no value");
@@ -254,16 +245,16 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
   if (response == "remove") options.passing = Passing::none;
   options.has_contacts = !response.empty() && response != "none";
 
-  if (given.contains("--periodic")) {
+  const bool is_periodic = given.contains("--periodic");
+  if (is_periodic) {
     for (const char* name : {"--box", "--rim"}) {
       if (given.contains(name)) fail_usage(std::string(name) + " is not for periodic boxes");
     }
-    options.lattice =
-        lattice(numbers_of("--periodic", given["--periodic"], 2, 4), number("--shear", 0));
-  } else if (given.contains("--shear")) {
-    fail_usage("--shear needs --periodic");
+    options.lattice = lattice(given);
   }
-  const bool is_periodic = !options.lattice.empty();
+  for (const char* name : {"--shear", "--rates", "--epochs"}) {
+    if (!is_periodic && given.contains(name)) fail_usage(std::string(name) + " needs --periodic");
+  }
 
   verify::read_events(files[1], is_periodic, rows);
   const bool has_motions = given.contains("--motions");
@@ -286,7 +277,6 @@ int run(const std::vector<std::string>& arguments, std::vector<verify::Row>& row
     check_discs(points, columns, start, !may_touch);
     points = std::move(start);
   }
-  if (is_periodic) expect_one_radius(points, rows);
   for (const verify::Row& row : rows) {
     if (row.kind == "collision" && !given.contains("--collisions")) {  // must be inferred
       options.has_contacts = true;

@@ -214,9 +214,10 @@ class Surface : protected Moving_points {
   }
 
   void check_cover() const {
-    if (edges_ != 3 * groups_.size()) {
+    const std::size_t points = groups_.size() - hidden_.size();
+    if (edges_ != 3 * points) {
       refute("there are " + std::to_string(edges_) + " edges; expected three for each of " +
-             std::to_string(groups_.size()) + " points");
+             std::to_string(points) + " points");
     }
     if (!groups_.empty() && covered_ != 2) {
       mpq_class times_covered(covered_, 2);

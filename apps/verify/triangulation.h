@@ -169,8 +169,7 @@ class Certified_triangulation : protected Surface {
 
   // Whether the point is hidden in a triangle, if the edges are right (Lemma 6).
   bool is_in_triangle(Id v) const {
-    return is_present(v) && !is_twin(v) && neighbors_[v].empty() && groups_.size() > 1 &&
-           !is_periodic();
+    return is_present(v) && !is_twin(v) && neighbors_[v].empty() && groups_.size() > 1;
   }
   void set_hidden(Id v) {
     if (is_twin(v)) {
@@ -199,8 +198,6 @@ class Certified_triangulation : protected Surface {
         if (!is_present(v)) refute(which + " still has edges");
         if (is_twin(v))
           refute(which + " has edges, but point " + std::to_string(shown(v)) + " hides it");
-      } else if (is_periodic() && is_present(v) && !is_twin(v)) {
-        refute(which + " has no edges");
       }
       const bool is_hidden = is_twin(v) || is_in_triangle(v);
       const bool is_told = told_.erase(v) > 0;
@@ -229,25 +226,45 @@ class Certified_triangulation : protected Surface {
   }
 
   // Walks from triangle t, or an arbitrary one, to the triangle that contains the point just after
-  // now.
+  // now. Each next triangle is above the one before, at the point (Lemma 6): so the walk ends.
   Triangle triangle_of(Id v, Triangle t) {
     for (auto any = left_.begin(); t[0].id == absent && any != left_.end(); ++any) {
-      const Triangle found = {any->first.first, any->first.second, any->second};
-      if (std::ranges::max(found).id != infinite) t = found;
+      const Triangle found = {begin_of(any->first), end_of(any->first), any->second};
+      if (std::ranges::max(found).id != infinite) t = moved_near(v, found);
     }
-    for (std::size_t steps = 0; t[0].id != absent && t[2].id != infinite && steps < left_.size();
-         ++steps) {
+    const auto sign_of = [&](const Polynomial& p) { return sign_just_after(p, now_); };
+    while (t[0].id != absent && t[2].id != infinite) {
+      const auto [a, b, c, point] = courses({t[0], t[1], t[2], v});
+      if (sign_of(orientation(*a, *b, *c)) <= 0) refute("a triangle does not turn left");
       const auto is_beyond = [&](std::size_t i) {
-        const Polynomial p = orientation(course(t[i]), course(t[(i + 1) % 3]), course(v));
-        return sign_just_after(p, now_) < 0;
+        return sign_of(orientation(course(t[i]), course(t[(i + 1) % 3]), *point)) < 0;
       };
       std::size_t side = 0;
       while (side < 3 && !is_beyond(side)) ++side;
       if (side == 3) return t;
-      const Image a = t[(side + 1) % 3];
-      t = {a, t[side], apex(a, t[side])};
+      const Image& end = t[(side + 1) % 3];
+      const Image next = apex(end, t[side]);
+      if (next.id != infinite && sign_of(outside(*a, *b, *c, course(next))) <= 0) {
+        refute(name(edge(end, t[side])) + " has to be flipped");
+      }
+      t = {end, t[side], next};
     }
     refute("point " + std::to_string(v) + " is in no triangle");
+  }
+
+  // In a periodic box the image of the triangle whose first corner is about one box away from the
+  // point at most.
+  Triangle moved_near(Id v, Triangle t) const {
+    if (!is_periodic()) return t;
+    const Place way = minus(course(v), course(t[0]));
+    std::array<std::int64_t, 2> by = {};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Integer count = lattice_.count_of(i, way, now_.lo);
+      if (!count.fits_slong_p()) refute("point " + std::to_string(v) + " is too far away");
+      by[i] = count.get_si();
+    }
+    for (Image& corner : t) corner = moved(corner, {by[0], by[1]});
+    return t;
   }
 
   // ---- contacts of discs ----
