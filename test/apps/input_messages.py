@@ -125,7 +125,6 @@ def periodic_cases():
     yield points("x,y,vx,vy,radius\n0,0,0,0,0.5\n2,2,0,0,2.125\n", collide, line=3, id=1, x=1, y=0, time=0)
     yield case(f"simulate p.csv {collide} --encounters n --range 1",
                files={"p.csv": "x,y,vx,vy,radius\n0,0,0,0,0.5\n2,2,0,0,1\n"})
-    yield case(f"simulate p.csv {collide} --verify", files={"p.csv": "x,y,vx,vy,radius\n0,0,0,0,0.5\n2,2,0,0,1\n"})
     yield case("simulate p.csv --until 2 --periodic 1,1", time="0.6465", a=0, b=1, x=2147483648, y=1,
                files={"p.csv": "x,y,vx,vy\n0,0,0,0\n2147483000.5,0.25,1000,0\n"})
 

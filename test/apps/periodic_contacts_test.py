@@ -362,10 +362,11 @@ class Periodic_contacts(Program_in_box):
                 images += self.check_picture(self.read("p.svg"))
             self.assertGreater(images, 30)
 
-    def test_runs_of_several_radii_are_not_verified(self):
-        run = "simulate p.csv --until 1 --periodic 8,8 --collisions elastic --verify"
-        done = self.run_program(run, "x,y,vx,vy,radius\n0,0,1,0,1\n4,4,0,0,0.5\n", code=2)
-        self.assertIn("expected no --verify, or one --radius\n", done.stderr)
+    def test_runs_of_several_radii_are_verified(self):
+        run = "simulate p.csv --until 4 --periodic 8,8 --shear 0.25 --collisions elastic --verify --quiet --events e.csv"
+        done = self.run_program(run, "x,y,vx,vy,radius,growth\n0,0,1,0,1,0\n4,4,0,0.5,0.5,0.125\n4,0,-1,0,0.75,0\n")
+        self.assertRegex(done.stdout, r"^verified: 3 points, \d+ events")
+        self.assertIn("collision", self.read("e.csv"))
 
     def test_disc_that_meets_its_own_image_ends_the_run(self):
         """The upper vector is (7 - 3 t, 3), and the diameter 5."""

@@ -117,12 +117,7 @@ class Periodic_regular(Program_in_box):
         self.assertGreater(self.read("d.csv").count("collision"), 5)
         self.assertEqual(self.read("r.csv"), self.read("d.csv"))
 
-    def test_what_cannot_be_verified_is_refused_at_once(self):
-        for discs, more in (([(1, 1, 0, 0, 1), (3, 3, 0, 0, 2)], ""), ([(1, 1, 0, 0, 1), (3, 3, 0, 0, 1)], "--growth 0.5")):
-            refused = self.run_program(f"simulate p.csv --until 1 --periodic 8,8 --regular --verify --events e.csv {more}",
-                                       text_of(discs), code=2)
-            self.assertIn("--verify: in a periodic box kinetri-verify expects discs of one constant radius", refused.stderr)
-            self.assertFalse((self.folder / "e.csv").exists())
+    def test_discs_without_a_radius_are_refused(self):
         refused = self.run_program("simulate p.csv --until 1 --periodic 8,8 --regular", "x,y,vx,vy\n1,1,0,0\n", code=2)
         self.assertIn("--regular: discs have a radius; expected a column radius in p.csv, or --radius R", refused.stderr)
         refused = self.run_program("simulate p.csv --until 1 --periodic 8,8 --regular --growth=-2", text_of([(1, 1, 0, 0, 1)]), code=2)

@@ -5,10 +5,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cmath>
 #include <concepts>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -58,62 +56,15 @@ double upper_bound_of_now(const Any_simulation& simulation) {
   return simulation.visit([](const auto& s) { return s.current_time().tight_interval().upper; });
 }
 
-// A number whose product with the height of a box is the rate, rounded. None is found if there is
-// none.
-std::optional<double> shear_of(double rate, double height) {
-  double shear = rate / height;  // at most two binary64 numbers away from each such number
-  for (int i = 0; i < 2; ++i) shear = std::nextafter(shear, -std::numeric_limits<double>::max());
-  for (int i = 0; i < 5; ++i) {
-    if (shear * height == rate) return shear;
-    shear = std::nextafter(shear, std::numeric_limits<double>::max());
-  }
-  return std::nullopt;
-}
-
-// The options for the periodic box, if it is one of those that kinetri-verify has.
-std::optional<std::vector<std::string>> periodic_options(const Periodic_box_2& box) {
-  const Vector_2 a = box.first().position;
-  const Vector_2 b = box.second().position;
-  if (box.first().velocity != Vector_2()) return std::nullopt;
-  const auto [rate, no_rate] = box.second().velocity;
-  if (rate == 0 && no_rate == 0) return {{"--periodic", joined(a.x, ',', a.y, ',', b.x, ',', b.y)}};
-  if (no_rate != 0 || a.y != 0 || box.second().epoch != 0) return std::nullopt;
-  const std::optional<double> shear = shear_of(rate, b.y);
-  if (!shear) return std::nullopt;
-  return {{"--periodic", joined(a.x, ',', b.y, ',', b.x), "--shear", joined(*shear)}};
-}
-
-// Whether the discs have one radius, which is constant; so do points.
-bool have_one_radius(const Any_simulation& simulation) {
-  return simulation.visit([]<class Traits>(const Simulation_2<Traits>& s) {
-    if constexpr (HasWeight<typename Traits::Motion>) {
-      const auto& triangulation = s.triangulation();
-      std::optional<double> radius;
-      for (Point_id id = 0; id < triangulation.next_id(); ++id) {
-        if (!triangulation.contains(id)) continue;
-        const auto& disc = triangulation.motion(id);
-        if (disc.growth != 0 || disc.radius != radius.value_or(disc.radius)) return false;
-        radius = disc.radius;
-      }
-    }
-    return true;
-  });
-}
-
-// The options for the periodic box; none in the plane. Throws Usage_error if kinetri-verify does
-// not have it, or not with such discs.
+// The options for the periodic box; none in the plane.
 std::vector<std::string> periodic_options(const Any_simulation& simulation) {
   const std::optional<Periodic_box_2> box = simulation.periodic_box();
   if (!box) return {};
-  if (!have_one_radius(simulation)) {
-    throw Usage_error(
-        "--verify: in a periodic box kinetri-verify expects discs of one constant radius; "
-        "expected no --verify, or one --radius");
-  }
-  if (auto result = periodic_options(*box)) return *result;
-  throw Usage_error(
-      "--verify: kinetri-verify does not have such a periodic box; expected no --verify, or a box "
-      "that rests or is as --periodic and --shear say");
+  const auto& [a, a_rate, a_epoch] = box->first();
+  const auto& [b, b_rate, b_epoch] = box->second();
+  return {"--periodic", joined(a.x, ',', a.y, ',', b.x, ',', b.y),
+          "--rates",    joined(a_rate.x, ',', a_rate.y, ',', b_rate.x, ',', b_rate.y),
+          "--epochs",   joined(a_epoch, ',', b_epoch)};
 }
 
 // The options of the box with walls and of the discs.
@@ -148,7 +99,6 @@ Verification::Verification(const Output_paths& outputs) : program_(path_of_verif
 }
 
 void Verification::start(const Any_simulation& simulation) {
-  periodic_ = periodic_options(simulation);
   from_ = upper_bound_of_now(simulation);
   if (files_[initial_edges].own) write_present_edges(files_[initial_edges].stream, simulation);
   if (files_[events].own) {
@@ -190,7 +140,7 @@ Exit_code Verification::run(const Any_simulation& simulation, const Run_source& 
   if (!has_points || !is_plain(simulation)) {
     arguments.insert(arguments.end(), {"--motions", files_[motions].path});
   }
-  for (const auto& options : {periodic_, options_of(simulation, source)}) {
+  for (const auto& options : {periodic_options(simulation), options_of(simulation, source)}) {
     arguments.insert(arguments.end(), options.begin(), options.end());
   }
   const auto status = run_child(

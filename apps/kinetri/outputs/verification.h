@@ -31,8 +31,7 @@ class Verification {
   /// Throws Usage_error if kinetri-verify is not beside this program; Output_error.
   explicit Verification(const Output_paths& outputs);
 
-  /// Observes the run from its start on. Throws Usage_error if kinetri-verify cannot verify the
-  /// run; Output_error.
+  /// Observes the run from its start on. Throws Output_error.
   void start(const Any_simulation& simulation);
 
   /// Must be called at the end of the run. Throws Output_error if its own files cannot be
@@ -54,7 +53,6 @@ class Verification {
   };
 
   std::string program_;
-  std::vector<std::string> periodic_;  // the options of the periodic box
   std::array<File, number_of_files> files_;
   std::optional<Event_log_writer> event_log_;
   std::unique_ptr<Event_observer> motion_log_;
