@@ -181,7 +181,30 @@ def atoms(generator):
     return "\n".join(lines) + "\n", "tracks FILE --periodic"
 
 
-KINDS = (plain, accelerated, in_box, regular, discs, sizes, growing, wave, tracks, copies, crowds, periodic, atoms)
+def torus(generator):
+    """Discs of several sizes in a periodic box at rest or sheared, which hide others or collide; some grow."""
+    width, height, tilt = generator.randint(1, 4), generator.randint(1, 4), generator.choice((0, 0, 1, -1))
+    shear = generator.choice((0, 0, 0.5, -1))
+    until = generator.randint(1, 3)
+    if generator.random() < 0.5:
+        more = "--regular"
+        places = [(generator.randint(-3, 4), generator.randint(-3, 4)) for _ in range(generator.randint(1, 14))]
+        radii, growths = (0, 0, 0.5, 1, 2), (0, 0, 0.25)
+    else:
+        columns, rows = generator.randint(1, 3), generator.randint(1, 3)
+        more = f"--collisions {generator.choice(RESPONSES)}"
+        places = [(3 * x, 3 * y) for x in range(columns) for y in range(rows)]
+        width, height = 3 * columns, 3 * rows
+        radii, growths = (0.25, 0.5, 0.75), (0, 0.0625, -0.0625)
+    text = ["x,y,vx,vy,radius,growth"]
+    for x, y in places:
+        text.append(f"{x},{y},{generator.randint(-1, 1)},{generator.randint(-1, 1)},{generator.choice(radii)},"
+                    f"{generator.choice(growths)}")
+    return "\n".join(text) + "\n", (f"simulate FILE --until {until} --periodic {width},{height},{tilt} --shear={shear} "
+                                     f"{more}")
+
+
+KINDS = (plain, accelerated, in_box, regular, discs, sizes, growing, wave, tracks, copies, crowds, periodic, torus, atoms)
 
 
 def main():
