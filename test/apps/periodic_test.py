@@ -356,7 +356,7 @@ class Periodic(Program_in_box):
         self.write("p.csv", self.discs(",radius", lambda generator: f",{generator.choice([0.25, 0.5])}"))
         self.run_program(f"simulate p.csv --until 1 {box} --checkpoint a --collisions elastic")
         done = self.run_program("resume a --until 2 --verify")
-        self.assertRegex(done.stdout, r"^verified: 20 points, \d+ events")
+        self.assertRegex(done.stdout, r"^verified: 25 points, \d+ events")
 
     def test_a_run_that_has_ended_at_an_own_image_cannot_go_on(self):
         end = "the run ends at t = 1.75 instead of 3; results up to then are written; disc 0 meets its own image"

@@ -524,6 +524,18 @@ def a_point_hidden_for_one_revealed(run, generator):
 
 
 @lie_about_sizes
+def a_hidden_disc_that_is_the_largest(run, _):
+    """And so hidden by none. No row tells of it."""
+    told = {end for edge in run.initial for end in edge[:2]} | {row[9] for row in run.rows}
+    hidden = [k for k in range(len(run.points)) if str(k) not in told]
+    if not run.has_sizes() or not hidden:
+        return False
+    run.points[hidden[0]] = (*run.points[hidden[0]][:4], 9, 0)
+    run.motions[hidden[0]][9:11] = ["9", "0"]
+    return True
+
+
+@lie_about_sizes
 def another_size(run, generator):
     """The radius or the growth of an end of an edge that is flipped."""
     i = chosen(run, generator, lambda run, i: run.rows[i][1] == "flip" and run.rows[i][3] != run.rows[i][4]
