@@ -93,4 +93,12 @@ bool detail::is_log_contact(const Collision_response& response) {
   return is_one_of(response, {log_contact});
 }
 
+Contact_response_2 detail::let_images_overlap(const Contact_2& /*contact*/) {
+  return {};
+}
+
+bool detail::is_let_images_overlap(const Collision_response& response) {
+  return is_one_of(response, {let_images_overlap});
+}
+
 }  // namespace kinetri

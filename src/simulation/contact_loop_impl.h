@@ -258,12 +258,16 @@ void Simulation_types<Traits>::Contact_loop::check_accumulation(const Entry& ent
           "before, take smaller, fewer or slower growing discs, a slower box, or another response");
 }
 
-// Throws, before the contact, if it is that of a disc with an image of itself.
+// Throws, before the contact, if it is that of a disc with an image of itself, which it may not
+// overlap.
 template <class Traits>
 void Simulation_types<Traits>::Contact_loop::refuse_own_image(
     [[maybe_unused]] const Entry& contact) {
   if constexpr (is_periodic) {
-    if (contact.kind != Contact_kind::collision || contact.point_a != contact.point_b) return;
+    if (contact.kind != Contact_kind::collision || contact.point_a != contact.point_b ||
+        setup_.lets_images_overlap()) {
+      return;
+    }
     schedule_.put_contact(contact);
     throw_own_image_error(contact.disc_b(), current_time());
   }

@@ -22,22 +22,27 @@ template <class Disc>
 using Basic_disc_box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Disc>;
 using Disc_box = Basic_disc_box<Point_id>;  ///< in the plane
 
+/// A bound of the radius of a disc at each of the times. Precondition: t is one of the times.
+template <HasWeight Motion>
+double greatest_radius(const Motion& disc, double t, const Double_interval& times) {
+  // Four roundings at most, each of two unit roundoffs of its terms, in any rounding mode.
+  const double change = std::abs(disc.growth) * std::abs(t - epoch_of(disc));
+  const double terms = std::abs(disc.radius) + change;
+  return std::abs(rounded_radius(disc, t)) + 0x1p-48 * terms +
+         2 * std::abs(disc.growth) * (times.upper - times.lower);
+}
+
 /// A box that certainly contains the disc at each of the times; the whole plane if numbers
 /// overflow. Precondition: t is one of the times.
 template <class Disc, HasWeight Motion>
 Basic_disc_box<Disc> box_around(const Motion& disc, const Disc& name, double t,
                                 const Double_interval& times) {
   const Vector_2 center = rounded_place(disc, t);
-  // Each has four roundings at most, each of two unit roundoffs of its terms, in any rounding mode;
-  // the sums and differences below have four more.
-  const double change = std::abs(disc.growth) * std::abs(t - epoch_of(disc));
-  const double terms = std::abs(disc.radius) + change;
-  const double radius = std::abs(rounded_radius(disc, t)) + 0x1p-48 * terms +
-                        2 * std::abs(disc.growth) * (times.upper - times.lower);
-  const double reach =
-      (radius + place_error(disc, t, times) + 0x1p-50 * (std::abs(center.x) + std::abs(center.y))) *
-          (1 + 0x1p-48) +
-      std::numeric_limits<double>::min();
+  // The center has four roundings too, and the sums and differences below have four more.
+  const double reach = (greatest_radius(disc, t, times) + place_error(disc, t, times) +
+                        0x1p-50 * (std::abs(center.x) + std::abs(center.y))) *
+                           (1 + 0x1p-48) +
+                       std::numeric_limits<double>::min();
   constexpr double infinite = std::numeric_limits<double>::infinity();
   double lower[] = {center.x - reach, center.y - reach};
   double upper[] = {center.x + reach, center.y + reach};

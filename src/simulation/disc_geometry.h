@@ -102,7 +102,8 @@ class Simulation_types<Traits>::Disc_geometry {
   }
   /// Calls `function` with another disc as that of `p`, which need not be in the triangulation,
   /// sees it; in a periodic box with those of its images that may touch the disc now, itself too if
-  /// that has its id, and others. Precondition: no disc overlaps an image of itself now.
+  /// that has its id, and others. Precondition: no disc overlaps an image of itself now, unless
+  /// they may (Simulation_setup::lets_images_overlap).
   template <class Function>
   void for_each_near(const Point_2& p, Point_id other, const Vectors& vectors,
                      Function function) const;
@@ -110,7 +111,7 @@ class Simulation_types<Traits>::Disc_geometry {
   /// periodic box, an image of it. Exact. Precondition: as of for_each_near.
   bool does_overlap_image(const Point_2& p, Point_id other, const Vectors& vectors) const;
   /// In a periodic box, throws Own_image_error if one of the discs overlaps an image of itself now.
-  /// Does nothing if overlaps do not matter.
+  /// Does nothing if such overlaps do not matter.
   void check_own_images(std::span<const Point_2> discs) const;
 
   // ---- neighbors ----
@@ -157,6 +158,9 @@ class Simulation_types<Traits>::Disc_geometry {
   void for_each_hidden_link(Point_id id, Function function) const;
   std::vector<Disc> owners_in(Point_id id) const;
   Disc owner_of_center(Point_id id) const;
+  Disc corner_over(Point_id id) const;
+  double greatest_radius_of(const Point_2& p) const;
+  auto steps(double radii, const Vectors& vectors) const requires is_periodic;
 
   const Simulation_setup& setup_;
   const Triangulation& triangulation_;

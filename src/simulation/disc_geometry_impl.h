@@ -49,7 +49,24 @@ bool Simulation_types<Traits>::Disc_geometry::do_overlap(const Image_2& p, const
 
 // ---- images ----
 
+// A bound of the radius of a disc at the present time.
+template <class Traits>
+double Simulation_types<Traits>::Disc_geometry::greatest_radius_of(const Point_2& p) const {
+  if constexpr (has_radii) {
+    const Double_interval times = current_time().tight_interval();
+    return greatest_radius(p.motion(), times.lower, times);
+  }
+  return setup_.diameter() / 2;
+}
+
 // Two discs whose diameters are at most the shortest vector touch only if their distance is, too.
+// Others touch only if their distance is at most the sum of their radii.
+template <class Traits>
+auto Simulation_types<Traits>::Disc_geometry::steps(
+    double radii, const Vectors& vectors) const requires is_periodic {
+  return setup_.lets_images_overlap() ? vectors.steps(radii) : Vectors::fewest_steps;
+}
+
 template <class Traits>
 template <class Function>
 void Simulation_types<Traits>::Disc_geometry::for_each_near([[maybe_unused]] const Point_2& p,
@@ -57,7 +74,9 @@ void Simulation_types<Traits>::Disc_geometry::for_each_near([[maybe_unused]] con
                                                             [[maybe_unused]] const Vectors& vectors,
                                                             Function function) const {
   if constexpr (is_periodic) {
-    vectors.for_each_near(p, point(other), [&](const Lattice_offset_2& offset) {
+    const Point_2& q = point(other);
+    const auto radii = greatest_radius_of(p) + greatest_radius_of(q);
+    vectors.for_each_near(p, q, steps(radii, vectors), [&](const Lattice_offset_2& offset) {
       function(Disc{other, offset});
     });
   } else {
@@ -80,7 +99,10 @@ template <class Traits>
 void Simulation_types<Traits>::Disc_geometry::check_own_images(
     [[maybe_unused]] std::span<const Point_2> discs) const {
   if constexpr (is_periodic) {
-    if (discs.empty() || (!setup_.has_response() && !setup_.options().refuses_overlaps)) return;
+    if (discs.empty() || (!setup_.has_response() && !setup_.options().refuses_overlaps) ||
+        setup_.lets_images_overlap()) {
+      return;
+    }
     const Short_vectors<Traits> vectors(traits(), current_time());
     for (const Point_2& p : has_radii ? discs : discs.first(1)) {
       const Disc image = {p.id(), vectors.shortest()};
@@ -300,6 +322,9 @@ std::vector<Point_id> Simulation_types<Traits>::Disc_geometry::discs_about(
   std::vector<Point_id> result;
   for (const Point_id id : points) {
     if (!contains(id)) continue;
+    if constexpr (is_periodic) {  // in the plane they are neighbors
+      for (const Point_id other : triangulation_.coincident_points(id)) result.push_back(other);
+    }
     for (const Disc& owner : owners_in(id)) result.push_back(id_of(owner));
     if (is_hidden(id)) continue;
     for_each_neighbor(id, [&](const Disc& other) { result.push_back(id_of(other)); });
@@ -328,12 +353,35 @@ auto Simulation_types<Traits>::Disc_geometry::owners_in(Point_id id) const -> st
   return result;
 }
 
+// A disc near a hidden one: the one that coincides with it and has a vertex, or a corner of the
+// triangle that hides it.
+template <class Traits>
+auto Simulation_types<Traits>::Disc_geometry::corner_over(Point_id id) const -> Disc {
+  const auto vertex = triangulation_.vertex(id);
+  if (const Point_id other = shown(id); other != id) {
+    if constexpr (is_periodic) {
+      const auto at = traits().instantaneous_traits(Instant{current_time(), Time_side::at});
+      return {other, whole_vectors(at, point(other), at.image(point(id), {}))};
+    } else {
+      return other;
+    }
+  }
+  const auto face = vertex->face();
+  const int i = triangulation_.triangulation().is_infinite(face->vertex(0)) ? 1 : 0;
+  const Point_id corner = face->vertex(i)->point().id();
+  if constexpr (is_periodic) {
+    return seen_from(Disc{id, vertex->offset()}, Disc{corner, face->offset(i)});
+  } else {
+    return corner;
+  }
+}
+
 // The disc whose power cell contains the center of a disc just after the present time: mostly the
 // disc itself. From a disc without the least power there an edge leads to one with less.
 template <class Traits>
 auto Simulation_types<Traits>::Disc_geometry::owner_of_center(Point_id id) const -> Disc {
   const auto& triangulation = triangulation_.triangulation();
-  Disc owner = itself(shown(id));
+  Disc owner = is_hidden(id) ? corner_over(id) : itself(id);
   if (!is_hidden(id)) {
     Motion motion_of_center = motion(id);
     motion_of_center.radius = motion_of_center.growth = 0;
@@ -345,14 +393,6 @@ auto Simulation_types<Traits>::Disc_geometry::owner_of_center(Point_id id) const
           is_in_none && !traits().do_touch(p, point_of(other), setup_.diameter(), current_time());
     });
     if (is_in_none) return owner;
-  } else {
-    const auto vertex = triangulation_.vertex(id);
-    const auto face = vertex->face();
-    const int i = triangulation.is_infinite(face->vertex(0)) ? 1 : 0;
-    owner = itself(face->vertex(i)->point().id());
-    if constexpr (is_periodic) {
-      owner = seen_from(Disc{id, vertex->offset()}, Disc{owner.id, face->offset(i)});
-    }
   }
   const auto compare_powers = triangulation.geom_traits().compare_power_distance_2_object();
   const auto& p = point_of(itself(id));
@@ -384,16 +424,22 @@ void Simulation_types<Traits>::Disc_geometry::for_each_close_pair(std::span<cons
   if constexpr (is_periodic) {
     // Of each disc the image in one parallelogram of the lattice, with all that may touch it.
     const Vectors lattice = vectors();
-    for (const Point_id id : ids) boxes.push_back(box_of({id, lattice.home(point(id))}));
+    double greatest = 0;
+    for (const Point_id id : ids) {
+      boxes.push_back(box_of({id, lattice.home(point(id))}));
+      greatest = std::max(greatest, greatest_radius_of(point(id)));
+    }
     CGAL::Bbox_2 all;
     for (const Box& box : boxes) all += box.bbox();
     std::vector<Box> around;
     for (const Box& box : boxes) {
       const Disc home = box.info();
-      lattice.for_each_around(home.offset, [&](const Lattice_offset_2& offset) {
-        const Box there = box_of({home.id, offset});
-        if (CGAL::do_overlap(there.bbox(), all)) around.push_back(there);
-      });
+      const auto reach = greatest_radius_of(point(home.id)) + greatest;
+      lattice.for_each_around(home.offset, steps(reach, lattice),
+                              [&](const Lattice_offset_2& offset) {
+                                const Box there = box_of({home.id, offset});
+                                if (CGAL::do_overlap(there.bbox(), all)) around.push_back(there);
+                              });
     }
     for_each_pair_of_boxes(boxes, around, [&](const Disc& a, const Disc& b) {
       const Disc from_a = seen_from(a, b);

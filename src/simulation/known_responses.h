@@ -18,6 +18,14 @@ bool is_erase_both(const Collision_response& response);
 /// Whether a response is log_contact.
 bool is_log_contact(const Collision_response& response);
 
+/// Changes nothing, as log_contact. In a periodic box discs overlap images of themselves, and may
+/// coincide for a while, without an error. Precondition: discs have radii of their own, which are
+/// positive (docs/MATH.md, section 18, "Contacts").
+Contact_response_2 let_images_overlap(const Contact_2& contact);
+
+/// Whether a response is let_images_overlap.
+bool is_let_images_overlap(const Collision_response& response);
+
 }  // namespace kinetri::detail
 
 #endif  // KINETRI_SRC_SIMULATION_KNOWN_RESPONSES_H

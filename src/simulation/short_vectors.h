@@ -5,6 +5,8 @@
 #ifndef KINETRI_SRC_SIMULATION_SHORT_VECTORS_H
 #define KINETRI_SRC_SIMULATION_SHORT_VECTORS_H
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -53,16 +55,40 @@ class Short_vectors {
   const Lattice_offset_2& shortest() const { return basis_[0]; }
 
   // The parallelogram of a and b is at least sqrt(3) / 2 times the shortest vector wide in both
-  // directions. So of two positions that are no farther apart than that vector is long, the
-  // numbers of a, and of b, in them differ by less than 2.
+  // directions. So of two positions that are no farther apart than m times that vector is long, the
+  // numbers of a, and of b, in them differ by at most 2 m / sqrt(3).
 
-  /// Calls `function` with the offset of each image of q that is no farther from p than the
-  /// shortest vector is long, and others.
+  /// How many times each of a and b two positions are apart: the numbers of a, and of b, in them
+  /// differ by less.
+  using Steps = std::int64_t;
+  /// For positions that are no farther apart than the shortest vector is long.
+  static constexpr Steps fewest_steps = 2;
+  /// For positions that are at most `distance` apart, up to a relative error of 2^-20. Throws
+  /// Periodic_box_error if they are 2^31 or more.
+  Steps steps(double distance) const {
+    if (length_ == 0) {
+      const Point_2 origin(typename Traits::Motion(), no_point);
+      const Vector_2 vector =
+          rounded_position(center(at_.image(origin, shortest()).motion()), at_.instant().time);
+      length_ = std::hypot(vector.x, vector.y);
+    }
+    // The factor is greater than 2 / sqrt(3), by more than the errors.
+    const double most = std::ceil(1.1548 * distance / length_);
+    if (!(most < 0x1p31)) {
+      throw Periodic_box_error(
+          "discs are 2^31 or more times as large as the shortest lattice vector is long; expected "
+          "smaller ones, or a smaller range of their gaps");
+    }
+    return std::max(static_cast<Steps>(most), fewest_steps);
+  }
+
+  /// Calls `function` with the offset of each image of q that is so near to p, and others.
   template <class Function>
-  void for_each_near(const Point_2& p, const Point_2& q, const Function& function) const {
+  void for_each_near(const Point_2& p, const Point_2& q, Steps steps,
+                     const Function& function) const {
     // p is in the parallelogram at the image of q with this offset.
     const Lattice_offset_2 whole = whole_vectors(at_, q, at_.image(p, {}), basis_);
-    for_each_around(whole, -1, 2, function);
+    for_each_around(whole, 1 - steps, steps, function);
   }
 
   /// The offset of the image of p that is in the parallelogram at the origin.
@@ -70,20 +96,20 @@ class Short_vectors {
     const Point_2 origin(typename Traits::Motion(), no_point);
     return reversed(whole_vectors(at_, origin, at_.image(p, {}), basis_));
   }
-  /// Calls `function` with the offset of each image of the point at home that is no farther from
-  /// some position in the parallelogram at the origin than the shortest vector is long, and others.
+  /// Calls `function` with the offset of each image of the point at home that is so near to some
+  /// position in the parallelogram at the origin, and others.
   template <class Function>
-  void for_each_around(const Lattice_offset_2& home, const Function& function) const {
-    for_each_around(home, -2, 2, function);
+  void for_each_around(const Lattice_offset_2& home, Steps steps, const Function& function) const {
+    for_each_around(home, -steps, steps, function);
   }
 
  private:
   template <class Function>
-  void for_each_around(const Lattice_offset_2& offset, std::int64_t least, std::int64_t most,
+  void for_each_around(const Lattice_offset_2& offset, Steps least, Steps most,
                        const Function& function) const {
     const auto& [a, b] = basis_;
-    for (std::int64_t i = least; i <= most; ++i) {
-      for (std::int64_t j = least; j <= most; ++j) {
+    for (Steps i = least; i <= most; ++i) {
+      for (Steps j = least; j <= most; ++j) {
         function(offset_of_image(offset.x + i * a.x + j * b.x, offset.y + i * a.y + j * b.y));
       }
     }
@@ -96,6 +122,7 @@ class Short_vectors {
 
   typename Traits::Instantaneous_traits at_;
   Lattice_basis_2 basis_;
+  mutable double length_ = 0;  // of the shortest vector, rounded; 0 if it is not known
 };
 
 /// Throws that a disc and an image of itself overlap or have a contact at a time.

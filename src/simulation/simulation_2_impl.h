@@ -22,11 +22,11 @@ namespace kinetri {
 
 namespace detail {
 
-// Links of points that coincide have no offsets, so that in a periodic box discs with a response
-// may not coincide.
+// Links of points that coincide have no offsets. So in a periodic box discs with a response may not
+// coincide, unless they need no links.
 template <class Traits>
-Coincident_points coincident_for(Coincident_points given, bool has_response) {
-  return PeriodicKineticTraits_2<Traits> && has_response ? Coincident_points::refuse : given;
+Coincident_points coincident_for(Coincident_points given, bool needs_links) {
+  return PeriodicKineticTraits_2<Traits> && needs_links ? Coincident_points::refuse : given;
 }
 
 }  // namespace detail
@@ -40,7 +40,9 @@ Simulation_2<Traits>::Simulation_2(const std::vector<Motion>& motions,
     : core_(std::make_unique<detail::Simulation_core<Traits>>(traits, options, [&] {
         return Triangulation(
             motions, start, traits,
-            detail::coincident_for<Traits>(options.coincident, options.response != nullptr));
+            detail::coincident_for<Traits>(
+                options.coincident,
+                options.response != nullptr && !detail::is_let_images_overlap(options.response)));
       })) {
   KINETRI_PRECONDITION(core_->setup.problem().empty(), core_->setup.problem());
   KINETRI_PRECONDITION(options.masses.empty() || options.masses.size() == motions.size(),
@@ -397,18 +399,8 @@ std::vector<Point_id> Simulation_2<Traits>::overlapping_discs(Point_id id) const
   KINETRI_PRECONDITION(core_->setup.has_response(),
                        "overlaps are followed only with a response; log_contact changes nothing");
   KINETRI_PRECONDITION(triangulation().contains(id), detail::unknown_id_problem(id));
-  const detail::Disc_geometry<Traits>& geometry = core_->geometry;
-  const Traits exact = geometry.traits().exact();
   std::vector<Point_id> result;
-  for (const auto& overlap : core_->records.overlaps(id)) {
-    const Point_id other = detail::id_of(overlap.disc);
-    if (geometry.contains(other) && geometry.may_touch(id, overlap.disc) &&
-        exact.may_overlap(geometry.point_of(geometry.itself(id)), geometry.point_of(overlap.disc),
-                          core_->setup.diameter(), current_time())) {
-      result.push_back(other);
-    }
-  }
-  std::ranges::sort(result);
+  for (const auto& disc : core_->overlapping_discs(id)) result.push_back(detail::id_of(disc));
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #include "kinetri/simulation/simulation_options.h"
 #include "simulation/contact_loop.h"
@@ -48,9 +49,12 @@ struct Simulation_core {
   Kinetic_core& kinetic() { return Core_access::core(triangulation); }
   const Kinetic_core& kinetic() const { return Core_access::core(triangulation); }
 
+  /// The discs that overlap that of a point just after the present time, exactly; sorted.
+  /// Precondition: there is a response, and the point.
+  std::vector<typename Types::Disc> overlapping_discs(Point_id id) const;
   /// In a periodic box, throws Own_image_error if a disc overlaps an image of itself.
   void check_own_images() const;
-  /// Finds all overlaps. Precondition: no disc overlaps an image of itself.
+  /// Finds all overlaps. Precondition: check_own_images.
   void start();
   /// Schedules the contacts of all points. Precondition: all overlaps are recorded; only changes
   /// are scheduled.

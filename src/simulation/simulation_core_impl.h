@@ -11,6 +11,22 @@
 namespace kinetri::detail {
 
 template <class Traits>
+auto Simulation_core<Traits>::overlapping_discs(Point_id id) const
+    -> std::vector<typename Types::Disc> {
+  const Traits exact = geometry.traits().exact();
+  std::vector<typename Types::Disc> result;
+  for (const auto& overlap : records.overlaps(id)) {
+    if (geometry.contains(id_of(overlap.disc)) && geometry.may_touch(id, overlap.disc) &&
+        exact.may_overlap(geometry.point_of(geometry.itself(id)), geometry.point_of(overlap.disc),
+                          setup.diameter(), triangulation.current_time())) {
+      result.push_back(overlap.disc);
+    }
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+template <class Traits>
 void Simulation_core<Traits>::check_own_images() const {
   if constexpr (Types::is_periodic) {
     std::vector<typename Types::Point_2> discs;

@@ -14,6 +14,7 @@
 #include "kinetri/simulation/simulation_errors.h"
 #include "kinetri/simulation/simulation_options.h"
 #include "simulation/disc_numbers.h"
+#include "simulation/known_responses.h"
 #include "simulation/shortest_text.h"
 #include "simulation/simulation_types.h"
 
@@ -40,6 +41,8 @@ class Simulation_types<Traits>::Simulation_setup {
   /// Whether discs have contacts.
   bool has_response() const { return options_.response != nullptr; }
   void set_response(Collision_response response) { options_.response = std::move(response); }
+  /// Whether a disc may overlap an image of itself, in a periodic box.
+  bool lets_images_overlap() const { return is_let_images_overlap(options_.response); }
 
   double mass(Point_id id) const { return id < options_.masses.size() ? options_.masses[id] : 1; }
   void set_mass(Point_id id, double mass) {

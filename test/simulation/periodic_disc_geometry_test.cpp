@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <set>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "simulation/disc_geometry.h"
+#include "simulation/known_responses.h"
 #include "support/images.h"
 #include "support/multiplier.h"
 #include "support/simulation_parts.h"
@@ -61,7 +63,7 @@ void for_each_offset(int most, const Function& function) {
   }
 }
 
-TEST(Short_vectors, know_all_images_as_near_as_the_shortest_vector_is_long) {
+TEST(Short_vectors, know_all_images_that_are_near) {
   std::mt19937_64 random(1);
   const auto place = [&] {
     const auto number = [&] { return std::uniform_int_distribution<int>(-100, 100)(random); };
@@ -73,21 +75,27 @@ TEST(Short_vectors, know_all_images_as_near_as_the_shortest_vector_is_long) {
     const Periodic_box_2 box = random_box(random);
     const detail::Short_vectors<Traits> vectors(Traits(box), 0);
     const Disc_motion_2 origin = disc(0, 0);
-    const std::int64_t most = squared_distance(origin, origin, vectors.shortest(), box);
+    const std::int64_t shortest = squared_distance(origin, origin, vectors.shortest(), box);
     for_each_offset(6, [&](const Lattice_offset_2& offset) {
       if (offset == Lattice_offset_2()) return;
-      ASSERT_GE(squared_distance(origin, origin, offset, box), most);
+      ASSERT_GE(squared_distance(origin, origin, offset, box), shortest);
     });
+    // Near are those whose distance is at most so many times the shortest vector.
+    const std::int64_t times = run % 4 + 1;
+    const std::int64_t most = times * times * shortest;
+    const auto steps = vectors.steps(std::sqrt(double(most)));
+    ASSERT_LE(double(steps), 1 + 1.1548 * double(times));
     for (int k = 0; k < 4; ++k) {
       const Traits::Point_2 p(place(), 0);
       const Traits::Point_2 q(place(), 1);
       Offsets near;
-      vectors.for_each_near(p, q, [&](const Lattice_offset_2& offset) { near.insert(offset); });
+      vectors.for_each_near(p, q, steps,
+                            [&](const Lattice_offset_2& offset) { near.insert(offset); });
       // Images of both in the parallelogram at the origin.
       const Lattice_offset_2 home_p = vectors.home(p);
       const Lattice_offset_2 home_q = vectors.home(q);
       Offsets around;
-      vectors.for_each_around(home_q, [&](const Lattice_offset_2& offset) {
+      vectors.for_each_around(home_q, steps, [&](const Lattice_offset_2& offset) {
         around.insert(detail::sum(offset, detail::reversed(home_p)));
       });
       for_each_offset(40, [&](const Lattice_offset_2& offset) {
@@ -98,7 +106,7 @@ TEST(Short_vectors, know_all_images_as_near_as_the_shortest_vector_is_long) {
       });
     }
   }
-  EXPECT_GT(images, 1500U);
+  EXPECT_GT(images, 15000U);
 }
 
 // ---- overlaps ----
@@ -108,20 +116,26 @@ TEST(Periodic_discs, that_overlap_are_found_by_their_boxes_and_their_places) {
   for (unsigned seed = 1; seed <= 8U * static_cast<unsigned>(test::multiplier()); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
-    const double most = seed % 2 == 0 ? 2 : 0.7;
+    // Some are larger than the box.
+    const bool is_large = seed % 4 == 0;
+    const double most = is_large ? 9 : seed % 2 == 0 ? 2 : 0.7;
+    const int greatest_offset = is_large ? 6 : 3;
     const Periodic_box_2 box({{10, 0}, {0, 0}}, {{2.5, 10}, {seed % 3 - 1.0, 0.5}});
     std::uniform_real_distribution<double> radius(0, most);
     std::vector<Disc_motion_2> discs;
     for (const auto& motion : test::random_motions(40, 10, 1, seed)) {
       discs.push_back({motion, random() % 5 == 0 ? 0 : radius(random), 0.25 * radius(random), 0});
     }
-    const Discs part(discs, {}, 0.5, Traits(box));
+    Simulation_options options;
+    if (is_large) options.response = detail::let_images_overlap;
+    const Discs part(discs, options, 0.5, Traits(box));
     std::set<Periodic_edge> expected;
     std::set<Edge_ids> expected_ids;
     for (Point_id a = 0; a < 40; ++a) {
-      for (Point_id b = a + 1; b < 40; ++b) {
+      for (Point_id b = a; b < 40; ++b) {
         const Rational reach = part.radius(a, time) + part.radius(b, time);
-        for_each_offset(3, [&](const Lattice_offset_2& offset) {
+        for_each_offset(greatest_offset, [&](const Lattice_offset_2& offset) {
+          if (a == b && !(Lattice_offset_2() < offset)) return;
           const auto place = test::place_at(center(image_of(discs[b], offset, &box)), time);
           if (CGAL::squared_distance(test::place_at(center(discs[a]), time), place) <
               reach * reach) {
