@@ -55,7 +55,7 @@ class Encounter_tracker final : private Edge_follower<Traits> {
     const auto& graph = this->graph();
     const Time& now = this->triangulation().current_time();
     if constexpr (has_radii) {
-      enlarged_discs_ = std::make_unique<Enlarged_discs<Traits>>(graph, range, now);
+      enlarged_discs_ = std::make_unique<Enlarged_discs<Traits>>(graph, range, now, this->traits());
       for (Point_id id = 0; id < partners_.size(); ++id) {
         if (graph.contains(id)) examine_new_motion(id, now);
       }
@@ -91,7 +91,8 @@ class Encounter_tracker final : private Edge_follower<Traits> {
     if constexpr (has_radii) {
       // Pairs that come in range by `time` have overlapped as enlarged discs before.
       for (const auto& [points, since] : enlarged_discs_->advance_to(time)) {
-        examine(points[0], points[1], since);
+        const auto [id, other] = ends_of(points)[0];
+        examine(id, other, since);
       }
     }
     execute(time);
@@ -229,7 +230,7 @@ class Encounter_tracker final : private Edge_follower<Traits> {
 
   void examine_new_motion(Point_id id, const Time& after) {
     if constexpr (has_radii) {
-      for (const Point_id other : enlarged_discs_->overlapping(id)) examine(id, other, after);
+      for (const Neighbor& other : enlarged_discs_->overlapping(id)) examine(id, other, after);
     } else {
       for (const Neighbor& other : this->graph().neighbors(id)) {
         examine(id, other, after);

@@ -6,9 +6,7 @@
 namespace kinetri {
 
 template <DistanceKineticTraits_2 Traits>
-Encounters<Traits>::Encounters(Simulation_2<Traits>& simulation,
-                               double range) requires(!PeriodicKineticTraits_2<Traits> ||
-                                                      !HasWeight<typename Traits::Motion>)
+Encounters<Traits>::Encounters(Simulation_2<Traits>& simulation, double range)
     : tracker_(std::make_unique<detail::Encounter_tracker<Traits>>(simulation, range,
                                                                    simulation.options().radius)) {}
 
@@ -45,5 +43,6 @@ template class Encounters<Polynomial_kinetic_traits_2>;
 template class Encounters<Disc_kinetic_traits_2>;
 template class Encounters<Polynomial_disc_kinetic_traits_2>;
 template class Encounters<Periodic_kinetic_traits_2>;
+template class Encounters<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri

@@ -13,24 +13,31 @@
 
 #include "kinetri/impl/base/check.h"
 #include "observers/edge_follower.h"
+#include "simulation/known_responses.h"
+#include "simulation/simulation_core.h"
 
 namespace kinetri::detail {
 
 /// A second simulation, beside the observed one, of discs whose radii are greater by somewhat more
 /// than half of `range`: two with a gap of at most `range` overlap here, and do not only touch. It
-/// tracks all overlaps (docs/MATH.md, section 8).
+/// tracks all overlaps (docs/MATH.md, section 8); in a periodic box those of images, also of one
+/// disc, with radii of any size (section 18).
 template <class Traits>
 class Enlarged_discs : private Event_observer {
  public:
   using Motion = typename Traits::Motion;
+  using Pair = Edge_name<Traits>;
+  using Neighbor = Neighbor_name<Traits>;
 
-  /// Two discs that begin to overlap at the time. A pair may have several.
+  /// Two discs that begin to overlap at the time; in a periodic box images. A pair may have
+  /// several.
   struct Contact {
-    Edge_ids points;
+    Pair points;
     Algebraic_number time;
   };
 
-  Enlarged_discs(const Neighbor_graph<Traits>& graph, double range, const Algebraic_number& start)
+  Enlarged_discs(const Neighbor_graph<Traits>& graph, double range, const Algebraic_number& start,
+                 const Traits& traits)
       : range_(range), own_ids_(graph.next_id(), no_point) {
     std::vector<Motion> motions;
     for (Point_id id = 0; id < graph.next_id(); ++id) {
@@ -38,8 +45,8 @@ class Enlarged_discs : private Event_observer {
       if (graph.contains(id)) know(id, static_cast<Point_id>(motions.size() - 1));
     }
     Simulation_options options;
-    options.response = log_contact;
-    simulation_ = std::make_unique<Simulation_2<Traits>>(motions, options, start);
+    options.response = let_images_overlap;
+    simulation_ = std::make_unique<Simulation_2<Traits>>(motions, options, start, traits);
     simulation_->add_observer(*this);
   }
   ~Enlarged_discs() override { simulation_->remove_observer(*this); }
@@ -74,9 +81,9 @@ class Enlarged_discs : private Event_observer {
   }
 
   /// The discs that overlap the disc of the point just after the present time.
-  std::vector<Point_id> overlapping(Point_id id) const {
-    std::vector<Point_id> result = simulation_->overlapping_discs(own_ids_[id]);
-    for (Point_id& other : result) other = ids_[other];
+  std::vector<Neighbor> overlapping(Point_id id) const {
+    std::vector<Neighbor> result = Core_access::core(*simulation_)->overlapping_discs(own_ids_[id]);
+    for (Neighbor& other : result) other = observed(other);
     return result;
   }
 
@@ -99,10 +106,26 @@ class Enlarged_discs : private Event_observer {
     ids_[own_id] = id;
   }
 
+  // The observed point, or image, of one here. Each is where it is there, so offsets are the same.
+  Neighbor observed(Neighbor own) const {
+    if constexpr (PeriodicKineticTraits_2<Traits>) {
+      own.id = ids_[own.id];
+      return own;
+    } else {
+      return ids_[own];
+    }
+  }
+
   bool looks_at_triangulation() const override { return false; }
   void after_event(const Event& event) override {
     if (event.kind != Event_kind::collision) return;
-    contacts_.push_back({edge_ids(ids_[*event.point_a], ids_[*event.point_b]), event.time});
+    Neighbor other;
+    if constexpr (PeriodicKineticTraits_2<Traits>) {
+      other = {*event.point_b, event.added_offset};
+    } else {
+      other = *event.point_b;
+    }
+    contacts_.push_back({pair_of(ids_[*event.point_a], observed(other)), event.time});
   }
 
   double range_;

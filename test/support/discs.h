@@ -22,7 +22,7 @@ using Static_disc = Static_kernel::Weighted_point_2;
 /// The radius at time `t`, by its definition.
 template <class Disc>
 Rational radius_at(const Disc& disc, const Rational& t) {
-  return to_rational(disc.radius) + to_rational(disc.growth) * (t - to_rational(disc.epoch));
+  return to_rational(disc.radius) + to_rational(disc.growth) * (t - to_rational(epoch_of(disc)));
 }
 
 /// The weight at time `t`, by its definition; 0 of a motion without one.

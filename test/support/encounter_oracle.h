@@ -142,7 +142,7 @@ struct Functions {
   template <class Motion>
   Functions(const Motion& p, const Motion& q, double radius, double range) {
     constexpr bool is_linear = std::is_same_v<Center_motion_of<Motion>, Linear_motion_2> ||
-                               std::is_same_v<Motion, Image_motion_2>;
+                               std::is_same_v<Center_motion_of<Motion>, Image_motion_2>;
     constexpr int degree = is_linear ? 2 : 6;
     squared_distance = interpolation(degree, [&](const Rational& t) {
       return Rational(CGAL::squared_distance(place_at(center(p), t), place_at(center(q), t)));

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "kinetri/triangulation/kinetic_delaunay_triangulation_2.h"
-#include "support/encounter_oracle.h"
+#include "support/image_pairs.h"
 
 namespace kinetri::test {
 
@@ -26,18 +26,15 @@ class Periodic_run {
   using Leg = Leg_recorder<Periodic_kinetic_traits_2>::Leg;
   using Legs = std::vector<std::vector<Leg>>;  ///< by id
 
-  static constexpr int kinds = 4;
-  static const char* name(unsigned seed) {
-    constexpr std::array<const char*, kinds> names = {"at rest", "sheared", "growing", "turning"};
-    return names[seed % kinds];
-  }
+  static constexpr int kinds = periodic_box_kinds;
+  static const char* name(unsigned seed) { return periodic_box_kind(seed % kinds); }
 
   /// Of 1 to 6 points. Different seeds have boxes of different kinds.
   explicit Periodic_run(unsigned seed)
       : random_(seed),
         kind_(static_cast<int>(seed % kinds)),
         range_(seed % 3 == 0 ? 3 : 5),
-        box_(random_box()),
+        box_(random_periodic_box(random_, kind_, range_, end)),
         kinetic_(motions(1 + seed / kinds % 6), Algebraic_number(),
                  Periodic_kinetic_traits_2(box_)),
         recorder_(kinetic_, kinetic_) {}
@@ -97,49 +94,11 @@ class Periodic_run {
     }
   }
 
-  /// So many that the images of a point within the range of another one have no greater offsets, as
-  /// long as positions are not farther apart than `apart`.
-  int greatest_offset(double range, double apart) const {
-    double least_area = area(0);
-    double length = 0;
-    for (double t = 0; t <= end; t += 0x1p-6) {
-      least_area = std::min(least_area, area(t));
-      for (const Linear_motion_2* const vector : {&box_.first(), &box_.second()}) {
-        const Vector_2 there = rounded_place(*vector, t);
-        length = std::max(length, std::hypot(there.x, there.y));
-      }
-    }
-    // Between these times the area falls by less than 1.
-    return static_cast<int>((range + apart) * length / (least_area - 1)) + 1;
-  }
-
   /// Calls function(pair, p, q) for each pair of images that may be as near to each other as
   /// `range` at a time, and others, with the motions of its ends: p and q are legs of images.
   template <class Function>
   void for_each_pair(double range, Function function) const {
-    const Legs all = legs();
-    double apart = 0;
-    for (const auto& of_point : all) {
-      for (const Leg& leg : of_point) {
-        for (const double t : {0.0, end}) {
-          const Vector_2 place = rounded_place(leg.motion, t);
-          apart = std::max(apart, std::hypot(place.x, place.y));
-        }
-      }
-    }
-    const int most = greatest_offset(range, 2 * apart);
-    for (Point_id a = 0; a < all.size(); ++a) {
-      for (Point_id b = a; b < all.size(); ++b) {
-        for (int k = -most; k <= most; ++k) {
-          for (int l = -most; l <= most; ++l) {
-            const Lattice_offset_2 offset = {k, l};
-            if (a == b && !(Lattice_offset_2() < offset)) continue;
-            if (!may_be_near(all[a], all[b], offset, range)) continue;
-            function(Periodic_edge{{a, b}, offset}, images(all[a], {}), images(all[b], offset));
-          }
-        }
-      }
-    }
+    for_each_pair_of_images(box_, legs(), range, end, function);
   }
 
   /// The pairs of images that are at most `range` apart just after the present time, a half
@@ -199,85 +158,6 @@ class Periodic_run {
   static constexpr double end = 4;
 
  private:
-  using Image_leg = Leg_of<Image_motion_2>;
-
-  double area(double t) const {
-    const Vector_2 a = rounded_place(box_.first(), t);
-    const Vector_2 b = rounded_place(box_.second(), t);
-    return a.x * b.y - a.y * b.x;
-  }
-
-  std::vector<Image_leg> images(const std::vector<Leg>& legs,
-                                const Lattice_offset_2& offset) const {
-    std::vector<Image_leg> result;
-    for (const Leg& leg : legs) {
-      result.push_back({{leg.motion, offset, &box_},
-                        leg.since,
-                        leg.until,
-                        leg.is_initial,
-                        leg.is_last,
-                        leg.goes_on});
-    }
-    return result;
-  }
-
-  // Whether p and an image of q may be within the range while both have one of their motions: by
-  // the least distance of straight lines, in numbers that are exact but for the last division.
-  bool may_be_near(const std::vector<Leg>& p, const std::vector<Leg>& q,
-                   const Lattice_offset_2& offset, double range) const {
-    const Vector_2 place_zero = rounded_place(Image_motion_2{{}, offset, &box_}, 0);
-    const Vector_2 speed_zero = rounded_velocity(Image_motion_2{{}, offset, &box_}, 0);
-    for (const Leg& a : p) {
-      const Vector_2 place_a = rounded_place(a.motion, 0);
-      for (const Leg& b : q) {
-        const double since = std::max(a.since, b.since).to_double();
-        const double until = std::min(*a.until, *b.until).to_double();
-        if (since > until) continue;
-        const Vector_2 place_b = rounded_place(b.motion, 0);
-        const Vector_2 d = {place_a.x - place_b.x - place_zero.x,
-                            place_a.y - place_b.y - place_zero.y};
-        const Vector_2 v = {a.motion.velocity.x - b.motion.velocity.x - speed_zero.x,
-                            a.motion.velocity.y - b.motion.velocity.y - speed_zero.y};
-        const double speed = v.x * v.x + v.y * v.y;
-        const double least =
-            speed > 0 ? std::clamp(-(d.x * v.x + d.y * v.y) / speed, since, until) : since;
-        const double x = d.x + least * v.x;
-        const double y = d.y + least * v.y;
-        if (x * x + y * y <= range * range + 0.001) return true;
-      }
-    }
-    return false;
-  }
-
-  Periodic_box_2 random_box() {
-    for (;;) {
-      const auto vector = [&] {
-        const double x = integer(-range_, range_);
-        return Vector_2{x, static_cast<double>(integer(-range_, range_))};
-      };
-      const Vector_2 a = vector();
-      const Vector_2 b = vector();
-      Vector_2 rate_a;
-      Vector_2 rate_b;
-      if (kind_ == 1) rate_b = {a.x * 0.5, a.y * 0.5};
-      if (kind_ == 2) {
-        rate_a = {a.x * 0.25, a.y * 0.25};
-        rate_b = {b.x * 0.5, b.y * 0.5};
-      }
-      if (kind_ == 3) {
-        rate_a = {integer(-1, 1) * 0.25, integer(-1, 1) * 0.25};
-        rate_b = {integer(-1, 1) * 0.25, integer(-1, 1) * 0.25};
-      }
-      bool has_area = true;
-      for (double t = 0; t <= end; t += 0x1p-6) {
-        const Vector_2 at_a = {a.x + t * rate_a.x, a.y + t * rate_a.y};
-        const Vector_2 at_b = {b.x + t * rate_b.x, b.y + t * rate_b.y};
-        has_area = has_area && at_a.x * at_b.y - at_a.y * at_b.x >= 4;
-      }
-      if (has_area) return {{a, rate_a, 0}, {b, rate_b, 0}};
-    }
-  }
-
   std::vector<Linear_motion_2> motions(std::size_t number) {
     std::vector<Linear_motion_2> result;
     while (result.size() < number) result.push_back(motion());

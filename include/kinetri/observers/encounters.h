@@ -55,6 +55,8 @@ class Encounter_tracker;
 /// another image of itself, its encounters end and others begin. A point that is erased and one
 /// that is inserted at the same time have no encounter there. An offset of 2^31 or more, of images
 /// that far from the positions as given, is a Periodic_box_error of the call that advances time.
+/// Discs with radii of their own may be larger than the box, and overlap images of themselves, if
+/// the simulation allows that.
 ///
 /// Cost: for each new edge and each encounter some certificates, in proportion to the number of
 /// points in range of one; for each encounter two entries of a queue. Least gaps are computed on
@@ -68,10 +70,8 @@ class Encounters {
 
   /// Observes from the current time on. The simulation must outlive this object. Throws
   /// Precondition_error if `range` is negative or not finite, or if a radius enlarged by half of it
-  /// is not finite. Not for discs with radii of their own in a periodic box.
-  Encounters(Simulation_2<Traits>& simulation,
-             double range) requires(!PeriodicKineticTraits_2<Traits> ||
-                                    !HasWeight<typename Traits::Motion>);
+  /// is not finite.
+  Encounters(Simulation_2<Traits>& simulation, double range);
   /// The same of a triangulation of points.
   Encounters(Triangulation& triangulation,
              double range) requires(!HasWeight<typename Traits::Motion>);
@@ -105,6 +105,7 @@ extern template class Encounters<Polynomial_kinetic_traits_2>;
 extern template class Encounters<Disc_kinetic_traits_2>;
 extern template class Encounters<Polynomial_disc_kinetic_traits_2>;
 extern template class Encounters<Periodic_kinetic_traits_2>;
+extern template class Encounters<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 
