@@ -17,21 +17,21 @@ void watch_pairs(Connected_components<Traits>& components,
 
 }  // namespace
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Connections<Traits>::Connections(Simulation_2<Traits>& simulation, double range,
                                  std::vector<Pair> pairs)
     : components_(simulation, range), pairs_(std::move(pairs)) {
   watch_pairs(components_, pairs_);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 Connections<Traits>::Connections(Kinetic_triangulation_2<Traits>& triangulation, double range,
                                  std::vector<Pair> pairs)
     : components_(triangulation, range), pairs_(std::move(pairs)) {
   watch_pairs(components_, pairs_);
 }
 
-template <ContactKineticTraits_2 Traits>
+template <DistanceKineticTraits_2 Traits>
 std::vector<Connection> Connections<Traits>::connections() {
   std::vector<Connection> result;
   for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
@@ -49,5 +49,6 @@ std::vector<Connection> Connections<Traits>::connections() {
 
 template class Connections<Linear_kinetic_traits_2>;
 template class Connections<Polynomial_kinetic_traits_2>;
+template class Connections<Periodic_kinetic_traits_2>;
 
 }  // namespace kinetri::detail

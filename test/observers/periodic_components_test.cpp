@@ -9,9 +9,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinetri/observers/connected_components.h"
@@ -34,6 +36,7 @@ using test::seeds;
 struct Component {
   std::size_t size = 0;
   int directions = 0;
+  Point_id least = no_point;  // of its points
 };
 
 /// The component of each point, for these links: by paths from an image of a point to others of it.
@@ -76,7 +79,7 @@ std::map<Point_id, Component> components_of(const std::set<Point_id>& points,
         if (u[0] * v[1] != u[1] * v[0]) rank = 2;
       }
     }
-    for (const Point_id id : members) result[id] = {members.size(), rank};
+    for (const Point_id id : members) result[id] = {members.size(), rank, *members.begin()};
   }
   return result;
 }
@@ -222,7 +225,31 @@ std::set<Periodic_edge> links_at(const std::vector<Encounter>& links, const Time
   return result;
 }
 
+/// The closed intervals up to `now` in which the points 0 and 1 are in one component.
+class Expected_intervals {
+ public:
+  using Components = std::map<Point_id, Component>;
+
+  /// The components at a time and just after it. Times ascend.
+  void add(const Time& time, const Components& at, const Components& after) {
+    if (!since_ && are_connected(at)) since_ = time;
+    if (since_ && !are_connected(after)) finish(time);
+  }
+  void finish(const Time& time) {
+    if (since_) intervals.emplace_back(*since_, time);
+    since_.reset();
+  }
+  std::vector<std::pair<Time, Time>> intervals;
+
+ private:
+  static bool are_connected(const Components& components) {
+    return components.size() > 1 && components.at(0).least == components.at(1).least;
+  }
+  std::optional<Time> since_;
+};
+
 TEST(Periodic_components, are_those_of_all_pairs_of_images_at_all_times) {
+  std::size_t connections = 0;
   std::array<std::size_t, component_event_kinds> kinds = {};
   std::size_t two_directions = 0;
   for (unsigned seed = 0; seed < seeds(120); ++seed) {
@@ -231,6 +258,7 @@ TEST(Periodic_components, are_those_of_all_pairs_of_images_at_all_times) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed) + ", range " +
                  std::to_string(range));
     Connected_components components(run.kinetic(), range);
+    components.watch({0, 1});
     run.kinetic().advance_to(1.0);
     if (seed % 2 == 0) static_cast<void>(components.events());
     const Time now(3.0);
@@ -243,13 +271,17 @@ TEST(Periodic_components, are_those_of_all_pairs_of_images_at_all_times) {
     std::set<Time> times = {Time(0.0)};
     for (const Encounter& link : links) times.insert({link.begin, link.end});
     auto event = events.begin();
+    Expected_intervals connected;
     for (const Time& time : times) {
       if (time == now) break;
       ASSERT_TRUE(event == events.end() || event->time >= time)
           << "an event at no time at which a link begins or ends";
       // Merges and wraps come first.
-      const Numbers at(components_of(points, links_at(links, time, false, now)));
-      const Numbers after(components_of(points, links_at(links, time, true, now)));
+      const auto components_at = components_of(points, links_at(links, time, false, now));
+      const auto components_after = components_of(points, links_at(links, time, true, now));
+      connected.add(time, components_at, components_after);
+      const Numbers at(components_at);
+      const Numbers after(components_after);
       auto last = event == events.begin() ? event : event - 1;
       while (
           event != events.end() && event->time == time &&
@@ -263,6 +295,16 @@ TEST(Periodic_components, are_those_of_all_pairs_of_images_at_all_times) {
       }
       ASSERT_EQ(text(Numbers(*last)), text(after)) << "after " << time.to_double();
     }
+    const auto at_end = components_of(points, links_at(links, now, false, now));
+    connected.add(now, at_end, at_end);
+    connected.finish(now);
+    const auto found = components.connected_intervals({0, 1});
+    ASSERT_EQ(found.size(), connected.intervals.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      ASSERT_EQ(found[i].begin, connected.intervals[i].first);
+      ASSERT_EQ(found[i].end, connected.intervals[i].second);
+    }
+    connections += found.size();
     for (const Component_event& each : events) {
       ++kinds[static_cast<std::size_t>(each.kind)];
       two_directions += each.kind == Kind::wrap && each.directions[1] == 2;
@@ -273,6 +315,7 @@ TEST(Periodic_components, are_those_of_all_pairs_of_images_at_all_times) {
   EXPECT_GT(kinds[static_cast<std::size_t>(Kind::wrap)], 25U);
   EXPECT_GT(kinds[static_cast<std::size_t>(Kind::unwrap)], 25U);
   EXPECT_GT(two_directions, 8U);
+  EXPECT_GT(connections, 60U);
 }
 
 // Points that turn, jump, come, go, and coincide with images of others for a while.

@@ -144,7 +144,8 @@ class Connected_components {
   /// Cost: O(1) for each pair and event. Precondition: they differ.
   void watch(const Edge_ids& points);
   /// The times since watch(points), up to the current one, at which the two were connected, in
-  /// their order and disjoint. Precondition: watch() has been called for the pair.
+  /// their order and disjoint; in a periodic box by a path from one to any image of the other one.
+  /// Precondition: watch() has been called for the pair.
   std::vector<Time_interval> connected_intervals(const Edge_ids& points);
 
  private:

@@ -22,7 +22,7 @@ struct Connection {
 /// An observer of Connected_components for some pairs of things. A thing is a point, or several
 /// points that exist one after the other, such as the stays of a recorded track: a pair of things
 /// is a list of pairs of points, and is connected when one of these is.
-template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
+template <DistanceKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Connections {
  public:
   using Pair = std::vector<Edge_ids>;  ///< of things; empty if the two never exist at one time
@@ -46,6 +46,7 @@ class Connections {
 
 extern template class Connections<Linear_kinetic_traits_2>;
 extern template class Connections<Polynomial_kinetic_traits_2>;
+extern template class Connections<Periodic_kinetic_traits_2>;
 
 }  // namespace kinetri::detail
 
