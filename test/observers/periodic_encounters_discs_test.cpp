@@ -131,6 +131,22 @@ TEST(Periodic_encounters_of_discs, need_no_edge) {
   EXPECT_EQ(std::ranges::count_if(found, is_of_large), 2);
 }
 
+// From then on the one with the smaller id hides the other one. Neither overlaps anything before.
+TEST(Periodic_encounters_of_discs, are_those_of_discs_that_come_to_coincide) {
+  for (const Point_id mover : {0U, 1U}) {
+    Observed run({disc({1, 1}, {1, 0}, 0.5), disc({6, 6}, {1, 0}, 0.5)}, {}, square(10), 0);
+    run.simulation.advance_to(1.0);
+    Disc_motion_2 motion = run.simulation.triangulation().motion(1 - mover);
+    motion.position.x += 10;
+    run.simulation.set_motion(mover, motion);
+    EXPECT_EQ(run.simulation.triangulation().coincident_points(mover), std::vector{1 - mover});
+    run.simulation.advance_to(2.0);
+    const auto found = run.encounters.encounters();
+    EXPECT_EQ(found.size(), 1U);
+    test::expect_equal(found, run.expected());
+  }
+}
+
 TEST(Periodic_encounters_of_discs, refuse_a_range_without_finite_radii) {
   Simulation simulation({disc({0, 0}, {1, 0}, 0x1.8p1023)}, {}, 0, Traits(square(10)));
   EXPECT_PRECONDITION_ERROR(Encounters(simulation, 0x1.8p1023),
