@@ -70,13 +70,16 @@ class Nearest_points {
     return result;
   }
 
-  /// The smallest name of the points at the position of `v`.
-  // If no neighbor coincides with `v`, no other vertex does.
+  /// The smallest name of the points at the position of `v`, with its weight.
+  // If no neighbor coincides with `v`, no other vertex does. With weights, one that a triangle
+  // hides beside the time may.
   Name smallest_name_at(const Vertex& v) const {
     const Approximate_place here = balls_.approximate(v);
     bool is_alone = true;
     at_.for_each_neighbor(
         v, [&](Vertex u) { is_alone = is_alone && are_apart(here, balls_.approximate(u)); });
+    at_.for_each_hidden_near(v,
+                             [&](const Vertex& h) { is_alone = is_alone && !at_.are_alike(h, v); });
     return is_alone ? at_.name(v) : at_.all_at(v).front();
   }
 

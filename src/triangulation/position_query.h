@@ -33,7 +33,10 @@ class Position_query {
 
   /// The triangulation must outlive this object.
   Position_query(const At_time& at, const Vector_2& position)
-      : at_(at), triangulation_(at.triangulation()), query_(at.place(resting_point(position))) {}
+      : at_(at),
+        triangulation_(at.triangulation()),
+        point_(resting_point(position)),
+        query_(at.place(point_)) {}
 
   /// The points that are nearest at the time, or have the least power.
   // A vertex that is not nearest has a nearer neighbor, so walking to nearer ones ends at the
@@ -42,7 +45,7 @@ class Position_query {
   // that is nearest is in a face at one of them.
   std::vector<Vertex> all_nearest() const {
     if (triangulation_.number_of_vertices() == 0) return {};
-    Vertex nearest = at_.visible_near(query_);
+    Vertex nearest = at_.visible_near(point_);
     for (Vertex before; nearest != before;) {
       before = nearest;
       at_.for_each_neighbor(before, [&](Vertex u) {
@@ -82,7 +85,7 @@ class Position_query {
   // Delaunay triangulation it ends.
   Face find_face() const {
     const auto orientation = at_.beside().orientation_2_object();
-    Face face = at_.face_at(at_.visible_near(query_));
+    Face face = at_.face_at(at_.visible_near(point_));
     if constexpr (!At_time::is_periodic) {
       if (triangulation_.is_infinite(face)) {
         face = face->neighbor(face->index(triangulation_.infinite_vertex()));
@@ -209,6 +212,7 @@ class Position_query {
 
   const At_time& at_;
   const Triangulation& triangulation_;
+  Point_2 point_;
   typename At_time::Place query_;
 };
 

@@ -255,8 +255,7 @@ class Triangulation_at_time {
   /// The center of the circle, or power circle, through three points.
   Trajectory_2 center(const Vertex& v, const Vertex& a, const Vertex& b) const {
     if constexpr (is_weighted) {
-      return at_.construct_weighted_circumcenter_2_object()(point(v), point(a), point(b))
-          .trajectory();
+      return weighted_circumcenter_trajectory(point(v), point(a), point(b));
     } else {
       return at_.construct_circumcenter_2_object()(point(v), point(a), point(b)).trajectory();
     }
@@ -385,22 +384,48 @@ class Triangulation_at_time {
   }
 
   /// A visible vertex, probably near the position. Precondition: there is a point.
-  Vertex visible_near(const Place& position) const {
+  Vertex visible_near(const Point_2& position) const {
+    const auto v = visible_beside(kinetic_->vertex_near(position));
     if constexpr (is_periodic) {
-      const auto v = kinetic_->vertex_near(Point_2(position.motion().motion));
+      const Place here = place(position);
       const Lattice_basis_2 basis = Wrapping(at_.box(), time_.to_double()).basis();
       // The position is in a parallelogram whose corners are images of v.
-      const Lattice_offset_2 first = whole_vectors(at_, v->point(), position, basis);
+      const Lattice_offset_2 first = whole_vectors(at_, v->point(), here, basis);
       const Lattice_offset_2 second = sum(first, basis[0]);
       Vertex nearest = {v, first};
       for (const auto& offset : {second, sum(first, basis[1]), sum(second, basis[1])}) {
         const Vertex corner = {v, offset};
-        if (compare_power_beside(position, corner, nearest) == CGAL::SMALLER) nearest = corner;
+        if (compare_power_beside(here, corner, nearest) == CGAL::SMALLER) nearest = corner;
       }
       return nearest;
     } else {
-      return visible_in_plane_near(position);
+      return v;
     }
+  }
+
+  // ---- hidden vertices ----
+
+  /// Whether a triangle hides the vertex.
+  static bool is_hidden(const Vertex& v) {
+    if constexpr (is_weighted) return handle(v)->is_hidden();
+    return false;
+  }
+  /// The corners of the triangle that hides a hidden vertex; below dimension 2 of the edge, or the
+  /// one vertex.
+  std::vector<Vertex> corners_over(const Vertex& v) const {
+    std::vector<Vertex> result;
+    if constexpr (is_weighted) {
+      const auto hidden = handle(v);
+      if constexpr (is_periodic) {
+        const Face face = {hidden->face(), sum(v.offset, reversed(hidden->offset()))};
+        for (int i = 0; i < 3; ++i) result.push_back(corner(face, i));
+      } else {
+        const int dimension = triangulation().dimension();
+        if (dimension < 1) return {triangulation().finite_vertex()};
+        for (int i = 0; i <= dimension; ++i) result.push_back(hidden->face()->vertex(i));
+      }
+    }
+    return result;
   }
 
  private:
@@ -417,12 +442,14 @@ class Triangulation_at_time {
     return whole_vectors(at_, shown->point(), place(kinetic_->point(hidden)));
   }
 
-  Vertex visible_in_plane_near(const Point_2& position) const {
-    const Vertex v = kinetic_->vertex_near(position);
+  // The vertex itself, or one that hides it.
+  typename Types::Vertex_handle visible_beside(typename Types::Vertex_handle v) const {
     if constexpr (is_weighted) {
       if (v->is_hidden()) {
-        return triangulation().dimension() < 1 ? triangulation().finite_vertex()
-                                               : v->face()->vertex(0);
+        if constexpr (!is_periodic) {
+          if (triangulation().dimension() < 1) return triangulation().finite_vertex();
+        }
+        return v->face()->vertex(0);
       }
     }
     return v;

@@ -33,6 +33,8 @@ class Voronoi_sides {
 
   /// The points across the sides.
   const std::vector<Vertex>& across() const { return sides_.across; }
+  /// Whether there is no position in the cell.
+  bool is_empty() const { return sides_.is_empty; }
   /// The corners of a bounded cell: at(a, b) of each, as in cell().
   template <class Center>
   auto corners(Center center_at) const {
@@ -128,15 +130,8 @@ class Voronoi_sides {
   // The neighbors; for a hidden point the vertices of the triangle, or edge, that hides it: since
   // it is not below that, it is nowhere nearer than all of these.
   std::vector<Vertex> first_candidates() const {
+    if (at_.is_hidden(v_)) return at_.corners_over(v_);
     std::vector<Vertex> result;
-    if constexpr (is_weighted) {
-      if (v_->is_hidden()) {
-        const int dimension = at_.triangulation().dimension();
-        if (dimension < 1) return {at_.triangulation().finite_vertex()};
-        for (int i = 0; i <= dimension; ++i) result.push_back(v_->face()->vertex(i));
-        return result;
-      }
-    }
     at_.for_each_neighbor(v_, [&](Vertex u) { result.push_back(u); });
     return result;
   }

@@ -235,7 +235,8 @@ class Periodic_query_oracle {
       polygon = left;
     }
     Cell result;
-    auto& [neighbors, vertices] = result.cell;
+    auto& neighbors = result.cell.neighbors;
+    auto& vertices = result.cell.vertices;
     std::vector<std::tuple<Rational, Periodic_image>> across;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Exact_place& v = polygon[i];

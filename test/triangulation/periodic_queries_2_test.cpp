@@ -41,7 +41,7 @@ struct Seen {
   int locations[3] = {0, 0, 0};
 };
 
-void expect_neighbors(const Kinetic& kinetic, const Periodic_queries_2& queries, Point_id id) {
+void expect_neighbors(const Kinetic& kinetic, const Periodic_queries_2<>& queries, Point_id id) {
   const std::vector<Periodic_image> neighbors = queries.neighbors(id);
   const auto coincident = kinetic.coincident_points(id);
   if (!coincident.empty() && coincident.front() < id) {
