@@ -226,7 +226,8 @@ class RunAnswers:
                   progress: Progress = False) -> pd.DataFrame:
         """Advances to a time and returns the times at which two points are connected.
 
-        Points at most `range` apart are linked; two are connected if a path of links joins them.
+        Points at most `range` apart are linked; two are connected if a path of links joins them, in a periodic
+        box one to any image of the second point.
 
         Parameters
         ----------

@@ -210,21 +210,13 @@ class Engine_of final : public Engine {
 
   std::optional<Periodic_image> nearest_vertex(const Vector_2& place) const override;
   Location locate(const Vector_2& place) const override {
-    if constexpr (has_queries) {
-      auto [kind, points] = queries().locate(place);
-      return {kind, images_of(std::move(points))};
-    }
-    refuse_queries();
+    auto [kind, points] = queries().locate(place);
+    return {kind, images_of(std::move(points))};
   }
-  Images neighbors(Point_id id) const override {
-    if constexpr (has_queries) return images_of(queries().neighbors(id));
-    refuse_queries();
-  }
+  Images neighbors(Point_id id) const override { return images_of(queries().neighbors(id)); }
   Cell voronoi_cell(Point_id id) const override;
   std::vector<double> voronoi_areas(std::span<const Vector_2> polygon) const override {
-    if constexpr (!has_queries) {
-      refuse_queries();
-    } else if constexpr (is_periodic) {
+    if constexpr (is_periodic) {
       if (!polygon.empty()) refuse_in_box("areas within a polygon");
       return queries().rounded_voronoi_areas();
     } else {
@@ -311,10 +303,6 @@ class Engine_of final : public Engine {
   }
   [[noreturn]] static void refuse_schedule() {
     refuse("a triangulation has no scheduled changes; expected a Simulation");
-  }
-  static constexpr bool has_queries = !is_periodic || !HasWeight<Motion>;
-  [[noreturn]] static void refuse_queries() {
-    refuse("queries about discs with radii of their own are not possible in a periodic box");
   }
   static constexpr bool has_proximity_graphs = HasNearestNeighbors<Traits> && !is_periodic;
   [[noreturn]] static void refuse_graphs() {
@@ -555,30 +543,25 @@ Images Engine_of<Core, Traits>::images_of(const std::vector<Periodic_image>& ima
 
 template <template <class> class Core, class Traits>
 std::optional<Periodic_image> Engine_of<Core, Traits>::nearest_vertex(const Vector_2& place) const {
-  if constexpr (has_queries) {
-    const auto nearest = queries().nearest_vertex(place);
-    if constexpr (is_periodic) {
-      return nearest;
-    } else {
-      if (!nearest) return std::nullopt;
-      return Periodic_image{*nearest, {}};
-    }
+  const auto nearest = queries().nearest_vertex(place);
+  if constexpr (is_periodic) {
+    return nearest;
+  } else {
+    if (!nearest) return std::nullopt;
+    return Periodic_image{*nearest, {}};
   }
-  refuse_queries();
 }
 
 template <template <class> class Core, class Traits>
 Cell Engine_of<Core, Traits>::voronoi_cell(Point_id id) const {
-  if constexpr (has_queries) {
-    auto cell = queries().rounded_voronoi_cell(id);
-    if constexpr (is_periodic) {
-      auto [ids, offsets] = images_of(cell.neighbors);
-      return {{std::move(ids), std::move(cell.vertices)}, std::move(offsets)};
-    } else {
-      return {std::move(cell)};
-    }
+  auto cell = queries().rounded_voronoi_cell(id);
+  if constexpr (is_periodic) {
+    auto [ids, offsets] = images_of(cell.neighbors);
+    return {{std::move(ids), std::move(cell.vertices), std::nullopt, cell.is_empty},
+            std::move(offsets)};
+  } else {
+    return {std::move(cell)};
   }
-  refuse_queries();
 }
 
 template <template <class> class Core, class Traits>

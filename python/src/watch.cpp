@@ -78,11 +78,7 @@ std::unique_ptr<Watch> closest(Core& core, const Question& question) {
 
 template <class Core, class Traits>
 std::unique_ptr<Watch> encounters(Core& core, const Question& question) {
-  if constexpr (PeriodicKineticTraits_2<Traits> && HasWeight<typename Traits::Motion>) {
-    refuse(
-        "encounters of discs with radii of their own are not possible in a periodic box; expected "
-        "discs of one constant radius");
-  } else if constexpr (std::is_constructible_v<Encounters<Traits>, Core&, double>) {
+  if constexpr (std::is_constructible_v<Encounters<Traits>, Core&, double>) {
     return watch_of<Encounters<Traits>>(
         detail::Encounter_columns{has_discs(core), PeriodicKineticTraits_2<Traits>}, core,
         *question.distance);
@@ -105,9 +101,7 @@ std::unique_ptr<Watch> components(Core& core, const Question& question) {
 // Rows have the points of the first pair; with several pairs, the package replaces them by names.
 template <class Core, class Traits>
 std::unique_ptr<Watch> connected(Core& core, const Question& question) {
-  if constexpr (PeriodicKineticTraits_2<Traits>) {
-    refuse_in_box(question);
-  } else if constexpr (HasWeight<typename Traits::Motion>) {
+  if constexpr (HasWeight<typename Traits::Motion>) {
     refuse("connected are points, or discs of one radius; these have radii of their own");
   } else {
     using Names = detail::Connection_columns<Point_id>;

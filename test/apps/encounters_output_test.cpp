@@ -102,6 +102,36 @@ TEST_F(Encounters_output, is_a_contact_plan_too) {
   EXPECT_EQ(plan["contacts"][3]["contact"], 3);
 }
 
+// In a periodic box: with a range of 2 one image of 1 follows another one without a break.
+TEST_F(Encounters_output, of_images_are_one_contact_of_a_plan) {
+  const Outcome outcome = simulate("x,y,vx,vy\n0,0,1,0\n5,0,0,0\n",
+                                   {"--until", "6", "--periodic", "3.5,20", "--contact-plan",
+                                    "plan.json", "--range", "1", "--encounters", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "a,b,offset,begin_lo,begin_hi,end_lo,end_hi,closest_lo,closest_hi,distance\n"
+            "0,1,-1 0,0.5,0.5,2.5,2.5,1.5,1.5,0\n0,1,0 0,4,4,6,6,5,5,0\n");
+  EXPECT_EQ(nlohmann::json::parse(read("plan.json"))["contacts"].size(), 4U);
+  const Outcome wider = simulate(
+      "x,y,vx,vy\n0,0,1,0\n5,0,0,0\n",
+      {"--until", "6", "--periodic", "3.5,20", "--contact-plan", "plan.json", "--range", "2"});
+  EXPECT_EQ(wider.exit_code, 0) << wider.err;
+  const auto plan = nlohmann::json::parse(read("plan.json"));
+  ASSERT_EQ(plan["contacts"].size(), 2U) << plan;
+  EXPECT_EQ(plan["contacts"][0]["startTime"], 0.0);
+  EXPECT_EQ(plan["contacts"][1]["endTime"], 6.0);
+}
+
+TEST_F(Encounters_output, have_the_gaps_of_images_of_discs) {
+  const Outcome outcome = simulate("x,y,vx,vy,radius\n9,5,1,0,0.5\n4,5,0,0,1\n",
+                                   {"--until", "3", "--periodic", "10,10", "--collisions", "log",
+                                    "--encounters", "-", "--range", "1"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "a,b,offset,begin_lo,begin_hi,end_lo,end_hi,closest_lo,closest_hi,distance,gap\n"
+            "0,1,1 0,2.5,2.5,3,3,3,3,2,0.5\n");
+}
+
 TEST_F(Encounters_output, needs_a_range) {
   const Outcome without = simulate(three_points, {"--until", "8", "--encounters", "-"});
   EXPECT_EQ(without.exit_code, 2);

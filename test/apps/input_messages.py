@@ -102,8 +102,7 @@ def periodic_cases():
     yield simulate("--periodic 1,1e-300 --shear 1e-100", rate="1e-100", height="1e-300")
     for option in ("--box 0,0,9,9", "--rim", "--replay e", "--certificates c",
                    "--walkable w --areas n", "--walkable w --mean-areas n",
-                   "--connected n --between 0,1 --range 1", "--spanning-tree n",
-                   "--contact-plan n --range 1"):
+                   "--spanning-tree n"):
         yield simulate(f"--periodic 9,9 {option}", option=option.split()[0])
     yield simulate("--periodic 9,9 --html p --components n --range 1", option="--html with --range")
     yield case("simulate p.csv --until-share 0.5 --periodic 9,9", option="--until-share")
@@ -123,8 +122,6 @@ def periodic_cases():
     yield points("x,y,vx,vy\n0,0,0,0\n6,8,4,0\n", collide + " --radius 1", line=3, first=2)
     yield points("x,y,vx,vy\n0,0,0,0\n", collide + " --radius 2.125", line=2, id=0, x=1, y=0, time=0)
     yield points("x,y,vx,vy,radius\n0,0,0,0,0.5\n2,2,0,0,2.125\n", collide, line=3, id=1, x=1, y=0, time=0)
-    yield case(f"simulate p.csv {collide} --encounters n --range 1",
-               files={"p.csv": "x,y,vx,vy,radius\n0,0,0,0,0.5\n2,2,0,0,1\n"})
     yield case("simulate p.csv --until 2 --periodic 1,1", time="0.6465", a=0, b=1, x=2147483648, y=1,
                files={"p.csv": "x,y,vx,vy\n0,0,0,0\n2147483000.5,0.25,1000,0\n"})
 

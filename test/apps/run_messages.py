@@ -69,8 +69,7 @@ def periodic_checkpoint_cases():
     def resume(content, more="", **values):
         return case(f"resume c --until 3 {more}", files={"c": content}, **values)
 
-    for option in ("--certificates n", "--spanning-tree n", "--connected n --between 0,1 --range 1",
-                   "--contact-plan n --range 1"):
+    for option in ("--certificates n", "--spanning-tree n"):
         yield resume(checkpoint(*run), option, option=option.split()[0])
     yield resume(checkpoint(*run), "--areas n --walkable w", option="--walkable")
     yield resume(checkpoint(*run), "--html n --range 1", option="--range")

@@ -112,6 +112,37 @@ def test_encounters_of_discs_are_gaps():
         [0, 1, 1, 0, 3, 7, 0, -1]]
 
 
+def test_encounters_of_discs_with_radii_are_gaps_of_images():
+    sim = kinetri.Simulation([[9, 5], [4, 5]], [[1, 0], [0, 0]], radius=[0.5, 1], growth=[0, 0.25], collisions="log",
+                             box=kinetri.Box((10, 10)))
+    # The gap falls from 5 - 1.5 at the rate 1.25, up to the time 5, and rises at 0.75 then. That of the disc and
+    # its own images falls from 8 at the rate 0.5.
+    table = sim.encounters(1.0, until=9)
+    assert table[["a", "b", "k", "l", "begin", "end", "closest", "distance", "gap"]].to_numpy().tolist() == [
+        [0, 1, 1, 0, 2, 9, 5, 0, -2.75]]
+    table = kinetri.Simulation([[4, 5]], [[0, 0]], radius=[1], growth=[0.25], box=kinetri.Box((10, 10))).encounters(2.0, until=13)
+    assert table[["a", "b", "k", "l", "begin", "gap"]].to_numpy().tolist() == [
+        [0, 0, 0, 1, 12, 1.5], [0, 0, 1, 0, 12, 1.5]]
+
+
+def test_queries_about_discs_with_radii_are_about_powers():
+    sim = kinetri.Simulation([[1, 5], [6, 5], [1, 5]], [[0, 0], [0, 0], [1, 0]], radius=[3, 0.5, 0.25], box=kinetri.Box((10, 10)))
+    # In the large disc, though the other center is nearer.
+    assert sim.nearest_vertex([3.75, 5]) == 0 and sim.nearest_vertex_offset([3.75, 5]) == (0, 0)
+    assert sim.nearest_vertex([16, 5]) == 1 and sim.nearest_vertex_offset([16, 5]) == (1, 0)
+    assert sim.hidden_points().tolist() == [2] and sim.voronoi_cell(2).is_empty and sim.neighbors(2).tolist() == []
+    assert not sim.voronoi_cell(0).is_empty and sim.locate([1, 5])[0] == "vertex"
+    areas = sim.voronoi_areas()
+    assert areas.sum() == pytest.approx(100, rel=1e-15) and areas[2] == 0 and areas[0] > areas[1] > 0
+
+
+def test_connected_are_points_over_the_border():
+    kd = kinetri.KineticDelaunay([[1, 5], [9, 5], [5, 0]], [[0, 0], [0, 0], [0, 1]], box=kinetri.Box((10, 10)))
+    assert kd.connected(0, 1, 2, until=1)[["begin", "end"]].to_numpy().tolist() == [[0, 1]]
+    # The third one links the two that are at most 4 away.
+    assert kd.connected(1, 2, 4, until=9)[["begin", "end"]].to_numpy().tolist() == [[5, 5]]
+
+
 def test_nearest_neighbors_are_images():
     kd = kinetri.KineticDelaunay([[0, 0]], [[1, 1]], box=kinetri.Box([[4, 0], [0, 3]], rates=[[-1, 0], [0, 0]]))
     table = kd.nearest_neighbor_changes(until=3)

@@ -287,7 +287,6 @@ def test_a_box_of_vectors_with_two_epochs_is_refused():
     lambda kd: kd.voronoi_areas((0, 0, 1, 1)),
     lambda kd: kd.gabriel_edges(),
     lambda kd: kd.relative_neighbor_edges(),
-    lambda kd: kd.connected(0, 1, 1.0, until=1),
     lambda kd: kd.spanning_tree(until=1),
     lambda kd: kd.certificates(until=1),
     lambda kd: kd.watch("closest", number=1),

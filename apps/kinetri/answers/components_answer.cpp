@@ -66,7 +66,7 @@ std::unique_ptr<Answer> components_answer(const Answer_settings& settings,
 std::unique_ptr<Answer> connected_answer(const Answer_settings& settings,
                                          const Any_simulation& simulation,
                                          const Run_source& source) {
-  return simulation.visit_plane([&](auto& any) {
+  return simulation.visit([&](auto& any) {
     return of_points("--connected", any, [&]<class Traits>(Simulation_2<Traits>& s) {
       std::vector<std::vector<Edge_ids>> pairs;
       for (const auto& names : settings.between) {

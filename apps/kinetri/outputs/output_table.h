@@ -43,13 +43,8 @@ constexpr std::size_t number_of_outputs = 24;
 
 /// Whether runs in periodic boxes have the output.
 constexpr bool is_for_periodic_boxes(Output output) {
-  return output == Output::events || output == Output::motions || output == Output::initial_edges ||
-         output == Output::edges || output == Output::stats || output == Output::frames ||
-         output == Output::vtu || output == Output::html || output == Output::ids ||
-         output == Output::checkpoint || output == Output::plot || output == Output::neighbors ||
-         output == Output::exchanges || output == Output::nearest || output == Output::components ||
-         output == Output::areas || output == Output::mean_areas || output == Output::pressure ||
-         output == Output::encounters;
+  return output != Output::certificates && output != Output::closest &&
+         output != Output::spanning_tree;
 }
 
 /// The commands that have an output.
