@@ -16,8 +16,8 @@ namespace {
 using nlohmann::json;
 using Periodic = Kinetic_delaunay_triangulation_2<Periodic_kinetic_traits_2>;
 
-constexpr double lengths[] = {0.01, 0.1, 0.3};  // of a step, in distances of neighbors
-constexpr int measured_steps = 2;
+constexpr double step_lengths[] = {0.01, 0.1, 0.3};  // of a step, in distances of neighbors
+constexpr int timed_steps = 2;
 
 // The number of neighbors of all points by voro++, in a layer as thick as a neighbor is far: the
 // cells of a plane are prisms then, whose other two faces are walls. freud does the same.
@@ -42,7 +42,7 @@ std::size_t neighbors_by_voro(const std::vector<Vector_2>& places, double side) 
 
 // Each point goes on by a random step. Kinetri knows the edges after it by the events on the way,
 // and another one by repair.
-json measure_round(const Setup& setup, double side, double length, std::mt19937_64& random) {
+json measure_moves(const Setup& setup, double side, double length, std::mt19937_64& random) {
   const Periodic_kinetic_traits_2 traits({{{side, 0}, {0, 0}}, {{0, side}, {0, 0}}});
   const std::vector<Linear_motion_2> motions = setup.motions();
   Periodic through(motions, 0, traits);
@@ -54,7 +54,7 @@ json measure_round(const Setup& setup, double side, double length, std::mt19937_
   double repairs = 0;
   double voro = 0;
   std::size_t different = 0;
-  for (int step = 0; step <= measured_steps; ++step) {
+  for (int step = 0; step <= timed_steps; ++step) {
     for (Vector_2& place : places) place = {place.x + shift(random), place.y + shift(random)};
     const auto seconds = [&](const auto& work, double& sum) {
       const Stopwatch watch;
@@ -75,9 +75,9 @@ json measure_round(const Setup& setup, double side, double length, std::mt19937_
     const std::size_t found = seconds([&] { return neighbors_by_voro(places, side); }, voro);
     different += found == 2 * known ? 0U : 1U;
   }
-  return {{"events_seconds", events / measured_steps},
-          {"repair_seconds", repairs / measured_steps},
-          {"voro_seconds", voro / measured_steps},
+  return {{"events_seconds", events / timed_steps},
+          {"repair_seconds", repairs / timed_steps},
+          {"voro_seconds", voro / timed_steps},
           {"voro_over_events", ratio(voro, events)},
           {"voro_over_repair", ratio(voro, repairs)},
           {"steps_with_other_numbers_of_neighbors", different}};
@@ -92,8 +92,8 @@ json measure_periodic_steps(const Setup& setup) {
   }
   std::mt19937_64 random(setup.options.seed);
   json result = json::array();
-  for (const double length : lengths) {
-    json setting = median_round([&] { return measure_round(setup, side, length, random); });
+  for (const double length : step_lengths) {
+    json setting = median_round([&] { return measure_moves(setup, side, length, random); });
     setting["length"] = length;
     result.push_back(std::move(setting));
   }
