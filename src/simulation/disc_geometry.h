@@ -5,6 +5,7 @@
 #define KINETRI_SRC_SIMULATION_DISC_GEOMETRY_H
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -160,7 +161,7 @@ class Simulation_types<Traits>::Disc_geometry {
   Disc owner_of_center(Point_id id) const;
   Disc corner_over(Point_id id) const;
   double greatest_radius_of(const Point_2& p) const;
-  auto steps(double radii, const Vectors& vectors) const requires is_periodic;
+  std::int64_t steps(double radii, const Vectors& vectors) const;
 
   const Simulation_setup& setup_;
   const Triangulation& triangulation_;

@@ -59,12 +59,16 @@ double Simulation_types<Traits>::Disc_geometry::greatest_radius_of(const Point_2
   return setup_.diameter() / 2;
 }
 
-// Two discs whose diameters are at most the shortest vector touch only if their distance is, too.
-// Others touch only if their distance is at most the sum of their radii.
+// How many steps the images may be away that touch a disc, of which the radii have this sum. Two
+// discs whose diameters are at most the shortest vector touch only if their distance is, too.
 template <class Traits>
-auto Simulation_types<Traits>::Disc_geometry::steps(
-    double radii, const Vectors& vectors) const requires is_periodic {
-  return setup_.lets_images_overlap() ? vectors.steps(radii) : Vectors::fewest_steps;
+std::int64_t Simulation_types<Traits>::Disc_geometry::steps(
+    [[maybe_unused]] double radii, [[maybe_unused]] const Vectors& vectors) const {
+  if constexpr (is_periodic) {
+    return setup_.lets_images_overlap() ? vectors.steps(radii) : Vectors::fewest_steps;
+  } else {
+    return 0;
+  }
 }
 
 template <class Traits>

@@ -95,6 +95,14 @@ Periodic_voronoi_cell_2<Position> cell(const At_time_of<Traits>& at, const Verte
   return result;
 }
 
+// The image nearest to a point.
+template <class Traits>
+Periodic_image nearest_image(const At_time_of<Traits>& at,
+                             const detail::Nearest_points<Traits>& points, Point_id id) {
+  const auto v = at.vertex({id, {}});
+  return at.id(v) == id ? *points.nearest_to(v) : points.smallest_name_at(v);
+}
+
 }  // namespace
 
 template <PeriodicKineticTraits_2 Traits>
@@ -227,9 +235,7 @@ template <PeriodicKineticTraits_2 Traits>
 Periodic_image Periodic_queries_2<Traits>::nearest_neighbor(Point_id id) const requires
     HasNearestNeighbors<Traits> {
   check_point(id);
-  const auto v = at().vertex({id, {}});
-  const detail::Nearest_points<Traits> points(at());
-  return At_time::id(v) == id ? *points.nearest_to(v) : points.smallest_name_at(v);
+  return nearest_image(at(), detail::Nearest_points<Traits>(at()), id);
 }
 
 template <PeriodicKineticTraits_2 Traits>
@@ -237,9 +243,10 @@ std::vector<Periodic_image> Periodic_queries_2<Traits>::nearest_neighbors() cons
     HasNearestNeighbors<Traits> {
   check_is_current();
   const auto& kinetic = at().kinetic();
+  const detail::Nearest_points<Traits> points(at());
   std::vector<Periodic_image> result(kinetic.next_id());
   for (Point_id id = 0; id < kinetic.next_id(); ++id) {
-    if (kinetic.contains(id)) result[id] = nearest_neighbor(id);
+    if (kinetic.contains(id)) result[id] = nearest_image(at(), points, id);
   }
   return result;
 }
