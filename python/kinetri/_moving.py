@@ -1324,8 +1324,8 @@ class KineticDelaunay(MovingPoints):
         A periodic box; or what `Box` takes as its first argument: two lengths, two lattice vectors, a box of freud, a
         cell or an Atoms of ASE. Points may be, and go, anywhere: only their positions modulo the lattice matter. There
         is no hull, and n points have 3n edges and 2n triangles, from one point on. What is not possible in a
-        periodic box raises a PreconditionError that says so: acceleration, several threads, hulls, `cell_areas`,
-        proximity graphs, questions about runs, pages.
+        periodic box raises a PreconditionError that says so: acceleration, several threads, hulls, walkable areas,
+        proximity graphs, `spanning_tree`, `certificates`, pages.
 
     Raises
     ------
