@@ -357,24 +357,25 @@ auto Simulation_types<Traits>::Disc_geometry::owners_in(Point_id id) const -> st
   return result;
 }
 
-// A disc near a hidden one: the one that coincides with it and has a vertex, or a corner of the
-// triangle that hides it.
+// A visible disc near a hidden one: the one that coincides with it or, if that is hidden too, a
+// corner of the triangle that hides both.
 template <class Traits>
 auto Simulation_types<Traits>::Disc_geometry::corner_over(Point_id id) const -> Disc {
-  const auto vertex = triangulation_.vertex(id);
-  if (const Point_id other = shown(id); other != id) {
-    if constexpr (is_periodic) {
+  const Point_id other = shown(id);
+  Disc result = itself(other);
+  if constexpr (is_periodic) {
+    if (other != id) {
       const auto at = traits().instantaneous_traits(Instant{current_time(), Time_side::at});
-      return {other, whole_vectors(at, point(other), at.image(point(id), {}))};
-    } else {
-      return other;
+      result.offset = whole_vectors(at, point(other), at.image(point(id), {}));
     }
   }
+  if (!is_hidden(other)) return result;
+  const auto vertex = triangulation_.vertex(id);
   const auto face = vertex->face();
   const int i = triangulation_.triangulation().is_infinite(face->vertex(0)) ? 1 : 0;
   const Point_id corner = face->vertex(i)->point().id();
   if constexpr (is_periodic) {
-    return seen_from(Disc{id, vertex->offset()}, Disc{corner, face->offset(i)});
+    return beyond(result, seen_from(Disc{other, vertex->offset()}, Disc{corner, face->offset(i)}));
   } else {
     return corner;
   }
