@@ -1642,8 +1642,9 @@ class Simulation(MovingPoints):
         float
             Computed in float64.
         """
-        x, y = self._velocities_in_flow().T
-        return float(0.5 * np.nansum(self.masses() * (x * x + y * y)))
+        ids = self.ids
+        x, y = self._velocities_in_flow()[ids].T
+        return float(0.5 * np.sum(self.masses()[ids] * (x * x + y * y)))
 
     def _velocities_in_flow(self) -> Floats:
         velocities = self.velocities()
@@ -1664,14 +1665,16 @@ class Simulation(MovingPoints):
         Raises
         ------
         PreconditionError
-            If the energy is negative or not finite, or if no point moves.
+            If the energy is negative or not finite; or if that before is 0 or not finite, so that no point moves, or
+            numbers are too large or small.
         """
         wanted = _arrays.one_number("energy", energy)
         before = self.energy()
         if wanted < 0:
             raise PreconditionError(f"energy is {wanted}; expected 0 or more")
-        if not before > 0:
-            raise PreconditionError("no point moves, so that no factor changes the energy; expected moving points")
+        if not (before > 0 and math.isfinite(before)):
+            raise PreconditionError(f"the energy is {before}, so that no factor makes it {wanted}; expected points that move, "
+                                    "and numbers near 1, in other units perhaps")
         change = math.sqrt(wanted / before) - 1
         if change == 0:
             return

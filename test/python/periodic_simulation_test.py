@@ -233,7 +233,10 @@ def test_a_thermostat_works_in_the_plane():
     sim.set_energy(2.0)
     assert sim.velocities()[:2] == pytest.approx(np.array([[1.2, 1.6], [0, 0]])) and sim.energy() == pytest.approx(2)
     sim.set_energy(0)
-    for energy, message in ((1, "no point moves"), (-1, "expected 0 or more"), (np.nan, "energy")):
+    fast = kinetri.Simulation([[0, 0], [9, 0]], [[1e200, 0], [0, 1]])
+    with pytest.raises(kinetri.PreconditionError, match="the energy is inf, so that no factor makes it 1.0"):
+        fast.set_energy(1)
+    for energy, message in ((1, "the energy is 0.0, so that"), (-1, "expected 0 or more"), (np.nan, "energy")):
         with pytest.raises(kinetri.PreconditionError, match=message):
             sim.set_energy(energy)
 
