@@ -1644,7 +1644,8 @@ class Simulation(MovingPoints):
         """
         ids = self.ids
         x, y = self._velocities_in_flow()[ids].T
-        return float(0.5 * np.sum(self.masses()[ids] * (x * x + y * y)))
+        with np.errstate(over="ignore"):  # then it is infinite
+            return float(0.5 * np.sum(self.masses()[ids] * (x * x + y * y)))
 
     def _velocities_in_flow(self) -> Floats:
         velocities = self.velocities()

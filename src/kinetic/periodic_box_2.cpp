@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinetri/kinetic/periodic_box_2.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -51,9 +53,18 @@ Rational Periodic_box_2::area(const Rational& t) const {
   return a.x * b.y - a.y * b.x;
 }
 
-Vector_2 Periodic_box_2::flow_at(const Vector_2& place, double t) const {
-  const Vector_2 a = rounded_place(first_, t);
-  const Vector_2 b = rounded_place(second_, t);
+Vector_2 Periodic_box_2::flow_at(Vector_2 place, double t) const {
+  Vector_2 a = rounded_place(first_, t);
+  Vector_2 b = rounded_place(second_, t);
+  // Scaled by a power of two, so that products neither overflow nor underflow.
+  const int power =
+      -std::ilogb(std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)}));
+  const auto scale = [power](Vector_2 v) {
+    return Vector_2{std::ldexp(v.x, power), std::ldexp(v.y, power)};
+  };
+  a = scale(a);
+  b = scale(b);
+  place = scale(place);
   const double area = a.x * b.y - a.y * b.x;
   const double k = (place.x * b.y - place.y * b.x) / area;
   const double l = (a.x * place.y - a.y * place.x) / area;

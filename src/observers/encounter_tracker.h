@@ -23,6 +23,7 @@
 #include "observers/enlarged_discs.h"
 #include "observers/failure_queue.h"
 #include "observers/later_time_in_range.h"
+#include "simulation/short_vectors.h"
 
 namespace kinetri::detail {
 
@@ -60,6 +61,9 @@ class Encounter_tracker final : private Edge_follower<Traits> {
         if (graph.contains(id)) examine_new_motion(id, now);
       }
     } else {
+      if constexpr (is_periodic) {  // throws if it would find millions of images of each point
+        Short_vectors<Traits>(this->traits(), now).steps(range_);
+      }
       for (Point_id id = 0; id < partners_.size(); ++id) {
         if (!graph.contains(id)) continue;
         for (const Neighbor& other : graph.neighbors(id)) {

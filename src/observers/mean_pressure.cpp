@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kinetri/impl/base/check.h"
+#include "simulation/shortest_text.h"
 
 namespace kinetri {
 
@@ -83,9 +84,8 @@ void Pressure_tracker<Traits>::restart(Point_id id, double time) {
 template <PeriodicKineticTraits_2 Traits>
 Pressure_2 Pressure_tracker<Traits>::next() {
   const double now = simulation_.current_time().to_double();
-  KINETRI_PRECONDITION(now > sums_.from,
-                       "no time has passed since t = " + std::to_string(sums_.from) +
-                           ", from when on a mean is asked; expected a later time");
+  KINETRI_PRECONDITION(now > sums_.from, "the interval from t = " + text(sums_.from) +
+                                             " on is empty; advance the time before the next call");
   for (Point_id id = 0; id < flights_.size(); ++id) {
     add_flight(flights_[id], now);
     restart(id, now);
@@ -193,12 +193,13 @@ template <class Traits>
 void set_kinetic_energy(Simulation_2<Traits>& simulation, double energy) {
   const auto& triangulation = simulation.triangulation();
   const double before = kinetic_energy(simulation);
-  KINETRI_PRECONDITION(std::isfinite(energy) && energy >= 0,
-                       "the energy is " + std::to_string(energy) +
-                           "; expected a finite number that is not negative");
+  KINETRI_PRECONDITION(
+      std::isfinite(energy) && energy >= 0,
+      "the energy is " + detail::text(energy) + "; expected a finite number that is not negative");
   KINETRI_PRECONDITION(std::isfinite(before) && before > 0,
-                       "the kinetic energy is " + std::to_string(before) +
-                           ", so that no factor changes it to another one; expected moving points");
+                       "the kinetic energy is " + detail::text(before) +
+                           ", so that no factor changes it to another one; expected points that "
+                           "move, and numbers near 1, in other units perhaps");
   const double change = std::sqrt(energy / before) - 1;
   if (change == 0) return;
   const double now = simulation.current_time().to_double();

@@ -64,7 +64,7 @@ class Short_vectors {
   /// For positions that are no farther apart than the shortest vector is long.
   static constexpr Steps fewest_steps = 2;
   /// For positions that are at most `distance` apart, up to a relative error of 2^-20. Throws
-  /// Periodic_box_error if they are 2^31 or more.
+  /// Periodic_box_error if they are more than 1000, since each disc would have millions of images.
   Steps steps(double distance) const {
     if (length_ == 0) {
       const Point_2 origin(typename Traits::Motion(), no_point);
@@ -74,10 +74,12 @@ class Short_vectors {
     }
     // The factor is greater than 2 / sqrt(3), by more than the errors.
     const double most = std::ceil(1.1548 * distance / length_);
-    if (!(most < 0x1p31)) {
+    if (!(most <= 1000)) {
       throw Periodic_box_error(
-          "discs are 2^31 or more times as large as the shortest lattice vector is long; expected "
-          "smaller ones, or a smaller range of their gaps");
+          "two discs touch, or are in range, at a distance of " + text(distance) +
+          ", and the shortest lattice vector has the length " + text(length_) +
+          ", so that each has millions of images near each other; expected smaller discs, or a "
+          "smaller range of their gaps");
     }
     return std::max(static_cast<Steps>(most), fewest_steps);
   }

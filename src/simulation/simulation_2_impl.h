@@ -257,6 +257,12 @@ std::size_t Simulation_2<Traits>::advance_to(const Time& time,
   KINETRI_PRECONDITION(
       time >= current_time(),
       "the time to advance to is in the past; take the present one or a later one");
+  if constexpr (PeriodicKineticTraits_2<Traits>) {
+    // With a response discs meet their own images before the box has no area.
+    if (!core_->setup.has_response()) {
+      triangulation().traits().box().require_area(current_time(), time);
+    }
+  }
   return core_->advance_to(time, may_go_on);
 }
 
@@ -277,7 +283,7 @@ Point_id Simulation_2<Traits>::insert(const Motion& motion, double mass) {
   try {
     core_->loop.insert(motion, std::nullopt);
   } catch (...) {
-    core_->setup.forget_masses_from(id);
+    if (triangulation().next_id() == id) core_->setup.forget_masses_from(id);
     throw;
   }
   return id;

@@ -110,12 +110,16 @@ def periodic_cases():
     yield points("x,y,vx,vy,ax,ay\n0,0,0,0,1,0\n", box)
     yield points("x,y,vx,vy\n0,0,0,0\n6,8,4,0\n", box + " --coincident refuse", line=3, first=2)
     yield points("x,y,vx,vy\n0,0,0,0\n1e10,0,0,0\n", box, id=1)
+    yield simulate("--periodic 9,9 --encounters n --range 1e8", distance="1e+08", length=9)
+    yield simulate("--periodic 9,9 --regular --encounters n --range 1e300", distance="1.0000000000000038e+300", length=9,
+                   files={"p.csv": "x,y,vx,vy,radius\n0,0,0,0,1\n2,2,0,0,0.5\n"})
     yield simulate("--pressure p")
     yield simulate("--thermostat 1,2,3", text="1,2,3", n=3)
     yield simulate("--thermostat=-1", text="-1", number=-1)
     yield simulate("--thermostat 1,0", text="1,0", number=0)
     yield simulate("--thermostat 2e6", rate="2000000", most=1000000)
-    yield simulate("--thermostat 1", files={"p.csv": "x,y,vx,vy\n0,0,0,0\n"})
+    yield simulate("--thermostat 1", energy=0, files={"p.csv": "x,y,vx,vy\n0,0,0,0\n"})
+    yield simulate("--thermostat 1,2", energy="inf", files={"p.csv": "x,y,vx,vy\n0,0,1e200,0\n"})
     yield simulate("--periodic 9,9 --radius 1")
     yield simulate("--periodic 9,9 --collisions log", option="--collisions", file="p.csv")
     collide = box + " --collisions elastic"

@@ -153,6 +153,10 @@ class Periodic_answers(In_folder):
             self.assertGreater(row["pressure"] * 36, row["energy"])
         self.run_program(f"{self.GAS} --until 3 --pressure p.csv.out", self.gas(1))
         self.assertEqual(len(self.table("p.csv.out")), 100)
+        for until, ends in (("2.5", ["1", "2", "2.5"]), ("0.5", ["0.5"]), ("0", [])):
+            self.run_program(f"{self.GAS} --until {until} --pressure p.csv.out --fps 1", self.gas(1))
+            self.assertEqual(self.header("p.csv.out"), "from,until,collisions,energy,pressure,xx,xy,yy")
+            self.assertEqual([row["until"] for row in self.table("p.csv.out")], ends)
 
     def test_thermostat_keeps_the_energy(self):
         shear = f"{self.GAS} --shear 0.5"

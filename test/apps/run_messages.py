@@ -73,6 +73,8 @@ def periodic_checkpoint_cases():
         yield resume(checkpoint(*run), option, option=option.split()[0])
     yield resume(checkpoint(*run), "--areas n --walkable w", option="--walkable")
     yield resume(checkpoint(*run), "--html n --range 1", option="--range")
+    shrinking = [[9.0, 0.0, -4.0, 0.0, 0.0], [0.0, 9.0, 0.0, 0.0, 0.0]]
+    yield resume(forged(setter("periodic_box", shrinking), *run), time="2.25")
     flat = [[9.0, 0.0, 0.0, 0.0, 0.0], [0.0, 9.0, 0.0, -4.5, 0.0]]
     yield resume(forged(setter("periodic_box", flat), *run), file="c", member="state.periodic_box",
                  problem="the periodic box has no area at time 2; expected lattice vectors that are not parallel")

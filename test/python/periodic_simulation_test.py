@@ -173,6 +173,18 @@ def test_a_small_disc_within_a_large_one_is_hidden():
     assert (event["time"], event["added_offset"].tolist()) == (3.5, [-1, -1])
 
 
+def test_a_box_without_area_is_refused_at_once():
+    box = kinetri.Box((4, 4), rates=[[-1, 0], [0, 0]])
+    places, velocities = [[1, 1], [1.5, 3]], [[1, 0], [0, 1]]
+    for sim in (kinetri.Simulation(places, velocities, box=box), kinetri.KineticDelaunay(places, velocities, box=box)):
+        with pytest.raises(kinetri.PeriodicBoxError, match="has no area at time 4"):
+            sim.advance_to(4)
+        sim.advance_to(3.9)
+        assert sim.audit()
+    with pytest.raises(kinetri.OwnImageError):
+        kinetri.Simulation(places, velocities, radius=0.25, collisions="log", box=box).advance_to(4)
+
+
 def test_a_disc_that_grows_ends_the_run_at_its_own_image():
     sim = kinetri.Simulation([[0, 0], [4, 4]], [[0, 0]] * 2, radius=[1, 0.5], growth=[0, 0.5], collisions="log",
                              box=kinetri.Box((16, 8)))

@@ -224,7 +224,7 @@ void add_run_options(Command& command, Run_options& options,
   command
       .add(options.frames_per_time_option, &options.frames_per_time, "N",
            joined("Frames in a unit of time, for ", alternatives(options.framed),
-                  " (default: 101 frames from start to end",
+                  " (default: 101 frames from start to end, with 100 intervals between",
                   command.find_option("--areas") != nullptr
                       ? "; for --areas, if tracks consist of frames: each frame of them)"
                       : ")"))

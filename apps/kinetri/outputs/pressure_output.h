@@ -17,21 +17,22 @@
 
 namespace kinetri::app {
 
-/// A table with a row for each interval between two frames.
+/// A table with a row for each interval between two frames, and for the rest after the last one.
 class Pressure_output {
  public:
   /// Without a rate there are 100 intervals.
   explicit Pressure_output(std::optional<Frame_rate> rate) : rate_(std::move(rate)) {}
 
-  /// Chooses the times from now to `until`, and measures from now on. Throws Usage_error if there
-  /// are too many times. The simulation must outlive this object.
-  void start(const Any_simulation& simulation, double until);
+  /// Chooses the times from now to `until`, measures from now on, and writes the header. Throws
+  /// Usage_error in the plane, and if there are too many times. The simulation must outlive this
+  /// object.
+  void start(std::ostream& out, const Any_simulation& simulation, double until);
 
   /// The time at which the next interval ends; none after the last.
   std::optional<double> next_time() const;
 
-  /// Writes the row of the interval that ends at next_time(), and a header before the first one.
-  /// Precondition: that is the time of the simulation.
+  /// Writes the row of the interval that ends at next_time(). Precondition: that is the time of the
+  /// simulation.
   void write(std::ostream& out);
 
  private:

@@ -37,11 +37,11 @@ std::optional<std::vector<double>> multiples(double from, double until, double p
   Integer k =
       boost::multiprecision::numerator(start) / boost::multiprecision::denominator(start) - 2;
   std::vector<double> times;
-  for (;; ++k) {
+  for (std::size_t number = 0;; ++k) {
     const double time = to_double(Rational(k) / frequency);
     if (time < from) continue;
     if (time > until) return times;
-    if (times.size() == most) return std::nullopt;
+    if (number++ == most) return std::nullopt;
     add_time(times, time);
   }
 }

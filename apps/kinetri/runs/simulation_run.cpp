@@ -78,6 +78,7 @@ class Simulation_run {
  private:
   void build();
   void expect_periodic_outputs();
+  void expect_area() const;
   void read_limits();
   std::uint64_t number_of_events() const {
     return simulation_.visit(
@@ -193,6 +194,7 @@ void Simulation_run::build() {
   read_limits();
   simulation_.visit([this](auto& s) { s.set_threads(settings_.threads); });
   statistics_.until = end_of_run();
+  expect_area();
   progress_.set_range(statistics_.from, statistics_.until);
   note_coincident();
   watch_growth();
@@ -220,11 +222,16 @@ void Simulation_run::build() {
     viewer_.emplace(simulation_, source_, statistics_.until, settings_.html_view,
                     settings_.html_range);
   }
-  answers_ = follow_answers(outputs_, asked_, simulation_, source_);
+  try {
+    answers_ = follow_answers(outputs_, asked_, simulation_, source_);
+  } catch (const Periodic_box_error& error) {
+    throw Usage_error(joined("--range: ", error.what()));
+  }
   if (frames_) frames_->start(source_, simulation_, statistics_.until);
   if (areas_) areas_->start(source_, simulation_, statistics_.until);
   if (outputs_.has(Output::pressure)) {
-    pressure_.emplace(settings_.frame_rate).start(simulation_, statistics_.until);
+    pressure_.emplace(settings_.frame_rate)
+        .start(outputs_.stream(Output::pressure), simulation_, statistics_.until);
   }
   if (settings_.thermostat) {
     thermostat_.emplace(*settings_.thermostat).start(simulation_, statistics_.until);
@@ -244,6 +251,19 @@ void Simulation_run::expect_periodic_outputs() {
   }
   if (settings_.html_range) refuse("--range");
   if (asked_.walkable) refuse("--walkable");
+}
+
+// Throws if a periodic box without contacts has no area at a time of the run. (With contacts a disc
+// meets its own image before.)
+void Simulation_run::expect_area() const {
+  const auto box = simulation_.periodic_box();
+  if (!box || source_.response() != "none") return;
+  const Algebraic_number now = simulation_.visit([](const auto& s) { return s.current_time(); });
+  try {
+    box->require_area(now, statistics_.until);
+  } catch (const Periodic_box_error& error) {
+    throw Usage_error(joined("--until: ", error.what()));
+  }
 }
 
 // Reads the limits of cells if an output measures cells.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "runs/thermostat.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "cli/arguments.h"
 #include "kinetri/impl/io/text.h"
@@ -9,6 +9,22 @@
 #include "outputs/regular_times.h"
 
 namespace kinetri::app {
+namespace {
+
+Usage_error problem(double energy) {
+  return Usage_error(joined("--thermostat: the kinetic energy is ", energy,
+                            ", so that no factor changes it to another one; expected points that "
+                            "move, and numbers near 1, in other units perhaps"));
+}
+
+// The kinetic energy; throws unless it is finite.
+double energy_of(const Any_simulation& simulation) {
+  const double energy = simulation.visit([](const auto& s) { return kinetic_energy(s); });
+  if (!std::isfinite(energy)) throw problem(energy);
+  return energy;
+}
+
+}  // namespace
 
 void Thermostat::start(const Any_simulation& simulation, double until) {
   constexpr std::size_t most = 1'000'000;
@@ -22,12 +38,9 @@ void Thermostat::start(const Any_simulation& simulation, double until) {
   }
   times_ = *times;
   if (!times_.empty() && times_.front() == from) next_ = 1;  // a run that is resumed there
-  const double now = simulation.visit([](const auto& s) { return kinetic_energy(s); });
-  if (now <= 0) {
-    throw Usage_error(
-        "--thermostat: no point moves, so that no factor changes the energy; expected moving "
-        "points");
-  }
+  const double now = energy_of(simulation);
+  // With a given energy points may begin to move later.
+  if (now == 0 && !settings_.energy) throw problem(now);
   if (!settings_.energy) settings_.energy = now;
 }
 
@@ -38,9 +51,8 @@ std::optional<double> Thermostat::next_time() const {
 
 void Thermostat::scale(const Any_simulation& simulation) {
   ++next_;
-  simulation.visit([this](auto& s) {
-    if (kinetic_energy(s) > 0) set_kinetic_energy(s, *settings_.energy);
-  });
+  if (energy_of(simulation) == 0) return;
+  simulation.visit([this](auto& s) { set_kinetic_energy(s, *settings_.energy); });
 }
 
 }  // namespace kinetri::app

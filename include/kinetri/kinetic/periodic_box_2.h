@@ -75,7 +75,7 @@ class Periodic_box_2 {
   /// respect to the lattice vectors. In a box at rest it is zero; under simple shear it is (rate y,
   /// 0). Images of a point differ in velocity as the flow at their places does. Rounded.
   /// Precondition: the area is positive at t.
-  Vector_2 flow_at(const Vector_2& place, double t) const;
+  Vector_2 flow_at(Vector_2 place, double t) const;
 
   /// The first time after `t` at which the area is zero, exactly; none if there is none.
   /// Precondition: the area is positive at `t`. Cost: the roots of a quadratic polynomial.

@@ -50,13 +50,14 @@ class Encounter_tracker;
 ///
 /// In a periodic box encounters are those of images: of a point with each image that comes in range
 /// of it, be it of another point or of itself, once for each pair modulo the lattice
-/// (Periodic_edge). So any range is allowed, and a point in range of two images of another one has
-/// two encounters. Offsets are against the positions as given: if a motion moves a point to
-/// another image of itself, its encounters end and others begin. A point that is erased and one
-/// that is inserted at the same time have no encounter there. An offset of 2^31 or more, of images
-/// that far from the positions as given, is a Periodic_box_error of the call that advances time.
-/// Discs with radii of their own may be larger than the box, and overlap images of themselves, if
-/// the simulation allows that.
+/// (Periodic_edge). So the range may be greater than the box, and a point in range of two images of
+/// another one has two encounters. Offsets are against the positions as given: if a motion moves a
+/// point to another image of itself, its encounters end and others begin. A point that is erased
+/// and one that is inserted at the same time have no encounter there. An offset of 2^31 or more, of
+/// images that far from the positions as given, is a Periodic_box_error of the call that advances
+/// time. A range of 1000 or more lengths of the shortest lattice vector, or discs that are as
+/// large, are a Periodic_box_error too. Discs with radii of their own may be larger than the box,
+/// and overlap images of themselves, if the simulation allows that.
 ///
 /// Cost: for each new edge and each encounter some certificates, in proportion to the number of
 /// points in range of one; for each encounter two entries of a queue. Least gaps are computed on

@@ -19,30 +19,30 @@ class Pressure_tracker;
 
 /// The kinetic energy now: half the sum of mass times squared speed, rounded. In a periodic box
 /// speeds are relative to its flow (Periodic_box_2::flow_at): so it does not matter which image of
-/// a point is meant. O(n).
+/// a point is meant, up to rounding, which grows with the distance from the box. O(n).
 template <class Traits>
 double kinetic_energy(const Simulation_2<Traits>& simulation);
 
 /// A thermostat: multiplies all velocities by one factor such that kinetic_energy() is `energy`, up
-/// to rounding; in a periodic box velocities relative to its flow. Nothing changes if it is
-/// already. One call of Simulation_2::set_velocities, which says what is rounded. Long runs in a
-/// box that shears, shrinks or grows, and those of growing discs, call it now and then: their
-/// energy changes else without end. (Velocity rescaling: L. V. Woodcock, Isothermal molecular
-/// dynamics calculations for liquid salts, Chemical Physics Letters 10, 1971.) Preconditions:
-/// `energy` is finite and not negative; kinetic_energy() is positive. O(n), and what set_velocities
-/// costs.
+/// to rounding; in a periodic box velocities relative to its flow. Nothing changes if the
+/// energy is that already. One call of Simulation_2::set_velocities, which says what is rounded.
+/// Long runs in a box that shears, shrinks or grows, and those of growing discs, call it now and
+/// then: otherwise their energy changes without bound. (Velocity rescaling: L. V. Woodcock,
+/// Isothermal molecular dynamics calculations for liquid salts, Chemical Physics Letters 10, 1971.)
+/// Preconditions: `energy` is finite and not negative; kinetic_energy() is positive. O(n), and what
+/// set_velocities costs.
 template <class Traits>
 void set_kinetic_energy(Simulation_2<Traits>& simulation, double energy);
 
 /// The mean pressure over an interval of time. All numbers are rounded.
 struct Pressure_2 {
   double from = 0;               ///< the start of the interval
-  double until = 0;              ///< its end; later
+  double until = 0;              ///< its end
   std::uint64_t collisions = 0;  ///< number of contacts, (from, until]
   double energy = 0;             ///< kinetic_energy() at `until`
   /// @{
   /// The components of the pressure tensor, which is symmetric: xy is the momentum along x that
-  /// crosses a line along x, per length and time.
+  /// passes in the direction y through a line parallel to x, per unit of length and time.
   double xx = 0;
   double xy = 0;
   double yy = 0;

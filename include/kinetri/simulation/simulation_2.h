@@ -212,8 +212,9 @@ class Simulation_2 {
   std::size_t step(const Time& until);
 
   /// Executes every event at or before `time`, which is then the current time. Returns their
-  /// number. The result, exceptions included, is that of step(time) until it returns 0.
-  /// Precondition: time >= current_time().
+  /// number. The result, exceptions included, is that of step(time) until it returns 0. But in a
+  /// periodic box without a response it throws Periodic_box_error, and executes no event, if the
+  /// box has no area at a time up to then. Precondition: time >= current_time().
   std::size_t advance_to(const Time& time) { return advance_to(time, nullptr); }
 
   /// As advance_to(time), but calls the stop token `may_go_on` first and then at least at every
