@@ -103,8 +103,6 @@ struct Numbers {
   }
   explicit Numbers(const Component_event& event)
       : components(event.components), largest(event.largest), wrapping(event.wrapping) {}
-
-  friend bool operator==(const Numbers&, const Numbers&) = default;
 };
 
 std::string text(const Numbers& numbers) {
