@@ -507,7 +507,7 @@ def main():
     what, kinetri, verify, folder = sys.argv[1:]
     case = Case(kinetri, verify, folder)
     if what == "true":
-        check_true(case, 5)
+        check_true(case, 4)
         check_instants(case)
         check_circle(case)
         check_resumed(case)
@@ -515,7 +515,7 @@ def main():
         check_lies(case, 4 * int(os.environ.get("KINETRI_TEST_MULTIPLIER", "1")))
         check_false_logs(case)
     elif what == "second":
-        check_second(case, 5)
+        check_second(case, 4)
     else:
         check_input(case)
         check_page(case)
