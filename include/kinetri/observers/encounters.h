@@ -55,9 +55,9 @@ class Encounter_tracker;
 /// point to another image of itself, its encounters end and others begin. A point that is erased
 /// and one that is inserted at the same time have no encounter there. An offset of 2^31 or more, of
 /// images that far from the positions as given, is a Periodic_box_error of the call that advances
-/// time. A range of 1000 or more lengths of the shortest lattice vector, or discs that are as
-/// large, are a Periodic_box_error too. Discs with radii of their own may be larger than the box,
-/// and overlap images of themselves, if the simulation allows that.
+/// time. A range of more than 865 lengths of the shortest lattice vector at the start, or
+/// discs as large as that, are a Periodic_box_error too. Discs with radii of their own may be
+/// larger than the box, and overlap images of themselves, if the simulation allows that.
 ///
 /// Cost: for each new edge and each encounter some certificates, in proportion to the number of
 /// points in range of one; for each encounter two entries of a queue. Least gaps are computed on
