@@ -29,12 +29,11 @@ inline std::string label_column(std::string_view name) {
   return name == "id" ? "label" : joined("label_", name);
 }
 
-/// Writes a table: its header, and a row for each of `rows`. The columns are defined in
-/// impl/observers/answer_columns.h. Unknown values are empty fields. If `labels`, by id, is not
-/// empty, the last columns are the labels for each column of points.
-template <class Columns, class Rows>
-void write_table(std::ostream& out, const Columns& columns, const Rows& rows,
-                 const std::vector<std::string>& labels) {
+/// Writes the header of a table. The columns are defined in impl/observers/answer_columns.h. If
+/// `labels`, by id, is not empty, the last columns are the labels for each column of points.
+template <class Columns>
+void write_header(std::ostream& out, const Columns& columns,
+                  const std::vector<std::string>& labels = {}) {
   using Row = typename Columns::Row;
   std::string text;
   std::string last_columns;
@@ -51,9 +50,15 @@ void write_table(std::ostream& out, const Columns& columns, const Rows& rows,
     }
   });
   out << text << last_columns << '\n';
-  for (const Row& row : rows) {
-    text.clear();
-    last_columns.clear();
+}
+
+/// Writes rows of the table with such a header. Unknown values are empty fields.
+template <class Columns, class Rows>
+void write_rows(std::ostream& out, const Columns& columns, const Rows& rows,
+                const std::vector<std::string>& labels = {}) {
+  for (const typename Columns::Row& row : rows) {
+    std::string text;
+    std::string last_columns;
     bool is_first = true;
     columns.visit([&](std::string_view /*name*/, const auto& get, bool is_known = true) {
       if (!std::exchange(is_first, false)) text += ',';
@@ -94,7 +99,10 @@ class Table_answer final : public Answer {
         observer_(std::forward<Arguments>(arguments)...) {}
 
   void write(std::ostream& out) override {
-    write_table(out, columns_, Columns::rows(observer_), source_.labels());
+    const std::vector<std::string> labels = source_.labels();
+    const auto& rows = Columns::rows(observer_);
+    write_header(out, columns_, labels);
+    write_rows(out, columns_, rows, labels);
   }
 
  private:

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outputs/pressure_output.h"
 
+#include <array>
 #include <memory>
-#include <ostream>
-#include <string>
 
+#include "answers/table_answer.h"
 #include "cli/arguments.h"
-#include "kinetri/impl/io/text.h"
-#include "kinetri/impl/observers/answer_columns.h"
 #include "outputs/frame_times.h"
 
 namespace kinetri::app {
@@ -25,11 +23,7 @@ void Pressure_output::start(std::ostream& out, const Any_simulation& simulation,
           "periodic box, or no --pressure");
     }
   });
-  std::string header;
-  detail::Pressure_columns::visit([&](const char* name, const auto& /*value*/) {
-    append(header, header.empty() ? "" : ",", name);
-  });
-  out << header << '\n';
+  write_header(out, detail::Pressure_columns());
 }
 
 std::optional<double> Pressure_output::next_time() const {
@@ -39,12 +33,7 @@ std::optional<double> Pressure_output::next_time() const {
 
 void Pressure_output::write(std::ostream& out) {
   ++next_;
-  std::string row;
-  const Pressure_2 mean = measure_();
-  detail::Pressure_columns::visit([&](const char* /*name*/, const auto& value) {
-    append(row, row.empty() ? "" : ",", std::invoke(value, mean));
-  });
-  out << row << '\n';
+  write_rows(out, detail::Pressure_columns(), std::array{measure_()});
 }
 
 }  // namespace kinetri::app
