@@ -4,8 +4,9 @@
 #include "kinetri/triangulation/audit_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
+#include "triangulation/face_journal.h"
+#include "triangulation/repair.h"
 #include "triangulation/torus_construction.h"
-#include "triangulation/torus_repair.h"
 #include "triangulation/torus_topology.h"
 
 namespace kinetri {

@@ -8,7 +8,7 @@
 // triangulation; Lawson's flips make it Delaunay, and the points are inserted again. Points that
 // are taken out and inserted again are the filter of P. M. M. de Castro, J. Tournois, P. Alliez,
 // O. Devillers, Filtering relocations on a Delaunay triangulation, Computer Graphics Forum 28(5),
-// 2009.
+// 2009. On a torus all that is the same, but for the hull; docs/MATH.md, section 18, has the proof.
 #ifndef KINETRI_SRC_TRIANGULATION_REPAIR_H
 #define KINETRI_SRC_TRIANGULATION_REPAIR_H
 
@@ -29,12 +29,13 @@
 #include "kinetri/impl/triangulation/parallel.h"
 #include "kinetri/impl/triangulation/static_construction.h"
 #include "kinetri/impl/triangulation/topology.h"
+#include "kinetri/impl/triangulation/torus_triangulation.h"
 #include "triangulation/moved_points.h"
 
 namespace kinetri::detail {
 
 /// Moves points. Precondition: dimension 2; the triangulation is Delaunay (regular) at the instant
-/// of its predicates.
+/// of its predicates; on a torus all weights are equal, before and after.
 ///
 /// Cost: O(n), on all threads of oneTBB's arena; O(log n) expected for each flip that is noted, and
 /// for each point that is taken out what its removal and insertion cost.
@@ -58,17 +59,14 @@ class Kinetic_types<Traits>::Repair {
   // If more triangles turn over, a construction costs less.
   static constexpr std::size_t points_for_each_turned = 2;
 
+  using Vertex = typename Moved_points::Vertex;
+
   struct Removed {
     Vertex_handle vertex;
     Vertex_handle neighbor;  // which it had
   };
 
-  // The corner beyond edge i.
-  Vertex_handle opposite(Face_handle face, int i) const {
-    const Face_handle beyond = face->neighbor(i);
-    return beyond->vertex(Triangulation::cw(index_in(beyond, face->vertex(Triangulation::cw(i)))));
-  }
-  bool is_violated(Face_handle face, int i) const;
+  bool is_violated(const Edge& edge) const;
 
   // ---- triangles that turn over ----
   struct Block {
@@ -81,7 +79,7 @@ class Kinetic_types<Traits>::Repair {
   bool embed();
   void flip_turned();
   bool try_flip_turned(Face_handle face);
-  bool is_obtuse(Vertex_handle v, Vertex_handle a, Vertex_handle b) const;
+  bool is_obtuse(const Vertex& v, const Vertex& a, const Vertex& b) const;
   Vertex_handle corner_to_take_out(Face_handle face) const;
   bool take_out(Vertex_handle v);
   std::optional<Edge> best_ear(std::span<const Edge> spokes) const;
@@ -94,7 +92,7 @@ class Kinetic_types<Traits>::Repair {
   std::vector<Vertex_handle> hull() const;
   std::vector<Vertex_handle> hull_loops() const;
   bool flip_suspects();
-  Vertex_handle reflex_end(Face_handle face, int i) const;
+  Vertex_handle reflex_end(const Edge& edge) const;
   void flip(const Edge& edge);
   void suspect(Face_handle face) {
     for (int i = 0; i < 3; ++i) suspects_.emplace_back(face, i);
@@ -114,11 +112,14 @@ class Kinetic_types<Traits>::Repair {
     for (const Face_handle face : unlinked_) triangulation_.tds().delete_face(face);
     unlinked_.clear();
   }
+  static Vertex_handle handle(const Vertex& v) { return Moved_points::handle(v); }
   // Whether the face was left over when a point was taken out.
   static bool is_unlinked(Face_handle face) { return face->vertex(0) == Vertex_handle(); }
-  bool are_adjacent(Vertex_handle v, Vertex_handle w) const;
+  bool are_adjacent(const Vertex& v, const Vertex& w) const;
+  bool may_flip(const Edge& edge) const;
+  int ends_lost_by_flip(const Edge& edge, Vertex_handle v) const;
   void note(const Edge& edge, int change) {
-    if (!triangulation_.is_infinite(edge)) notes_.note(Topology::ids_of(edge), change);
+    if (!triangulation_.is_infinite(edge)) notes_.note(Topology::name_of(edge), change);
   }
 
   Topology& topology_;
@@ -140,18 +141,23 @@ bool Kinetic_types<Traits>::Repair::move(std::span<const Change> changes) {
   if constexpr (is_weighted) {
     for (const Face_handle face : triangulation_.finite_face_handles()) take_out_hidden(face);
   }
-  bool is_done = embed() && flip_suspects();
-  delete_unlinked();
-  is_done = is_done && put_back();
+  bool is_done = false;
+  try {
+    is_done = embed() && flip_suspects();
+    delete_unlinked();
+    is_done = is_done && put_back();
+  } catch (const Offset_overflow&) {
+    is_done = false;  // A construction may not need so long an edge.
+  }
   delete_unlinked();
   return is_done;
 }
 
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::is_violated(Face_handle face, int i) const {
-  if (triangulation_.is_infinite(face)) return false;
-  const Vertex_handle v = opposite(face, i);
-  return !is_infinite(v) && points_.is_in_circle(face, v);
+bool Kinetic_types<Traits>::Repair::is_violated(const Edge& edge) const {
+  if (triangulation_.is_infinite(edge.first)) return false;
+  const auto [here, right, there, left] = Moved_points::quadrilateral(edge);
+  return !is_infinite(handle(there)) && points_.is_in_circle(here, right, left, there);
 }
 
 // ---- triangles that turn over ----
@@ -185,16 +191,17 @@ template <class Traits>
 void Kinetic_types<Traits>::Repair::find_turned(Block& block) const {
   // Edges in batches, so that the vertices beyond them are in the cache when they are needed.
   std::array<Edge, 96> edges;
-  std::array<Vertex_handle, 96> beyond;
+  std::array<std::array<Vertex, 4>, 96> quadrilaterals;
   std::size_t count = 0;
   const auto find_violated = [&] {
     for (std::size_t k = 0; k < count; ++k) {
-      beyond[k] = opposite(edges[k].first, edges[k].second);
-      prefetch(beyond[k]);
+      quadrilaterals[k] = Moved_points::quadrilateral(edges[k]);
+      prefetch(handle(quadrilaterals[k][2]));
     }
     for (std::size_t k = 0; k < count; ++k) {
-      if (is_infinite(beyond[k])) continue;
-      if (points_.certain_side(edges[k].first, beyond[k]) != CGAL::NEGATIVE) {
+      const auto& [here, right, there, left] = quadrilaterals[k];
+      if (is_infinite(handle(there))) continue;
+      if (points_.certain_side(here, right, left, there) != CGAL::NEGATIVE) {
         block.suspects.push_back(edges[k]);
       }
     }
@@ -202,9 +209,8 @@ void Kinetic_types<Traits>::Repair::find_turned(Block& block) const {
   };
   for (const Face_handle face : block.faces) {
     if (triangulation_.is_infinite(face)) continue;
-    if (points_.certain_turn(face->vertex(0), face->vertex(1), face->vertex(2)) != CGAL::POSITIVE) {
-      block.turned.push_back(face);
-    }
+    const auto [a, b, c] = Moved_points::corners(face);
+    if (points_.certain_turn(a, b, c) != CGAL::POSITIVE) block.turned.push_back(face);
     for (int i = 0; i < 3; ++i) {
       const Face_handle neighbor = face->neighbor(i);
       prefetch(neighbor);
@@ -216,8 +222,8 @@ void Kinetic_types<Traits>::Repair::find_turned(Block& block) const {
   find_violated();
 }
 
-// Makes all finite triangles counterclockwise, and the hull convex and simple. Returns false if it
-// could not. In between, `turned_` has all triangles that have turned over.
+// Makes all finite triangles counterclockwise, and the hull, if there is one, convex and simple.
+// Returns false if it could not. In between, `turned_` has all triangles that have turned over.
 template <class Traits>
 bool Kinetic_types<Traits>::Repair::embed() {
   flip_turned();
@@ -230,10 +236,14 @@ bool Kinetic_types<Traits>::Repair::embed() {
         return false;
       }
     }
-    if (!flip_hull(hull())) return false;
-    const std::vector<Vertex_handle> loops = hull_loops();
-    if (loops.empty()) return true;
-    if (!std::ranges::all_of(loops, [&](Vertex_handle v) { return take_out(v); })) return false;
+    if constexpr (is_periodic) {
+      return true;
+    } else {
+      if (!flip_hull(hull())) return false;
+      const std::vector<Vertex_handle> loops = hull_loops();
+      if (loops.empty()) return true;
+      if (!std::ranges::all_of(loops, [&](Vertex_handle v) { return take_out(v); })) return false;
+    }
   }
 }
 
@@ -265,7 +275,7 @@ bool Kinetic_types<Traits>::Repair::try_flip_turned(Face_handle face) {
   };
   const auto turned = [&](const auto&... triangles) {
     Turned result;
-    const auto add = [&](const std::array<Vertex_handle, 3>& corners) {
+    const auto add = [&](const std::array<Vertex, 3>& corners) {
       const auto& [a, b, c] = corners;
       if (points_.is_left_turn(a, b, c)) return;
       ++result.number;
@@ -277,17 +287,14 @@ bool Kinetic_types<Traits>::Repair::try_flip_turned(Face_handle face) {
   };
   for (int i = 0; i < 3; ++i) {
     const Face_handle beyond = face->neighbor(i);
-    const Vertex_handle here = face->vertex(i);
-    const Vertex_handle there = opposite(face, i);
-    const Vertex_handle right = face->vertex(Triangulation::ccw(i));
-    const Vertex_handle left = face->vertex(Triangulation::cw(i));
+    const auto [here, right, there, left] = Moved_points::quadrilateral(Edge(face, i));
     if (!is_obtuse(here, right, left)) continue;
     const Turned before = turned(std::array{here, right, left}, std::array{there, left, right});
     const Turned after = turned(std::array{here, right, there}, std::array{here, there, left});
     constexpr double less = 0.99;  // flips of areas that differ by rounding alone might not end
     if (after.number > before.number) continue;
     if (after.number == before.number && !(after.area < less * before.area)) continue;
-    if (flips_left_ == 0 || are_adjacent(here, there)) continue;
+    if (flips_left_ == 0 || !may_flip(Edge(face, i))) continue;
     --flips_left_;
     flip(Edge(face, i));
     add_new(face);
@@ -300,8 +307,8 @@ bool Kinetic_types<Traits>::Repair::try_flip_turned(Face_handle face) {
 // Whether the angle at v is obtuse: then v has probably crossed the opposite edge of its triangle,
 // which has turned over. Else its other corners may have changed places.
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::is_obtuse(Vertex_handle v, Vertex_handle a,
-                                              Vertex_handle b) const {
+bool Kinetic_types<Traits>::Repair::is_obtuse(const Vertex& v, const Vertex& a,
+                                              const Vertex& b) const {
   const Vector_2 to_a = difference(points_.place(a), points_.place(v));
   const Vector_2 to_b = difference(points_.place(b), points_.place(v));
   return to_a.x * to_b.x + to_a.y * to_b.y < 0;
@@ -372,16 +379,18 @@ template <class Traits>
 auto Kinetic_types<Traits>::Repair::best_ear(std::span<const Edge> spokes) const
     -> std::optional<Edge> {
   struct End {
-    Vertex_handle vertex;
+    Vertex vertex;
     bool is_infinite;
     Vector_2 place;
   };
   const std::size_t degree = spokes.size();
+  const Vertex_handle center = spokes[0].first->vertex(Triangulation::ccw(spokes[0].second));
   std::vector<End> ends;  // twice around
   for (std::size_t k = 0; k < 2 * degree; ++k) {
     const auto& [face, i] = spokes[k % degree];
-    const Vertex_handle v = face->vertex(Triangulation::cw(i));
-    ends.push_back({v, is_infinite(v), is_infinite(v) ? Vector_2() : points_.place(v)});
+    const Vertex v = Moved_points::corner(face, Triangulation::cw(i), Triangulation::ccw(i));
+    const bool is_not_finite = is_infinite(handle(v));
+    ends.push_back({v, is_not_finite, is_not_finite ? Vector_2() : points_.place(v)});
   }
   enum Kind { counterclockwise, infinite, turned };
   std::optional<Edge> best;
@@ -404,7 +413,9 @@ auto Kinetic_types<Traits>::Repair::best_ear(std::span<const Edge> spokes) const
       }
     }
     if (best && badness >= least) continue;
-    if (are_adjacent(before.vertex, after.vertex)) continue;
+    if (!may_flip(spokes[k % degree])) continue;
+    const int lost = ends_lost_by_flip(spokes[k % degree], center);
+    if (lost <= 0 || degree < 3 + static_cast<std::size_t>(lost)) continue;
     least = badness;
     best = spokes[k % degree];
     if (badness == std::pair(counterclockwise, 0)) break;
@@ -419,7 +430,9 @@ bool Kinetic_types<Traits>::Repair::put_back() {
     const auto [v, neighbor] = removed_.back();
     removed_.pop_back();
     const Location location = topology_.locate(v->point(), neighbor->face());
-    const auto& [face, locus, i] = location;
+    const Face_handle face = location.face;
+    const auto locus = location.locus;
+    const int i = location.index;
     if (locus == Triangulation::VERTEX) return false;
     if constexpr (is_weighted) {
       std::vector<Edge_ids> coincident;
@@ -432,14 +445,16 @@ bool Kinetic_types<Traits>::Repair::put_back() {
       take_out_hidden(face->neighbor(i));
       note(Edge(face, i), -1);
     }
-    const bool is_outside = triangulation_.is_infinite(face) && locus != Triangulation::EDGE;
     topology_.insert_in_faces(v, location);
-    topology_.note_edges_at(v, 1,
-                            [this](const Edge_ids& ids, int change) { notes_.note(ids, change); });
-    if (is_outside) {
-      std::vector<Vertex_handle> beside = {v};
-      for_each_neighbor(triangulation_, v, [&](Vertex_handle u) { beside.push_back(u); });
-      if (!flip_hull(std::move(beside))) return false;
+    for_each_face_at(triangulation_, v, [&](Face_handle f, int corner) {
+      note(Edge(f, Triangulation::cw(corner)), 1);
+    });
+    if constexpr (!is_periodic) {
+      if (locus == Triangulation::OUTSIDE_CONVEX_HULL) {
+        std::vector<Vertex_handle> beside = {v};
+        for_each_neighbor(triangulation_, v, [&](Vertex_handle u) { beside.push_back(u); });
+        if (!flip_hull(std::move(beside))) return false;
+      }
     }
     for_each_face_at(triangulation_, v, [&](Face_handle f) { suspect(f); });
     if (!flip_suspects()) return false;
@@ -536,14 +551,51 @@ auto Kinetic_types<Traits>::Repair::hull_loops() const -> std::vector<Vertex_han
 
 // ---- edges ----
 
+// Whether there is an edge between them.
 template <class Traits>
-bool Kinetic_types<Traits>::Repair::are_adjacent(Vertex_handle v, Vertex_handle w) const {
-  if (is_infinite(v)) std::swap(v, w);
+bool Kinetic_types<Traits>::Repair::are_adjacent(const Vertex& v, const Vertex& w) const {
   bool result = false;
-  for_each_face_at(triangulation_, v, [&](Face_handle face, int i) {
-    result = result || face->vertex(Triangulation::ccw(i)) == w;
-  });
+  if constexpr (is_periodic) {
+    const Vertex edge_to = {w.vertex, offset_between(v.offset, w.offset)};
+    for_each_face_at(triangulation_, v.vertex, [&](Face_handle face, int i) {
+      result = result || Moved_points::corner(face, Triangulation::ccw(i), i) == edge_to;
+    });
+  } else {
+    const bool from_w = is_infinite(v);
+    for_each_face_at(triangulation_, from_w ? w : v, [&](Face_handle face, int i) {
+      result = result || face->vertex(Triangulation::ccw(i)) == (from_w ? v : w);
+    });
+  }
   return result;
+}
+
+// Whether a flip leaves a complex: its new edge is no other one and, on a torus, no point; and no
+// face gets an edge twice.
+template <class Traits>
+bool Kinetic_types<Traits>::Repair::may_flip(const Edge& edge) const {
+  const auto& [here, right, there, left] = Moved_points::quadrilateral(edge);
+  if constexpr (is_periodic) {
+    const auto& [face, i] = edge;
+    const auto [beyond, j] = Triangulation::mirror(edge);
+    const Edge left_side(face, Triangulation::ccw(i));
+    const Edge right_side(face, Triangulation::cw(i));
+    if (here == there || Triangulation::mirror(left_side) == Edge(beyond, Triangulation::cw(j)) ||
+        Triangulation::mirror(right_side) == Edge(beyond, Triangulation::ccw(j))) {
+      return false;
+    }
+  }
+  return !are_adjacent(here, there);
+}
+
+// By how much fewer edges a vertex has after a flip.
+template <class Traits>
+int Kinetic_types<Traits>::Repair::ends_lost_by_flip([[maybe_unused]] const Edge& edge,
+                                                     [[maybe_unused]] Vertex_handle v) const {
+  if constexpr (is_periodic) {
+    return Triangulation::ends_lost_by_flip(edge, v);
+  } else {
+    return 1;
+  }
 }
 
 template <class Traits>
@@ -552,23 +604,22 @@ void Kinetic_types<Traits>::Repair::flip(const Edge& edge) {
   take_out_hidden(face);
   take_out_hidden(face->neighbor(i));
   note(edge, -1);
-  triangulation_.tds().flip(face, i);
+  if constexpr (is_periodic) {
+    triangulation_.flip(edge);
+  } else {
+    triangulation_.tds().flip(face, i);
+  }
   note(Edge(face, Triangulation::ccw(i)), 1);
 }
 
 // The end of an edge at which its quadrilateral makes no left turn; none if it is convex, as it is
 // without weights if the edge is violated.
 template <class Traits>
-auto Kinetic_types<Traits>::Repair::reflex_end(Face_handle face, int i) const -> Vertex_handle {
+auto Kinetic_types<Traits>::Repair::reflex_end(const Edge& edge) const -> Vertex_handle {
   if (topology_.are_weights_equal()) return Vertex_handle();
-  const Vertex_handle there = opposite(face, i);
-  for (const int k : {Triangulation::ccw(i), Triangulation::cw(i)}) {
-    const Vertex_handle end = face->vertex(k);
-    if (k == Triangulation::ccw(i) ? !points_.is_left_turn(face->vertex(i), end, there)
-                                   : !points_.is_left_turn(face->vertex(i), there, end)) {
-      return end;
-    }
-  }
+  const auto [here, right, there, left] = Moved_points::quadrilateral(edge);
+  if (!points_.is_left_turn(here, right, there)) return handle(right);
+  if (!points_.is_left_turn(here, there, left)) return handle(left);
   return Vertex_handle();
 }
 
@@ -584,11 +635,12 @@ bool Kinetic_types<Traits>::Repair::flip_suspects() {
       prefetch(suspects_[size - 2 * ahead].first);
       prefetch_around(suspects_[size - ahead].first);
     }
-    if (is_unlinked(face) || !is_violated(face, i)) continue;
+    if (is_unlinked(face) || !is_violated(Edge(face, i))) continue;
     if (flips_left_-- == 0) return false;
-    if (const Vertex_handle v = reflex_end(face, i); v != Vertex_handle()) {
+    if (const Vertex_handle v = reflex_end(Edge(face, i)); v != Vertex_handle()) {
       // It is above the triangle of the three other points, and so is hidden.
-      const bool was_on_hull = are_adjacent(v, triangulation_.infinite_vertex());
+      bool was_on_hull = false;
+      if constexpr (!is_periodic) was_on_hull = are_adjacent(v, triangulation_.infinite_vertex());
       if (!take_out(v)) return false;
       if ((was_on_hull || !turned_.empty()) && !embed()) return false;
       continue;

@@ -365,7 +365,6 @@ bool Torus_triangulation<Traits>::restore_delaunay(std::vector<Edge> edges, Jour
 
 // ---- removal ----
 
-// By how much fewer edges a vertex has after a flip; a loop has two ends.
 template <TorusTraits_2 Traits>
 int Torus_triangulation<Traits>::ends_lost_by_flip(const Edge& edge, Vertex_handle v) {
   const auto& [face, i] = edge;
@@ -436,8 +435,24 @@ bool Torus_triangulation<Traits>::take_from_faces(Vertex_handle v, std::vector<E
     refused = 0;
   }
 
-  // Three faces: one with two corners at the vertex would have a loop, beyond which is another one.
+  const auto [kept, second, third] = remove_degree_3(corner, journal);
+  const std::array deleted = {second, third};
+  std::erase_if(edges,
+                [&](const Edge& e) { return e.first == deleted[0] || e.first == deleted[1]; });
+  for (const Face_handle f : changed) {
+    if (f == deleted[0] || f == deleted[1]) continue;
+    for (int side = 0; side < 3; ++side) edges.emplace_back(f, side);
+  }
+  for (const Face_handle left_over : deleted) tds_.delete_face(left_over);
+  return true;
+}
+
+// Three faces: one with two corners at the vertex would have a loop, beyond which is another one.
+template <TorusTraits_2 Traits>
+auto Torus_triangulation<Traits>::remove_degree_3(const Edge& corner, Journal& journal)
+    -> std::array<Face_handle, 3> {
   const auto [face, i] = corner;
+  const Vertex_handle v = face->vertex(i);
   const auto [second, j] = next_corner(corner);
   const auto [third, k] = next_corner(Edge(second, j));
   // Against the corner that the first two faces share with v.
@@ -454,19 +469,11 @@ bool Torus_triangulation<Traits>::take_from_faces(Vertex_handle v, std::vector<E
     face->vertex(corner_left)->set_face(face);
   }
   v->set_face(Face_handle());
-
-  const std::array deleted = {second, third};
-  std::erase_if(edges,
-                [&](const Edge& e) { return e.first == deleted[0] || e.first == deleted[1]; });
-  for (const Face_handle f : changed) {
-    if (f == second || f == third) continue;
-    for (int side = 0; side < 3; ++side) edges.emplace_back(f, side);
-  }
-  for (const Face_handle left_over : deleted) {
+  for (const Face_handle left_over : {second, third}) {
     journal.deleted(left_over);
-    tds_.delete_face(left_over);
+    left_over->set_vertices();
   }
-  return true;
+  return {face, second, third};
 }
 
 // ---- weights ----

@@ -23,7 +23,7 @@
 #include "support/periodic_runs.h"
 #include "support/precondition_error.h"
 #include "support/torus_reference.h"
-#include "triangulation/torus_repair.h"
+#include "triangulation/repair.h"
 #include "triangulation/torus_topology.h"
 
 namespace kinetri::periodic_triangulation_2_test {
@@ -390,7 +390,7 @@ TEST(Periodic_triangulation_2, is_repaired_after_small_steps_and_constructed_aft
     const double x = coordinate();
     motions.push_back({{x, coordinate()}, {0, 0}, 0});
   }
-  for (const double length : {0.05, 0.1, 20.0}) {
+  for (const double length : {0.05, 0.1, 0.5, 20.0}) {
     detail::Kinetic_core<Traits> core(Traits(square(20)), Time(0));
     std::vector<Types::Point_2> points;
     std::vector<Types::Change> changes;
@@ -403,7 +403,7 @@ TEST(Periodic_triangulation_2, is_repaired_after_small_steps_and_constructed_aft
     }
     core.start_with(points, points.size());
     core.reporter.start_noting();
-    Types::Torus_repair repair(core.topology, core.schedule, core.reporter, core.updates);
+    Types::Repair repair(core.topology, core.reporter.notes(), core.schedule.current_time());
     EXPECT_EQ(repair.move(changes), length < 1) << "length " << length;
     if (length > 1) continue;
     std::vector<Linear_motion_2> after;

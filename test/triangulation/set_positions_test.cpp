@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <random>
 #include <set>
@@ -224,6 +225,45 @@ TEST(Set_positions, may_be_followed_by_motion_and_other_changes) {
     EXPECT_EQ(kinetic.insert({{3, 3.5}, {1, 0}, 0}), 50u);
     EXPECT_EQ(test::audit_problem(kinetic, Audit_level::certificates), "");
   }
+}
+
+// How far apart adjacent faces are in memory on average: 0 side by side, 1/3 at random.
+double distance_in_memory(const Kinetic_delaunay& kinetic) {
+  std::map<const void*, double> number;  // in the order of the container
+  double next = 0;
+  for (const auto face : kinetic.triangulation().finite_face_handles()) number[&*face] = next++;
+  double sum = 0;
+  double pairs = 0;
+  for (const auto face : kinetic.triangulation().finite_face_handles()) {
+    for (int i = 0; i < 3; ++i) {
+      const auto beyond = number.find(&*face->neighbor(i));
+      if (beyond == number.end()) continue;
+      sum += std::abs(number[&*face] - beyond->second);
+      ++pairs;
+    }
+  }
+  return sum / pairs / next;
+}
+
+TEST(Set_positions, keeps_adjacent_faces_near_each_other_in_memory) {
+  constexpr std::size_t n = 1000;
+  Random random(7);
+  std::vector<Vector_2> polar(n);  // radius and angle
+  for (Vector_2& point : polar) point = {random.between(1, 10), random.between(0, 6.28)};
+  Places places(n);
+  const auto turn = [&](double time) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const double angle = polar[i].y + time / polar[i].x;
+      places[i] = {polar[i].x * std::cos(angle), polar[i].x * std::sin(angle)};
+    }
+  };
+  turn(0);
+  Kinetic_delaunay kinetic(resting(places));
+  for (double time = 0; time < 200; time += 0.25) {
+    turn(time);
+    kinetic.set_positions(places);
+  }
+  EXPECT_LT(distance_in_memory(kinetic), 2 * distance_in_memory(Kinetic_delaunay(resting(places))));
 }
 
 TEST(Set_positions, computes_certificates_only_when_time_goes_on) {

@@ -148,7 +148,6 @@ struct Kinetic_types {
   class Updates;
   class Moved_points;
   class Repair;
-  class Torus_repair;
   class Hidden_events;
   class Event_loop;
   class Change_planner;

@@ -196,15 +196,20 @@ void Kinetic_types<Traits>::Point_changes::move(Vertex_changes& planned) {
   updates_.rebuild(remove_joined, std::move(rebuilt));
 }
 
+// Returns false if the triangulation must be constructed. After many events that is done to have
+// neighbors near each other in memory: else steps take up to twice as long.
 template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::repair(std::span<const Change> changes) {
-  if constexpr (is_periodic) {
-    if (topology_.are_weights_equal()) {
-      return Torus_repair(topology_, schedule_, reporter_, updates_).move(changes);
+  constexpr std::size_t events_per_point = 64;
+  if (updates_.events_since_construction() <= events_per_point * topology_.number_of_vertices()) {
+    if constexpr (is_periodic) {
+      if (topology_.are_weights_equal()) {
+        return Repair(topology_, reporter_.notes(), schedule_.current_time()).move(changes);
+      }
+    } else if constexpr (has_library_geometry) {
+      return From_places<Geometry>::move(topology_, reporter_.notes(), schedule_.current_time(),
+                                         changes);
     }
-  } else if constexpr (has_library_geometry) {
-    return From_places<Geometry>::move(topology_, reporter_.notes(), schedule_.current_time(),
-                                       changes);
   }
   for (const Change& change : changes) topology_.set_point(change);
   return false;

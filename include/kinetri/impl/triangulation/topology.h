@@ -231,8 +231,8 @@ class Kinetic_types<Traits>::Own_topology : public Kinetic_types<Traits> {
     }
   }
 
-  // In the plane. They call note(ids, change) for each finite edge that is added (1) or removed
-  // (-1).
+  // flip(), remove_from_faces() and note_edges_at() are for the plane. They call note(ids, change)
+  // for each finite edge that is added (1) or removed (-1).
 
   /// Flips an edge with the outer edges `before`. Returns the new edge; `before` are then the outer
   /// edges as seen from outside, the first two those of the face `here` of the new edge.

@@ -464,13 +464,17 @@ auto Kinetic_types<Traits>::Own_topology::list_inside(std::span<const Edge> poly
 template <class Traits>
 void Kinetic_types<Traits>::Own_topology::insert_in_faces(Vertex_handle v,
                                                           const Location& location) {
-  const auto& [face, locus, i] = location;
-  KINETRI_ASSERT(locus != Triangulation::VERTEX, "the point is in the place of no other");
-  auto& tds = triangulation_.tds();
-  const Vertex_handle created =
-      locus == Triangulation::EDGE ? tds.insert_in_edge(face, i) : tds.insert_in_face(face);
-  replace_in_faces(created, v);
-  tds.delete_vertex(created);
+  if constexpr (is_periodic) {
+    triangulation_.insert_in_faces(v, location);
+  } else {
+    const auto& [face, locus, i] = location;
+    KINETRI_ASSERT(locus != Triangulation::VERTEX, "the point is in the place of no other");
+    auto& tds = triangulation_.tds();
+    const Vertex_handle created =
+        locus == Triangulation::EDGE ? tds.insert_in_edge(face, i) : tds.insert_in_face(face);
+    replace_in_faces(created, v);
+    tds.delete_vertex(created);
+  }
 }
 
 //         c                  c
@@ -481,20 +485,24 @@ void Kinetic_types<Traits>::Own_topology::insert_in_faces(Vertex_handle v,
 template <class Traits>
 auto Kinetic_types<Traits>::Own_topology::remove_degree_3(Vertex_handle v)
     -> std::array<Face_handle, 3> {
-  const Face_handle first = v->face();
-  const int i = index_in(first, v);
-  const Face_handle at_b = first->neighbor(Triangulation::ccw(i));
-  const Face_handle at_a = first->neighbor(Triangulation::cw(i));
-  const Edge beyond_b = with_mirror(Edge(at_b, index_in(at_b, v))).there;
-  const Edge beyond_a = with_mirror(Edge(at_a, index_in(at_a, v))).there;
-  first->set_vertex(i, at_a->vertex(Triangulation::ccw(index_in(at_a, v))));
-  auto& tds = triangulation_.tds();
-  tds.set_adjacency(first, Triangulation::ccw(i), beyond_b.first, beyond_b.second);
-  tds.set_adjacency(first, Triangulation::cw(i), beyond_a.first, beyond_a.second);
-  for (int k = 0; k < 3; ++k) first->vertex(k)->set_face(first);
-  for (const Face_handle face : {at_a, at_b}) face->set_vertices();
-  v->set_face(Face_handle());
-  return {first, at_a, at_b};
+  if constexpr (is_periodic) {
+    return triangulation_.remove_degree_3(v);
+  } else {
+    const Face_handle first = v->face();
+    const int i = index_in(first, v);
+    const Face_handle at_b = first->neighbor(Triangulation::ccw(i));
+    const Face_handle at_a = first->neighbor(Triangulation::cw(i));
+    const Edge beyond_b = with_mirror(Edge(at_b, index_in(at_b, v))).there;
+    const Edge beyond_a = with_mirror(Edge(at_a, index_in(at_a, v))).there;
+    first->set_vertex(i, at_a->vertex(Triangulation::ccw(index_in(at_a, v))));
+    auto& tds = triangulation_.tds();
+    tds.set_adjacency(first, Triangulation::ccw(i), beyond_b.first, beyond_b.second);
+    tds.set_adjacency(first, Triangulation::cw(i), beyond_a.first, beyond_a.second);
+    for (int k = 0; k < 3; ++k) first->vertex(k)->set_face(first);
+    for (const Face_handle face : {at_a, at_b}) face->set_vertices();
+    v->set_face(Face_handle());
+    return {first, at_a, at_b};
+  }
 }
 
 // Replaces `old` in its faces by `replacement`, which has none.

@@ -368,6 +368,14 @@ class Torus_triangulation {
   bool take_from_faces(Vertex_handle v, std::vector<Edge>& edges,
                        Journal& journal = Journal().itself());
 
+  /// Removes a vertex of degree 3 from its faces. The vertex stays, in no face. Returns the face
+  /// that is left, and the two others, which have no vertices and are to be deleted.
+  std::array<Face_handle, 3> remove_degree_3(Vertex_handle v) {
+    return remove_degree_3(corner_at(v), Journal().itself());
+  }
+  /// By how much fewer edges a vertex has after a flip; a loop has two ends.
+  static int ends_lost_by_flip(const Edge& edge, Vertex_handle v);
+
   // With weights:
 
   /// Restores a triangulation as restore_delaunay; takes out vertices that are hidden, and appends
@@ -435,7 +443,7 @@ class Torus_triangulation {
   }
   std::vector<Vertex_handle> vertex_handles(bool are_hidden) const;
   bool is_flip_away_possible(const Edge& edge, Vertex_handle v, bool may_be_flat) const;
-  static int ends_lost_by_flip(const Edge& edge, Vertex_handle v);
+  static std::array<Face_handle, 3> remove_degree_3(const Edge& corner, Journal& journal);
   std::string problem_of_face(Face_handle face) const;
   std::string problem_of_vertices() const;
 

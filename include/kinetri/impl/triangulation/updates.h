@@ -80,6 +80,12 @@ class Kinetic_types<Traits>::Updates {
 
   std::uint64_t number_of_changes() const { return changes_; }
 
+  /// The number of events since the faces were constructed, when neighbors were near each other in
+  /// memory. Each event may replace a face by one that is elsewhere in the plane.
+  std::uint64_t events_since_construction() const {
+    return reporter_.counters().number_of_events() - events_before_construction_;
+  }
+
  private:
   class Face_journal;
 
@@ -103,6 +109,7 @@ class Kinetic_types<Traits>::Updates {
   Event_reporter& reporter_;
   Triangulation& triangulation_;
   std::uint64_t changes_ = 0;
+  std::uint64_t events_before_construction_ = 0;
 };
 
 }  // namespace kinetri::detail
