@@ -155,7 +155,8 @@ Kinetic_types<Traits>::Moved_points::Moved_points(Topology& topology, const Time
 }
 
 template <class Traits>
-inline auto Kinetic_types<Traits>::Moved_points::quadrilateral(const Edge& edge) -> std::array<Vertex, 4> {
+inline auto Kinetic_types<Traits>::Moved_points::quadrilateral(const Edge& edge)
+    -> std::array<Vertex, 4> {
   const auto& [face, i] = edge;
   const Face_handle beyond = face->neighbor(i);
   const int left = Triangulation::cw(i);
