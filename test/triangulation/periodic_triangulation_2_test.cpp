@@ -299,9 +299,9 @@ TEST(Periodic_triangulation_2, follows_points_that_turn_jump_come_and_go) {
 // ---- steps ----
 
 TEST(Periodic_triangulation_2, follows_points_that_are_moved_step_by_step) {
-  for (unsigned seed = 1; seed <= times(6); ++seed) {
+  for (unsigned seed = 1; seed <= times(12); ++seed) {
     Random random(seed);
-    const int n = std::array{1, 5, 300}[seed % 3];
+    const int n = std::array{1, 2, 3, 5, 12, 40, 300}[seed % 7];
     const Periodic_box_2 box = {{{12, 1}, {1, 0}, 0}, {{-2, 11}, {2, 1}, 0}};
     const bool is_lattice = random(0, 1) == 0;
     const auto place = [&]() -> Vector_2 {
