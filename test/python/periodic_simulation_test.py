@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Discs that collide in periodic boxes: contacts compared with those of all pairs of images, in fractions."""
+"""Discs that collide in periodic boxes: contacts compared with those of all pairs of images, exactly."""
 import copy
 import itertools
 import math
 import pickle
 import types
-from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -31,21 +30,25 @@ def gas(box, seed, side=5, sizes="one", **options):
 
 
 def contacts_of_passing_discs(sim):
-    """The first contact of each pair and offset while discs move on straight lines: {(a, b, k, l): time}."""
-    box = sim.box
-    a_rate, b_rate = box.rates.tolist()
-    a_vector, b_vector = box.vectors.tolist()
-    places, velocities = sim.positions().tolist(), sim.velocities().tolist()
-    radii, growths = ([Fraction(sim.motion(i)[name]) for i in range(len(places))] for name in ("radius", "growth"))
+    """The first contact of each pair and offset while discs move on straight lines: {(a, b, k, l): time}. All numbers
+    are multiples of 2^-54, and computed with as integers."""
+    def whole(numbers):
+        scaled = np.asarray(numbers) * 2.0**54
+        assert (scaled == np.rint(scaled)).all()
+        return scaled.astype(int).tolist()
+
+    (a_vector, b_vector), (a_rate, b_rate) = whole(sim.box.vectors), whole(sim.box.rates)
+    motions = [sim.motion(i) for i in range(len(sim))]
+    discs = list(zip(whole(sim.positions()), whole(sim.velocities()), *(
+        whole([motion[name] for motion in motions]) for name in ("radius", "growth"))))
     found = {}
-    for (a, b), k, l in itertools.product(itertools.combinations(range(len(places)), 2), range(-4, 5), range(-4, 5)):
-        p = [Fraction(q - p) + k * Fraction(x) + l * Fraction(y)
-             for p, q, x, y in zip(places[a], places[b], a_vector, b_vector)]
-        v = [Fraction(w - v) + k * Fraction(x) + l * Fraction(y)
-             for v, w, x, y in zip(velocities[a], velocities[b], a_rate, b_rate)]
-        reach, growth = radii[a] + radii[b], growths[a] + growths[b]
-        square, half = v[0]**2 + v[1]**2 - growth**2, p[0] * v[0] + p[1] * v[1] - reach * growth
-        rest = p[0]**2 + p[1]**2 - reach**2
+    for (a, b), k, l in itertools.product(itertools.combinations(range(len(discs)), 2), range(-4, 5), range(-4, 5)):
+        (p, v, radius, growth), (q, w, other_radius, other_growth) = discs[a], discs[b]
+        x, y = (q[i] - p[i] + k * a_vector[i] + l * b_vector[i] for i in (0, 1))
+        vx, vy = (w[i] - v[i] + k * a_rate[i] + l * b_rate[i] for i in (0, 1))
+        reach, growth = radius + other_radius, growth + other_growth
+        square, half = vx * vx + vy * vy - growth * growth, x * vx + y * vy - reach * growth
+        rest = x * x + y * y - reach * reach
         if rest >= 0 and (half < 0 or square < 0) and half * half > square * rest:
             # One of the roots, without cancellation.
             time = float(rest) / (-float(half) + math.sqrt(half * half - square * rest))
