@@ -55,13 +55,15 @@ class Certificates(In_folder):
             self.assertEqual(result.returncode, 0, command + result.stderr)
         return result
 
-    def certified(self, command, name="c.jsonl"):
+    def run_checker(self, name):
+        return subprocess.run([sys.executable, CHECKER, name], cwd=self.folder, check=False, capture_output=True, text=True)
+
+    def certified(self, command):
         """The rows of a run, accepted by the checker; one for each event, whose time is in its interval."""
-        self.run_program(f"{command} --events log.csv --certificates {name} --quiet")
-        result = subprocess.run([sys.executable, CHECKER, name], cwd=self.folder, check=False, capture_output=True,
-                                text=True)
-        self.assertEqual((result.returncode, result.stderr), (0, ""), command)
-        rows = [json.loads(line) for line in (self.folder / name).read_text("ascii").splitlines()]
+        self.run_program(f"{command} --events log.csv --certificates c.jsonl --quiet")
+        rows = [json.loads(line) for line in (self.folder / "c.jsonl").read_text("ascii").splitlines()]
+        for row in rows:
+            check_certificates.check(row)
         with open(self.folder / "log.csv", encoding="ascii", newline="") as file:
             log = list(csv.DictReader(file))
         self.assertEqual([(row["event"], row["kind"]) for row in rows], [(int(e["event"]), e["kind"]) for e in log])
@@ -138,8 +140,8 @@ class Certificates(In_folder):
         self.run_program("generate uniform --points 60 --side 1 --seed 9 --speed 0.5 --output u.csv")
         self.run_program("simulate u.csv --until 2 --events without.csv --quiet")
         self.certified("simulate u.csv --until 2")
-        for name in ("exact.jsonl", "again.jsonl"):
-            self.certified("simulate u.csv --until 2" + " --exact-only" * (name == "exact.jsonl"), name)
+        self.run_program("simulate u.csv --until 2 --certificates exact.jsonl --exact-only --quiet")
+        self.run_program("simulate u.csv --until 2 --certificates again.jsonl --quiet")
         log, without, exact, rows, again = ((self.folder / name).read_bytes() for name in (
             "log.csv", "without.csv", "exact.jsonl", "c.jsonl", "again.jsonl"))
         self.assertEqual(log, without)
@@ -228,12 +230,13 @@ class Certificates(In_folder):
         self.write("touch.csv", "x,y,vx,vy\n0,0,1,0\n4,0,0,1\n0,4,0,0\n5,5,-1,-1\n1,2,0,-0.7\n")
         rows = self.certified("simulate touch.csv --until 9")
         self.assertGreater(len(rows), 2)
+        result = self.run_checker("c.jsonl")
+        self.assertEqual((result.returncode, result.stdout), (0, f"{len(rows)} certificates are right\n"))
         lines = [json.dumps(row) + "\n" for row in rows]
         for name, bad in (("a line that is missing", lines[:1] + lines[2:]), ("a line twice", lines[:2] + lines[1:]),
                           ("half a line", [lines[0], lines[1][:40]])):
             self.write("bad.jsonl", "".join(bad))
-            result = subprocess.run([sys.executable, CHECKER, "bad.jsonl"], cwd=self.folder, check=False,
-                                    capture_output=True, text=True)
+            result = self.run_checker("bad.jsonl")
             self.assertEqual(result.returncode, 1, name)
             self.assertIn("bad.jsonl, line " + ("3" if "twice" in name else "2"), result.stderr, name)
 
