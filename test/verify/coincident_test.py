@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Verifies the logs of runs whose points often get the motion of another one: 400 of them, or as many times
 more as the environment variable KINETRI_TEST_MULTIPLIER says. `lies` tells lies about the first ones: each kind about
-40 runs, in which there is what it is about, or as many times more.
+16 runs, in which there is what it is about, or as many times more.
 
 usage: coincident_test.py true|lies LOGS VERIFY FOLDER
 """
@@ -18,7 +18,7 @@ import lies
 import verify_test
 
 BATCH = 400
-LIES = 40
+LIES = 16
 
 
 def written(logs, folder, first, number):

@@ -30,7 +30,7 @@ def is_later(run, i):
 
 def is_alone(run, i):
     """Whether the row is the only one of its instant."""
-    return all(row[11] != run.rows[i][11] for k, row in enumerate(run.rows) if k != i)
+    return all(row[11] != run.rows[i][11] for row in run.rows[max(i - 1, 0):i] + run.rows[i + 1:i + 2])
 
 
 def kinds(*names):
