@@ -107,10 +107,11 @@ class Threads(In_folder):
 
     def test_discs_that_vanish_are_the_same(self):
         self.run_program(f"generate lattice-jitter --points {MANY} --speed 5 --seed 5 --output p.csv")
-        discs = "--box=-10,-10,2450,2450 --radius 0.5 --collisions remove"
-        more = "--checkpoint {0}/checkpoint --neighbors {0}/neighbors --nearest {0}/nearest --encounters {0}/encounters " \
-               "--range 4"
-        self.expect_one_thread(self.expect_same(f"simulate p.csv --until 0.75 {discs}", more))
+        discs = "--box=-10,-10,2450,2450 --radius 4 --collisions remove"
+        more = "--checkpoint {0}/checkpoint --neighbors {0}/neighbors --encounters {0}/encounters --range 0.05"
+        stats = self.expect_same(f"simulate p.csv --until 0.25 {discs}", more)
+        self.expect_one_thread(stats)
+        self.assertGreater(stats[0]["events"]["collision"], 1000)
 
     def test_discs_of_any_size_are_the_same(self):
         self.run_program(f"generate lattice-jitter --points {MANY} --speed 5 --seed 4 --output p.csv")
