@@ -55,6 +55,12 @@ class Torus_copies {
   }
 
   const std::vector<Vector_2>& places() const { return places_; }
+  /// By the number of the point: whether it has copies in the margin.
+  std::vector<bool> are_copied(std::size_t points) const {
+    std::vector<bool> result(points, false);
+    for (std::size_t i = points; i < copies_.size(); ++i) result[copies_[i].point] = true;
+    return result;
+  }
   const Copy& operator[](std::size_t i) const { return copies_[i]; }
 
  private:
@@ -362,6 +368,8 @@ std::optional<Torus> Torus_construction<Torus>::from_copies(double width) const 
 }
 
 // Makes the chosen translates of faces, and links them. Returns false if they do not fit together.
+// Only of triangles near the border, whose points all have copies, are there other translates, by
+// which they may have to be found.
 template <class Torus>
 bool Torus_construction<Torus>::make_faces(const Static_delaunay& found, const Torus_copies& copies,
                                            Torus& result) const {
@@ -384,16 +392,18 @@ bool Torus_construction<Torus>::make_faces(const Static_delaunay& found, const T
     std::size_t first;     // the index of the first corner
     std::uint32_t number;  // in `found`
   };
-  std::unordered_map<Torus_face_name, Made, Torus_face_name::Hash> made;
+  const std::vector<bool> are_copied = copies.are_copied(points_.size());
+  std::unordered_map<Torus_face_name, Made, Torus_face_name::Hash> made_at_border;
+  std::vector<Made> made;
   made.reserve(2 * points_.size());
-  std::vector<Made> in_order;
-  in_order.reserve(2 * points_.size());
+  constexpr auto none = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> position_in_made(found.faces.size(), none);
   for (std::uint32_t f = 0; f < found.faces.size(); ++f) {
     const Static_delaunay::Face& face = found.faces[f];
     if (!is_finite(face)) continue;
     const Torus_face_name name = name_of(face);
     if (!name.is_chosen) continue;
-    if (in_order.size() == 2 * points_.size()) return false;
+    if (made.size() == 2 * points_.size()) return false;
     std::array<Vertex_handle, 3> corners;
     std::array<std::optional<Lattice_offset_2>, 3> offsets;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -412,23 +422,36 @@ bool Torus_construction<Torus>::make_faces(const Static_delaunay& found, const T
     const Face_handle there = tds.create_face(corners[0], corners[1], corners[2]);
     there->set_offsets(*first, *second);
     for (const Vertex_handle v : corners) v->set_face(there);
-    in_order.push_back({there, name.first, f});
-    if (!made.emplace(name, in_order.back()).second) return false;
+    position_in_made[f] = static_cast<std::uint32_t>(made.size());
+    made.push_back({there, name.first, f});
+    const auto is_copied = [&](std::uint32_t point) -> bool { return are_copied[point]; };
+    if (std::ranges::all_of(name.points, is_copied) &&
+        !made_at_border.emplace(name, made.back()).second) {
+      return false;
+    }
   }
-  if (in_order.size() != 2 * points_.size()) return false;
-  for (const auto& [face, first, number] : in_order) {
+  if (made.size() != 2 * points_.size()) return false;
+  for (const auto& [face, first, number] : made) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t beyond = found.faces[number].neighbors[i];
       const Static_delaunay::Face& neighbor = found.faces[beyond];
       if (!is_finite(neighbor)) return false;
       const auto mirror = static_cast<std::size_t>(std::ranges::find(neighbor.neighbors, number) -
                                                    neighbor.neighbors.begin());
-      const Torus_face_name name = name_of(neighbor);
-      const auto there = made.find(name);
-      if (mirror > 2 || there == made.end()) return false;
-      // The corners of the chosen translate may begin with another one.
-      const std::size_t j = (mirror + 3 - name.first + there->second.first) % 3;
-      face->set_neighbor(static_cast<int>(i), there->second.face);
+      if (mirror > 2) return false;
+      Face_handle there;
+      std::size_t j = mirror;
+      if (position_in_made[beyond] != none) {
+        there = made[position_in_made[beyond]].face;
+      } else {
+        const Torus_face_name name = name_of(neighbor);
+        const auto chosen = made_at_border.find(name);
+        if (chosen == made_at_border.end()) return false;
+        there = chosen->second.face;
+        // The corners of the chosen translate may begin with another one.
+        j = (mirror + 3 - name.first + chosen->second.first) % 3;
+      }
+      face->set_neighbor(static_cast<int>(i), there);
       face->set_mirror(static_cast<int>(i), static_cast<int>(j));
     }
   }
