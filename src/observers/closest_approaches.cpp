@@ -5,140 +5,133 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <optional>
-#include <set>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/triangulation/incident.h"
 #include "observers/departures.h"
+#include "observers/edge_follower.h"
+#include "observers/enlarged_discs.h"
 
 namespace kinetri {
 namespace detail {
 
-// Follows the pairs of discs that have an edge or overlap, and keeps the nearest ones.
+// Follows the pairs that have an edge or overlap, in a periodic box pairs of images, and keeps the
+// nearest ones. Invariant, at the last reported time: each such pair has a piece.
 template <HasLinearMotion Traits>
-class Approach_tracker final : public Event_observer, private Overlap_observer {
-  static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
-
+class Approach_tracker final : private Edge_follower<Traits> {
  public:
-  Approach_tracker(Simulation_2<Traits>& simulation, std::size_t number);
-  ~Approach_tracker() override;
+  using typename Edge_follower<Traits>::Edge_name;
+  using typename Edge_follower<Traits>::Image_2;
+  using typename Edge_follower<Traits>::Neighbor;
+  using typename Edge_follower<Traits>::Time;
+  using Edge_follower<Traits>::is_periodic;
+  using Disc = decltype(disc_about(std::declval<typename Image_2::Motion>(), 0.0));
 
-  Approach_tracker(const Approach_tracker&) = delete;
-  Approach_tracker& operator=(const Approach_tracker&) = delete;
+  Approach_tracker(Simulation_2<Traits>& simulation, std::size_t number);
 
   std::vector<Approach> approaches();
 
-  // If events may name points, as contacts do, their edges are read.
-  bool looks_at_triangulation() const override {
-    return has_radii || simulation_.options().box || simulation_.options().response;
-  }
-  void before_event(const Event& event) override;
-  void after_event(const Event& event) override;
-  void after_hiding(const Algebraic_number& time, std::span<const Point_id> points) override;
-
  private:
+  using typename Edge_follower<Traits>::Changed_point;
+  static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
+
   // A pair that has an edge or overlaps, since that began or the last change of a motion.
   struct Piece {
-    Disc_motion_2 p;
-    Disc_motion_2 q;
-    Algebraic_number since;
-    bool is_edge = false;  // if not, the discs overlapped just after `since`
+    Disc p;
+    Disc q;
+    Time since;
+    bool has_touched = false;  // it counts if its discs touch, and not as an edge
   };
 
   // The least gap of a piece.
   struct Candidate {
-    Edge_ids points = {no_point, no_point};
-    Gap_of_pair<Disc_motion_2> least;
+    Edge_name points = {};
+    Gap_of_pair<Disc> least;
   };
 
   // A point that is inserted or erased, with its motion at that time.
   struct Passing {
     Point_id id;
-    Disc_motion_2 disc;
+    Disc disc;
   };
 
   static bool is_nearer(const Candidate& a, const Candidate& b);
 
-  void after_change(std::span<const Point_id> points) override;
-  void follow_link(Point_id id);
-  Disc_motion_2 disc(Point_id id) const;
-  bool has_changed(const Edge_ids& pair, const Piece& piece) const;
-  void begin(const Edge_ids& pair, const Algebraic_number& time, bool is_edge);
-  void begin_overlap(const Edge_ids& pair, const Algebraic_number& time);
-  void end(const Edge_ids& pair, const Algebraic_number& time);
-  void change_motion(Point_id id, const Algebraic_number& time);
-  void examine(const Edge_ids& pair, const Piece& piece, const Algebraic_number& until);
-  void note_passing(const Event& event);
+  void advance(const Time& time) override;
+  void change(const Time& time, std::span<const Edge_name> removed,
+              std::span<const Edge_name> added, std::span<const Changed_point> points) override;
+  void change_overlaps(const Time& time, std::span<const Edge_name> removed,
+                       std::span<const Changed_point> points);
+  std::pair<Disc, Disc> discs(const Edge_name& pair) const;
+  void begin(const Edge_name& pair, const Time& time);
+  void begin_overlap(const Edge_name& pair, const Time& time);
+  void begin_overlaps(Point_id id, const Time& time);
+  void end(const Edge_name& pair, const Time& time);
+  void end_overlaps(Point_id id, const Time& time);
+  void examine(const Edge_name& pair, const Piece& piece, const Time& until);
+  void note_passing(const Time& time, std::span<const Changed_point> points);
   void examine_moment();
-  void examine_nearest_by_order(const std::vector<Disc_motion_2>& gone,
-                                const std::vector<Disc_motion_2>& come);
+  void examine_nearest_by_order(const std::vector<Disc>& gone, const std::vector<Disc>& come);
   void examine_at_moment(std::size_t gone, std::size_t come);
   void keep(Candidate candidate);
   void drop_all_but_nearest();
 
-  Simulation_2<Traits>& simulation_;
+  double radius_;  // of points without radii of their own
   std::size_t number_;
-  std::map<Edge_ids, Piece> pieces_;
-  std::map<Point_id, Point_id> links_;  // points, and those that hide them
-  // Of each piece without an edge both points, each with the other one.
-  std::set<std::pair<Point_id, Point_id>> overlaps_;
-  // The points of the present event that existed before it; and the points that have been erased
-  // and inserted at one time.
-  std::vector<Passing> named_;
-  Algebraic_number moment_;
+  std::map<Edge_name, Piece> pieces_;
+  // Of each pair with a piece but without an edge both ends, each with the other one.
+  std::map<Point_id, std::vector<Neighbor>> overlaps_;
+  // The points that have been erased and inserted at one time.
+  Time moment_;
   std::vector<Passing> gone_;
   std::vector<Passing> come_;
-  std::map<Edge_ids, Candidate> nearest_;
+  std::map<Edge_name, Candidate> nearest_;
   // `number_` pairs have had this gap or a smaller one: pairs with greater gaps are not kept.
   double limit_;
+  struct Nothing {};
+  [[no_unique_address]] std::conditional_t<has_radii, std::unique_ptr<Enlarged_discs<Traits>>,
+                                           Nothing>
+      enlarged_discs_;
 };
 
 template <HasLinearMotion Traits>
 Approach_tracker<Traits>::Approach_tracker(Simulation_2<Traits>& simulation, std::size_t number)
-    : simulation_(simulation), number_(number), limit_(std::numeric_limits<double>::infinity()) {
+    : Edge_follower<Traits>(simulation),
+      radius_(simulation.options().radius),
+      number_(number),
+      limit_(std::numeric_limits<double>::infinity()) {
   KINETRI_PRECONDITION(number > 0, "no approach is asked for");
-  KINETRI_PRECONDITION(!has_radii || simulation.options().response,
-                       "overlaps are not followed without a response; log_contact changes nothing");
-  for (const Edge_ids& edge : simulation_.triangulation().finite_edge_ids()) {
-    begin(edge, simulation_.current_time(), true);
-  }
-  if (simulation_.triangulation().number_of_hidden_points() > 0) {
-    for (Point_id id = 0; id < simulation_.triangulation().next_id(); ++id) follow_link(id);
-  }
+  const auto& graph = this->graph();
+  const Time& now = this->triangulation().current_time();
+  for (const Edge_name& edge : graph.edges()) begin(edge, now);
   if constexpr (has_radii) {
-    for (Point_id id = 0; id < simulation_.triangulation().next_id(); ++id) {
-      after_change({&id, 1});
+    enlarged_discs_ = std::make_unique<Enlarged_discs<Traits>>(graph, 0, now, this->traits());
+    for (Point_id id = 0; id < graph.next_id(); ++id) {
+      if (graph.contains(id)) begin_overlaps(id, now);
     }
-    simulation_.add_overlap_observer(*this);
   }
-  simulation_.add_observer(*this);
-}
-
-template <HasLinearMotion Traits>
-Approach_tracker<Traits>::~Approach_tracker() {
-  simulation_.remove_observer(*this);
-  simulation_.remove_overlap_observer(*this);
 }
 
 template <HasLinearMotion Traits>
 std::vector<Approach> Approach_tracker<Traits>::approaches() {
+  this->update();
+  const Time& now = this->triangulation().current_time();
   for (auto& [pair, piece] : pieces_) {
-    examine(pair, piece, simulation_.current_time());
-    piece.since = simulation_.current_time();
+    examine(pair, piece, now);
+    piece.since = now;
   }
-  examine_moment();
   drop_all_but_nearest();
   std::vector<const Candidate*> sorted;
   for (const auto& [pair, candidate] : nearest_) sorted.push_back(&candidate);
   std::ranges::sort(sorted, [](const auto* a, const auto* b) { return is_nearer(*a, *b); });
   std::vector<Approach> result;
   for (const Candidate* candidate : sorted) {
-    const Gap_of_pair<Disc_motion_2>& least = candidate->least;
-    result.push_back({candidate->points, least.time(), least.rounded_distance(), least.rounded()});
+    const Gap_of_pair<Disc>& least = candidate->least;
+    result.push_back({ids_of(candidate->points), least.time(), least.rounded_distance(),
+                      least.rounded(), offset_of(candidate->points)});
   }
   return result;
 }
@@ -146,191 +139,142 @@ std::vector<Approach> Approach_tracker<Traits>::approaches() {
 // ---- which pairs ----
 
 template <HasLinearMotion Traits>
-void Approach_tracker<Traits>::before_event(const Event& event) {
-  if (!(gone_.empty() && come_.empty()) && moment_ != event.time) {
-    examine_moment();
-    gone_.clear();
-    come_.clear();
-  }
-  named_.clear();
-  for (const std::optional<Point_id>& id : {event.point_a, event.point_b}) {
-    if (id && simulation_.triangulation().contains(*id)) named_.push_back({*id, disc(*id)});
-  }
-}
-
-template <HasLinearMotion Traits>
-void Approach_tracker<Traits>::after_event(const Event& event) {
-  note_passing(event);
-  if (event.removed) {
-    end(*event.removed, event.time);
-    begin_overlap(*event.removed, event.time);
-  }
-  if (event.added) {
-    end(*event.added, event.time);
-    begin(*event.added, event.time, true);
-  }
-  for (const std::optional<Point_id>& id : {event.point_a, event.point_b}) {
-    if (id) change_motion(*id, event.time);
-  }
-  if (event.kind == Event_kind::collision) {
-    begin_overlap(edge_ids(*event.point_a, *event.point_b), event.time);
-  }
-}
-
-template <HasLinearMotion Traits>
-void Approach_tracker<Traits>::after_hiding(const Algebraic_number& /*time*/,
-                                            std::span<const Point_id> points) {
-  for (const Point_id id : points) follow_link(id);
-}
-
-// Ends the piece of a point with the point that hid it, and begins one with the point that hides
-// it, because their motions are the same.
-template <HasLinearMotion Traits>
-void Approach_tracker<Traits>::follow_link(Point_id id) {
-  const auto& triangulation = simulation_.triangulation();
-  const bool is_there = triangulation.contains(id);
-  const Point_id shown = is_there ? triangulation.vertex(id)->point().id() : id;
-  if (const auto link = links_.find(id); link != links_.end()) {
-    const Point_id before = link->second;
-    if (before == shown) return;
-    // They may have got an edge, whose piece has begun.
-    const bool is_edge = is_there && triangulation.contains(before) &&
-                         triangulation.triangulation().is_edge(triangulation.vertex(before),
-                                                               triangulation.vertex(id));
-    if (!is_edge) end(edge_ids(before, id), simulation_.current_time());
-    links_.erase(link);
-  }
-  if (shown == id) return;
-  links_.emplace(id, shown);
-  begin({shown, id}, simulation_.current_time(), true);
-}
-
-template <HasLinearMotion Traits>
-void Approach_tracker<Traits>::after_change(std::span<const Point_id> points) {
+void Approach_tracker<Traits>::advance(const Time& time) {
   if constexpr (has_radii) {
-    for (const Point_id id : points) {
-      if (!simulation_.triangulation().contains(id)) continue;
-      for (const Point_id other : simulation_.overlapping_discs(id)) {
-        const Edge_ids pair = edge_ids(id, other);
-        if (!pieces_.contains(pair)) begin(pair, simulation_.current_time(), false);
+    for (const auto& [pair, since] : enlarged_discs_->advance_to(time)) begin_overlap(pair, since);
+  }
+}
+
+template <HasLinearMotion Traits>
+void Approach_tracker<Traits>::change(const Time& time, std::span<const Edge_name> removed,
+                                      std::span<const Edge_name> added,
+                                      std::span<const Changed_point> points) {
+  for (const Edge_name& edge : removed) end(edge, time);
+  std::vector<Edge_name> turned;  // the edges that remain, with other motions
+  for (const auto& point : points) {
+    end_overlaps(point.id, time);
+    if (!this->graph().contains(point.id)) continue;
+    for (const Neighbor& other : this->graph().neighbors(point.id)) {
+      turned.push_back(pair_of(point.id, other));
+    }
+  }
+  std::erase_if(turned, [this](const Edge_name& edge) { return !pieces_.contains(edge); });
+  std::ranges::sort(turned);
+  turned.erase(std::unique(turned.begin(), turned.end()), turned.end());
+  for (const Edge_name& edge : turned) {
+    end(edge, time);
+    begin(edge, time);
+  }
+  for (const Edge_name& edge : added) {
+    end(edge, time);
+    begin(edge, time);
+  }
+  if constexpr (has_radii) change_overlaps(time, removed, points);
+  if constexpr (!is_periodic) note_passing(time, points);
+}
+
+// Pieces of overlaps begin after those of edges.
+template <HasLinearMotion Traits>
+void Approach_tracker<Traits>::change_overlaps(const Time& time, std::span<const Edge_name> removed,
+                                               std::span<const Changed_point> points) {
+  if constexpr (has_radii) {
+    if (!points.empty()) enlarged_discs_->change(points, this->graph());
+    for (const Edge_name& edge : removed) {
+      const auto& [a, b] = ids_of(edge);
+      if (!this->graph().contains(a) || !this->graph().contains(b)) continue;
+      if (this->traits().do_touch(this->first_end(edge), this->second_end(edge), 0, time)) {
+        begin_overlap(edge, time);
       }
     }
+    for (const auto& point : points) {
+      if (this->graph().contains(point.id)) begin_overlaps(point.id, time);
+    }
   }
 }
 
 template <HasLinearMotion Traits>
-Disc_motion_2 Approach_tracker<Traits>::disc(Point_id id) const {
-  return disc_about(simulation_.triangulation().motion(id), simulation_.options().radius);
-}
-
-// Whether the motions of a piece have ended: a point has got another motion or has been erased.
-template <HasLinearMotion Traits>
-bool Approach_tracker<Traits>::has_changed(const Edge_ids& pair, const Piece& piece) const {
-  const auto& triangulation = simulation_.triangulation();
-  return !triangulation.contains(pair[0]) || !triangulation.contains(pair[1]) ||
-         disc(pair[0]) != piece.p || disc(pair[1]) != piece.q;
+auto Approach_tracker<Traits>::discs(const Edge_name& pair) const -> std::pair<Disc, Disc> {
+  return {disc_about(this->first_end(pair).motion(), radius_),
+          disc_about(this->second_end(pair).motion(), radius_)};
 }
 
 template <HasLinearMotion Traits>
-void Approach_tracker<Traits>::begin(const Edge_ids& pair, const Algebraic_number& time,
-                                     bool is_edge) {
-  pieces_.insert_or_assign(pair, Piece{disc(pair[0]), disc(pair[1]), time, is_edge});
-  if (is_edge) return;
-  overlaps_.emplace(pair[0], pair[1]);
-  overlaps_.emplace(pair[1], pair[0]);
+void Approach_tracker<Traits>::begin(const Edge_name& pair, const Time& time) {
+  const auto [p, q] = discs(pair);
+  pieces_.insert_or_assign(pair, Piece{p, q, time});
 }
 
-// Begins a piece of a pair without an edge, if it overlaps just after `time`, the current one.
+// Begins a piece of a pair without an edge that overlaps or touches, unless it has one.
 template <HasLinearMotion Traits>
-void Approach_tracker<Traits>::begin_overlap(const Edge_ids& pair, const Algebraic_number& time) {
+void Approach_tracker<Traits>::begin_overlap(const Edge_name& pair, const Time& time) {
+  const auto [p, q] = discs(pair);
+  if (!pieces_.try_emplace(pair, Piece{p, q, time, true}).second) return;
+  for (const auto& [id, other] : ends_of(pair)) overlaps_[id].push_back(other);
+}
+
+template <HasLinearMotion Traits>
+void Approach_tracker<Traits>::begin_overlaps(Point_id id, const Time& time) {
   if constexpr (has_radii) {
-    const auto& triangulation = simulation_.triangulation();
-    if (pieces_.contains(pair) || !triangulation.contains(pair[0]) ||
-        !triangulation.contains(pair[1])) {
-      return;
-    }
-    const auto& p = triangulation.point(pair[0]);
-    const auto& q = triangulation.point(pair[1]);
-    if (triangulation.traits().may_overlap(p, q, 0, time) &&
-        triangulation.traits().exact().may_overlap(p, q, 0, time)) {
-      begin(pair, time, false);
+    for (const Neighbor& other : enlarged_discs_->overlapping(id)) {
+      begin_overlap(pair_of(id, other), time);
     }
   }
 }
 
 template <HasLinearMotion Traits>
-void Approach_tracker<Traits>::end(const Edge_ids& pair, const Algebraic_number& time) {
+void Approach_tracker<Traits>::end(const Edge_name& pair, const Time& time) {
   const auto piece = pieces_.find(pair);
   if (piece == pieces_.end()) return;
   examine(pair, piece->second, time);
-  if (!piece->second.is_edge) {
-    overlaps_.erase({pair[0], pair[1]});
-    overlaps_.erase({pair[1], pair[0]});
+  if (piece->second.has_touched) {
+    for (const auto& [id, other] : ends_of(pair)) std::erase(overlaps_[id], other);
   }
   pieces_.erase(piece);
 }
 
-// The motion may have changed: ends the pieces with their motions. Pieces of edges begin here,
-// those of overlaps after these have been updated.
+// The point has got another motion, or has been erased.
 template <HasLinearMotion Traits>
-void Approach_tracker<Traits>::change_motion(Point_id id, const Algebraic_number& time) {
-  std::vector<Edge_ids> ended;
-  const auto add_if_turned = [&](Point_id other, bool is_edge) {
-    const Edge_ids pair = edge_ids(id, other);
-    const auto piece = pieces_.find(pair);
-    // An edge without a piece has not been reported yet.
-    if (piece != pieces_.end() && piece->second.is_edge == is_edge &&
-        has_changed(pair, piece->second)) {
-      ended.push_back(pair);
-    }
-  };
-  const auto& triangulation = simulation_.triangulation();
-  if (triangulation.contains(id) && triangulation.number_of_hidden_points() > 0) {
-    for (const Point_id other : triangulation.coincident_points(id)) add_if_turned(other, true);
-  }
-  if (triangulation.contains(id) && !triangulation.is_hidden(id)) {
-    for_each_neighbor(triangulation.triangulation(), triangulation.vertex(id),
-                      [&](auto neighbor) { add_if_turned(neighbor->point().id(), true); });
-  }
-  const std::size_t edges = ended.size();
-  for (auto other = overlaps_.lower_bound({id, 0}); other != overlaps_.end() && other->first == id;
-       ++other) {
-    add_if_turned(other->second, false);
-  }
-  for (const Edge_ids& pair : ended) end(pair, time);
-  for (std::size_t i = 0; i < edges; ++i) begin(ended[i], time, true);
+void Approach_tracker<Traits>::end_overlaps(Point_id id, const Time& time) {
+  const auto found = overlaps_.find(id);
+  if (found == overlaps_.end()) return;
+  const std::vector<Neighbor> others = found->second;
+  for (const Neighbor& other : others) end(pair_of(id, other), time);
+  overlaps_.erase(id);
 }
 
 // ---- points that are erased at the time at which others are inserted ----
 
-// Stores the points that the event has inserted or erased.
+// Stores the points that have been inserted or erased, and examines the pairs of one of these and
+// one of those.
 template <HasLinearMotion Traits>
-void Approach_tracker<Traits>::note_passing(const Event& event) {
-  const auto& triangulation = simulation_.triangulation();
-  for (const std::optional<Point_id>& id : {event.point_a, event.point_b}) {
-    if (!id) continue;
-    const auto before = std::ranges::find(named_, *id, &Passing::id);
-    if ((before != named_.end()) == triangulation.contains(*id)) continue;
-    moment_ = event.time;
-    if (before != named_.end()) {
-      gone_.push_back(*before);
-    } else {
-      come_.push_back({*id, disc(*id)});
+void Approach_tracker<Traits>::note_passing(const Time& time,
+                                            std::span<const Changed_point> points) {
+  if (moment_ != time) {
+    gone_.clear();
+    come_.clear();
+    moment_ = time;
+  }
+  for (const auto& [id, before] : points) {
+    const bool is_there = this->graph().contains(id);
+    if (before && !is_there) gone_.push_back({id, disc_about(before->motion(), radius_)});
+    if (!before && is_there) {
+      come_.push_back({id, disc_about(this->graph().point(id).motion(), radius_)});
     }
   }
+  if (!points.empty()) examine_moment();
 }
 
 // Examines the nearest pairs of points that have been erased and inserted at one time.
 template <HasLinearMotion Traits>
 void Approach_tracker<Traits>::examine_moment() {
   if (gone_.empty() || come_.empty()) return;
-  const auto discs = [](const std::vector<Passing>& points) {
-    std::vector<Disc_motion_2> result;
+  const auto discs_of = [](const std::vector<Passing>& points) {
+    std::vector<Disc> result;
     for (const Passing& point : points) result.push_back(point.disc);
     return result;
   };
-  const std::vector<Disc_motion_2> gone = discs(gone_);
-  const std::vector<Disc_motion_2> come = discs(come_);
+  const std::vector<Disc> gone = discs_of(gone_);
+  const std::vector<Disc> come = discs_of(come_);
   // First some pairs that are probably near, at least `number_` if there are so many: pairs that
   // are farther apart need not be examined.
   examine_nearest_by_order(gone, come);
@@ -342,10 +286,10 @@ void Approach_tracker<Traits>::examine_moment() {
 
 // Examines, for each erased point, some inserted ones next to it in the order of rounded positions.
 template <HasLinearMotion Traits>
-void Approach_tracker<Traits>::examine_nearest_by_order(const std::vector<Disc_motion_2>& gone,
-                                                        const std::vector<Disc_motion_2>& come) {
+void Approach_tracker<Traits>::examine_nearest_by_order(const std::vector<Disc>& gone,
+                                                        const std::vector<Disc>& come) {
   const double time = moment_.to_double();
-  const auto place = [&](const Disc_motion_2& disc) {
+  const auto place = [&](const Disc& disc) {
     const Vector_2 center = rounded_place(disc, time);
     return std::pair(center.x, center.y);
   };
@@ -363,20 +307,30 @@ void Approach_tracker<Traits>::examine_nearest_by_order(const std::vector<Disc_m
 
 template <HasLinearMotion Traits>
 void Approach_tracker<Traits>::examine_at_moment(std::size_t gone, std::size_t come) {
-  const auto& [p, p_disc] = gone_[gone];
-  const auto& [q, q_disc] = come_[come];
-  if (p == q) return;  // it has been inserted and erased at this time
-  examine(edge_ids(p, q), {p_disc, q_disc, moment_}, moment_);
+  if constexpr (!is_periodic) {
+    const bool is_first = gone_[gone].id < come_[come].id;
+    const Passing& a = is_first ? gone_[gone] : come_[come];
+    const Passing& b = is_first ? come_[come] : gone_[gone];
+    examine({a.id, b.id}, {a.disc, b.disc, moment_}, moment_);
+  }
 }
 
 // ---- the nearest of them ----
 
 template <HasLinearMotion Traits>
-void Approach_tracker<Traits>::examine(const Edge_ids& pair, const Piece& piece,
-                                       const Algebraic_number& until) {
-  const auto& [p, q, since, is_edge] = piece;
+void Approach_tracker<Traits>::examine(const Edge_name& pair, const Piece& piece,
+                                       const Time& until) {
+  const auto& [p, q, since, has_touched] = piece;
   if (least_gap_bounds(p, q, since, until).lower > limit_) return;
-  keep({pair, least_gap(p, q, since, until)});
+  Gap_of_pair<Disc> least = least_gap(p, q, since, until);
+  if constexpr (has_radii) {
+    // Enlarged discs overlap somewhat earlier than the discs touch, if these do.
+    const auto& [a, b] = ids_of(pair);
+    if (has_touched && !this->traits().do_touch(Image_2(p, a), Image_2(q, b), 0, least.time())) {
+      return;
+    }
+  }
+  keep({pair, std::move(least)});
 }
 
 template <HasLinearMotion Traits>
@@ -407,11 +361,11 @@ void Approach_tracker<Traits>::drop_all_but_nearest() {
   std::ranges::nth_element(candidates, last,
                            [](const auto* a, const auto* b) { return is_nearer(*a, *b); });
   limit_ = (*last)->least.bounds().upper;
-  std::vector<Edge_ids> dropped;
+  std::vector<Edge_name> dropped;
   for (auto other = last + 1; other != candidates.end(); ++other) {
     dropped.push_back((*other)->points);
   }
-  for (const Edge_ids& pair : dropped) nearest_.erase(pair);
+  for (const Edge_name& pair : dropped) nearest_.erase(pair);
 }
 
 }  // namespace detail
@@ -430,5 +384,7 @@ std::vector<Approach> Closest_approaches<Traits>::approaches() {
 
 template class Closest_approaches<Linear_kinetic_traits_2>;
 template class Closest_approaches<Disc_kinetic_traits_2>;
+template class Closest_approaches<Periodic_kinetic_traits_2>;
+template class Closest_approaches<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri

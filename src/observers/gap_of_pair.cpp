@@ -32,6 +32,10 @@ constexpr Double_interval everything = {-infinite, infinite};
 
 template <class Disc>
 constexpr bool is_linear = std::same_as<Center_motion_of<Disc>, Linear_motion_2>;
+// Whether the velocity is constant.
+template <class Disc>
+constexpr bool is_straight =
+    is_linear<Disc> || std::same_as<Center_motion_of<Disc>, Image_motion_2>;
 
 // The vector from the center of q to that of p, and the sum of the radii.
 struct Relative_place {
@@ -99,18 +103,29 @@ struct Lower_bound {
   double gap;
 };
 
-// The squared distance is convex, so it is nowhere below its tangent at any time s. Here s is about
-// the time of its minimum.
-Lower_bound lower_bound_of_gap(const Disc_motion_2& p, const Disc_motion_2& q,
-                               const Double_interval& times) {
-  const Upward_rounding protection;
-  const auto half_slope = [&](const Relative_place& at) {
-    return at.x * (Interval(p.velocity.x) - Interval(q.velocity.x)) +
-           at.y * (Interval(p.velocity.y) - Interval(q.velocity.y));
+Interval velocity(const Linear_motion_2& motion, double Vector_2::*axis) {
+  return motion.velocity.*axis;
+}
+
+Interval velocity(const Image_motion_2& image, double Vector_2::*axis) {
+  Interval result = velocity(image.motion, axis);
+  const auto add = [&](double times, const Linear_motion_2& vector) {
+    result += Interval(times) * velocity(vector, axis);
   };
-  const double vx = p.velocity.x - q.velocity.x;
-  const double vy = p.velocity.y - q.velocity.y;
-  const double squared_speed = vx * vx + vy * vy;
+  if (image.offset.x != 0) add(image.offset.x, image.box->first());
+  if (image.offset.y != 0) add(image.offset.y, image.box->second());
+  return result;
+}
+
+// If velocities are constant the squared distance is convex, so it is nowhere below its tangent at
+// any time s. Here s is about the time of its minimum.
+template <class Disc>
+Lower_bound lower_bound_by_tangent(const Disc& p, const Disc& q, const Double_interval& times) {
+  const Upward_rounding protection;
+  const Interval vx = velocity(center(p), &Vector_2::x) - velocity(center(q), &Vector_2::x);
+  const Interval vy = velocity(center(p), &Vector_2::y) - velocity(center(q), &Vector_2::y);
+  const auto half_slope = [&](const Relative_place& at) { return at.x * vx + at.y * vy; };
+  const double squared_speed = (CGAL::square(vx) + CGAL::square(vy)).sup();
   double s = times.lower;
   if (squared_speed > 0) {
     const Relative_place at_begin(p, q, Interval(times.lower));
@@ -129,7 +144,11 @@ Lower_bound lower_bound_of_gap(const Disc_motion_2& p, const Disc_motion_2& q,
 
 template <class Disc>
 Lower_bound lower_bound_of_gap(const Disc& p, const Disc& q, const Double_interval& times) {
-  return {times.lower, gap_bounds(p, q, times).lower};
+  if constexpr (is_straight<Disc>) {
+    return lower_bound_by_tangent(p, q, times);
+  } else {
+    return {times.lower, gap_bounds(p, q, times).lower};
+  }
 }
 
 // ---- the same, exactly ----

@@ -234,14 +234,20 @@ TEST(Closest_discs, that_are_hidden_and_touch_are_among_them) {
   EXPECT_EQ(found[2].gap, -1.5);
 }
 
-TEST(Closest_discs, need_a_response) {
-  Disc_simulation simulation({disc({0, 0}, {}, 1), disc({5, 0}, {}, 2)}, {});
-  EXPECT_PRECONDITION_ERROR(
-      Closest_approaches(simulation, 1),
-      "overlaps are not followed without a response; log_contact changes nothing");
+// Discs 0 and 1 pass through each other inside of disc 2, which hides them.
+TEST(Closest_discs, need_no_response) {
+  Disc_simulation simulation(
+      {disc({-3, 0}, {1, 0}, 1), disc({3, 0}, {-1, 0}, 2), disc({0, 5}, {}, 20)}, {});
   EXPECT_PRECONDITION_ERROR(
       simulation.overlapping_discs(0),
       "overlaps are followed only with a response; log_contact changes nothing");
+  Closest_approaches closest(simulation, 3);
+  simulation.advance_to(5.0);
+  const auto found = closest.approaches();
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[2].points, (Edge_ids{0, 1}));
+  EXPECT_EQ(found[2].time, Algebraic_number(3.0));
+  EXPECT_EQ(found[2].gap, -3);
 }
 
 // ---- all pairs ----
