@@ -72,6 +72,17 @@ std::string certificate_line(const Event_certificate& certificate) {
   json.begin_list();
   for (const Point_id id : certificate.points) json.value(id);
   json.end_list();
+  if (!certificate.offsets.empty()) {
+    json.key("offsets");
+    json.begin_list();
+    for (const auto& [x, y] : certificate.offsets) {
+      json.begin_list();
+      json.value(x);
+      json.value(y);
+      json.end_list();
+    }
+    json.end_list();
+  }
   if (certificate.failure) {
     write_failure(json, *certificate.failure);
   } else {
@@ -96,5 +107,7 @@ template class Certificate_log_writer<Linear_kinetic_traits_2>;
 template class Certificate_log_writer<Polynomial_kinetic_traits_2>;
 template class Certificate_log_writer<Disc_kinetic_traits_2>;
 template class Certificate_log_writer<Polynomial_disc_kinetic_traits_2>;
+template class Certificate_log_writer<Periodic_kinetic_traits_2>;
+template class Certificate_log_writer<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri

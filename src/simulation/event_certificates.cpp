@@ -3,18 +3,22 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "kinetri/algebra/real_roots.h"
 #include "kinetri/impl/base/check.h"
-#include "kinetri/impl/triangulation/incident.h"
 #include "kinetri/impl/triangulation/point_problems.h"
 #include "kinetri/kinetic/certificate_polynomials.h"
+#include "simulation/named_faces.h"
 
 namespace kinetri {
 namespace {
@@ -77,10 +81,13 @@ class Certificate_finder {
  private:
   using Point_2 = typename Traits::Point_2;
   using Motion = typename Traits::Motion;
-  using Cgal = typename Triangulation::Triangulation;
-  using Edge = typename Triangulation::Edge;
-  using Sides = std::array<Point_id, 2>;
-  using Triple = std::array<Point_id, 3>;
+  using Faces = Named_faces<Traits>;
+  using Edge = typename Faces::Edge;
+  using Edge_name = typename Faces::Edge_name;
+  using Neighbor = typename Faces::Neighbor;
+  using Sides = typename Faces::Sides;
+  using Triple = typename Faces::Triple;
+  static constexpr bool is_periodic = Faces::is_periodic;
 
   /// A time, and the number of times recorded before it.
   struct Moment {
@@ -95,56 +102,70 @@ class Certificate_finder {
     Beside beside;
     Moment since;
   };
-  /// A polynomial that must not be negative from a time on.
+  /// A polynomial that must not be negative from a time on. In a periodic box it is about images,
+  /// as one of them sees the others.
   struct Condition {
-    std::vector<Point_id> points;
+    std::vector<Neighbor> points;
     Polynomial polynomial;
     Algebraic_number since;
   };
 
-  const Point_2& point(Point_id id) const { return triangulation_.point(id); }
+  // What polynomials are about.
+  decltype(auto) image(const Neighbor& point) const {
+    if constexpr (is_periodic) {
+      return triangulation_.traits().image(triangulation_.point(point.id), point.offset);
+    } else {
+      return triangulation_.point(point);
+    }
+  }
+  static Neighbor itself(Point_id id) {
+    if constexpr (is_periodic) {
+      return {id, {}};
+    } else {
+      return id;
+    }
+  }
   void set_now(const Algebraic_number& time);
-  const Moment& latest(const Moment& moment, std::span<const Point_id> points) const;
+  const Moment& latest(const Moment& moment, std::span<const Neighbor> points) const;
 
-  static Edge_ids ids_of(const Edge& edge);
-  Sides opposite(const Edge& edge) const;
-  std::optional<Edge> find_edge(const Edge_ids& ids) const;
-  Triple hiding_triangle(Point_id id) const;
+  static Edge_name removed_edge(const Event& event);
+  static Edge_name discs_of(const Event& event);
   void watch(const Edge& edge);
   void watch_around(Point_id id);
   void watch_hidden(Point_id id);
-  void replace_beside(Point_id a, Point_id b, Point_id before, Point_id after);
+  void replace_beside(const Neighbor& from, const Neighbor& to, const Neighbor& left);
   void follow_flip(const Event& event);
-  void follow_contact(const Edge_ids& pair);
+  void follow_contact(const Edge_name& pair);
+  void forget_edges(const Edge_ids& ids);
 
-  Condition condition(std::vector<Point_id> points, const Moment& since) const;
-  Condition condition_of_edge(const Edge_ids& ids) const;
-  Condition condition_of_vertex(Point_id id) const;
+  Condition condition(std::vector<Neighbor> points, const Moment& since) const;
+  Condition condition_of_edge(const Edge_name& name) const;
   std::vector<Condition> conditions_of_hidden(Point_id id) const;
   std::vector<Condition> conditions_of_walls(Point_id id) const;
-  std::vector<Condition> conditions_of_pair(const Edge_ids& pair) const;
+  std::vector<Condition> conditions_of_pair(const Edge_name& pair) const;
   std::vector<Condition> conditions(const Event& event) const;
 
   const Triangulation& triangulation_;
+  Faces faces_;
   Function function_;
   double diameter_;
   std::vector<Wall_2> walls_;
   Moment start_;
   Moment now_;
-  // Edges of the triangulation, infinite ones too, if it has dimension 2. The infinite vertex has
-  // the id no_point.
-  std::map<Edge_ids, Watched<Sides>> edges_;
+  // Edges of the triangulation, infinite ones too, if it has dimension 2.
+  std::map<Edge_name, Watched<Sides>> edges_;
   std::map<Point_id, Watched<Triple>> hidden_;
-  std::map<Point_id, Moment> motions_;  // the begin of motions, if not the start
-  std::map<Edge_ids, Moment> touched_;  // the last contacts at which discs kept their motions
-  Event_certificate certificate_;       // of the event that is about to happen
-  std::vector<Motion> motions_before_;  // of the discs that are about to touch
+  std::map<Point_id, Moment> motions_;   // the begin of motions, if not the start
+  std::map<Edge_name, Moment> touched_;  // the last contacts at which discs kept their motions
+  Event_certificate certificate_;        // of the event that is about to happen
+  std::vector<Motion> motions_before_;   // of the discs that are about to touch
 };
 
 template <class Traits>
 Certificate_finder<Traits>::Certificate_finder(const Triangulation& triangulation,
                                                const Simulation_options& options, Function function)
     : triangulation_(triangulation),
+      faces_(triangulation),
       function_(std::move(function)),
       diameter_(2 * options.radius),
       start_{0, triangulation.current_time()},
@@ -172,10 +193,10 @@ void Certificate_finder<Traits>::set_now(const Algebraic_number& time) {
 // The latest of the moment and those at which the points got their motions.
 template <class Traits>
 auto Certificate_finder<Traits>::latest(const Moment& moment,
-                                        std::span<const Point_id> points) const -> const Moment& {
+                                        std::span<const Neighbor> points) const -> const Moment& {
   const Moment* result = &moment;
-  for (const Point_id id : points) {
-    const auto since = motions_.find(id);
+  for (const Neighbor& point : points) {
+    const auto since = motions_.find(id_of(point));
     if (since != motions_.end() && since->second.number > result->number) result = &since->second;
   }
   return *result;
@@ -184,72 +205,40 @@ auto Certificate_finder<Traits>::latest(const Moment& moment,
 // ---- neighborhoods of edges and hidden points ----
 
 template <class Traits>
-Edge_ids Certificate_finder<Traits>::ids_of(const Edge& edge) {
-  const auto& [face, i] = edge;
-  return edge_ids(face->vertex(Cgal::cw(i))->point().id(),
-                  face->vertex(Cgal::ccw(i))->point().id());
-}
-
-// The points opposite the edge: left and right of it, directed from the smaller id to the greater.
-// So an inverted triangle is a different one.
-template <class Traits>
-auto Certificate_finder<Traits>::opposite(const Edge& edge) const -> Sides {
-  const auto& [face, i] = edge;
-  const Point_id apex = face->vertex(i)->point().id();
-  const Point_id beyond = triangulation_.triangulation().mirror_vertex(face, i)->point().id();
-  const bool is_left =
-      face->vertex(Cgal::ccw(i))->point().id() < face->vertex(Cgal::cw(i))->point().id();
-  return is_left ? Sides{apex, beyond} : Sides{beyond, apex};
-}
-
-// The edge of two points, of which the second may be infinite, if there is one.
-template <class Traits>
-auto Certificate_finder<Traits>::find_edge(const Edge_ids& ids) const -> std::optional<Edge> {
-  const Cgal& triangulation = triangulation_.triangulation();
-  const auto is_there = [&](Point_id id) {
-    return id == no_point || (triangulation_.contains(id) && !triangulation_.is_hidden(id));
-  };
-  if (!is_there(ids[0]) || !is_there(ids[1])) return std::nullopt;
-  const auto vertex = [&](Point_id id) {
-    return id == no_point ? triangulation.infinite_vertex() : triangulation_.vertex(id);
-  };
-  Edge edge;
-  if (!triangulation.is_edge(vertex(ids[0]), vertex(ids[1]), edge.first, edge.second)) {
-    return std::nullopt;
+auto Certificate_finder<Traits>::removed_edge(const Event& event) -> Edge_name {
+  if constexpr (is_periodic) {
+    return {*event.removed, event.removed_offset};
+  } else {
+    return event.removed.value_or(Edge_ids{event.apex.value_or(no_point), no_point});
   }
-  return edge;
+}
+
+// The two that touch, in the order of pairs.
+template <class Traits>
+auto Certificate_finder<Traits>::discs_of(const Event& event) -> Edge_name {
+  if constexpr (is_periodic) {
+    return pair_of(*event.point_a, Neighbor{*event.point_b, event.added_offset});
+  } else {
+    return {*event.point_a, *event.point_b};
+  }
 }
 
 template <class Traits>
 void Certificate_finder<Traits>::watch(const Edge& edge) {
-  const Sides beside = opposite(edge);
-  const auto [watched, is_new] = edges_.try_emplace(ids_of(edge), beside, now_);
+  const Sides beside = faces_.opposite(edge);
+  const auto [watched, is_new] = edges_.try_emplace(Faces::name(edge), beside, now_);
   if (!is_new && watched->second.beside != beside) watched->second = {beside, now_};
 }
 
 // The edges of the triangles of a point.
 template <class Traits>
 void Certificate_finder<Traits>::watch_around(Point_id id) {
-  const Edge_ids to_infinity = {id, no_point};
-  if (!find_edge(to_infinity)) edges_.erase(to_infinity);
-  if (!triangulation_.contains(id) || triangulation_.is_hidden(id)) return;
-  for_each_face_at(triangulation_.triangulation(), triangulation_.vertex(id),
-                   [this](auto face, int i) {
-                     watch(Edge(face, i));
-                     watch(Edge(face, Cgal::cw(i)));
-                   });
-}
-
-// The corners of the triangle that hides a point, counterclockwise, the least id first.
-template <class Traits>
-auto Certificate_finder<Traits>::hiding_triangle(Point_id id) const -> Triple {
-  const auto face = triangulation_.vertex(id)->face();
-  Triple result;
-  for (int i = 0; i < 3; ++i) {
-    result[static_cast<std::size_t>(i)] = face->vertex(i)->point().id();
+  if constexpr (!is_periodic) {
+    const Edge_ids to_infinity = {id, no_point};
+    if (!faces_.find(to_infinity)) edges_.erase(to_infinity);
   }
-  std::rotate(result.begin(), std::ranges::min_element(result), result.end());
-  return result;
+  if (!triangulation_.contains(id) || triangulation_.is_hidden(id)) return;
+  faces_.for_each_edge_around(id, [this](const Edge& edge) { watch(edge); });
 }
 
 template <class Traits>
@@ -260,40 +249,67 @@ void Certificate_finder<Traits>::watch_hidden(Point_id id) {
     hidden_.erase(id);
     return;
   }
-  const Triple triangle = hiding_triangle(id);
-  const auto [watched, is_new] = hidden_.try_emplace(id, triangle, now_);
-  if (!is_new && watched->second.beside != triangle) watched->second = {triangle, now_};
+  if constexpr (HasWeight<Motion>) {
+    const Triple triangle = faces_.hiding_triangle(id);
+    const auto [watched, is_new] = hidden_.try_emplace(id, triangle, now_);
+    if (!is_new && watched->second.beside != triangle) watched->second = {triangle, now_};
+  }
 }
 
+// The triangle to the left of an edge, directed in this way, has another corner. The three see one
+// another as one point sees them.
 template <class Traits>
-void Certificate_finder<Traits>::replace_beside(Point_id a, Point_id b, Point_id before,
-                                                Point_id after) {
-  auto& [beside, since] = edges_.at(edge_ids(a, b));
-  beside[beside[0] == before ? 0 : 1] = after;
+void Certificate_finder<Traits>::replace_beside(const Neighbor& from, const Neighbor& to,
+                                                const Neighbor& left) {
+  const bool is_directed = is_first(id_of(from), seen_from(from, to));
+  const Neighbor& first = is_directed ? from : to;
+  const Neighbor& second = is_directed ? to : from;
+  auto& [beside, since] = edges_.at(pair_from(id_of(first), seen_from(first, second)));
+  beside[is_directed ? 0 : 1] = seen_from(first, left);
   since = now_;
 }
 
-// A flip of an edge; one end may be infinite, at hull events.
+// A flip of an edge; one end may be infinite, at hull events. Its first end a sees the
+// quadrilateral a, right, b, left.
 template <class Traits>
 void Certificate_finder<Traits>::follow_flip(const Event& event) {
-  const Edge_ids to_infinity = {event.apex.value_or(no_point), no_point};
-  const auto [a, b] = event.removed.value_or(to_infinity);
-  const auto [c, d] = event.added.value_or(to_infinity);
-  const bool c_is_left = edges_.at({a, b}).beside[0] == c;
-  edges_.erase({a, b});
-  edges_.insert_or_assign({c, d}, Watched<Sides>(c_is_left ? Sides{b, a} : Sides{a, b}, now_));
-  replace_beside(a, c, b, d);
-  replace_beside(a, d, b, c);
-  replace_beside(b, c, a, d);
-  replace_beside(b, d, a, c);
+  const Edge_name name = removed_edge(event);
+  const Neighbor a = itself(ids_of(name)[0]);
+  const Neighbor b = second_of(name);
+  const auto [left, right] = edges_.at(name).beside;
+  edges_.erase(name);
+  const bool left_is_first = is_first(id_of(left), seen_from(left, right));
+  const Neighbor& first = left_is_first ? left : right;
+  const Sides beside = left_is_first ? Sides{seen_from(first, b), seen_from(first, a)}
+                                     : Sides{seen_from(first, a), seen_from(first, b)};
+  edges_.insert_or_assign(pair_of(id_of(left), seen_from(left, right)),
+                          Watched<Sides>(beside, now_));
+  replace_beside(a, right, left);
+  replace_beside(right, b, left);
+  replace_beside(b, left, right);
+  replace_beside(left, a, right);
+}
+
+// Forgets edges between these two that do not exist.
+template <class Traits>
+void Certificate_finder<Traits>::forget_edges(const Edge_ids& ids) {
+  if constexpr (is_periodic) {
+    constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
+    auto edge = edges_.lower_bound(Edge_name{ids, {least, least}});
+    while (edge != edges_.end() && edge->first.ids == ids) {
+      edge = faces_.find(edge->first) ? std::next(edge) : edges_.erase(edge);
+    }
+  } else {
+    if (!faces_.find(ids)) edges_.erase(ids);
+  }
 }
 
 // ---- polynomials ----
 
 template <class Traits>
-auto Certificate_finder<Traits>::condition(std::vector<Point_id> points, const Moment& since) const
+auto Certificate_finder<Traits>::condition(std::vector<Neighbor> points, const Moment& since) const
     -> Condition {
-  const auto at = [&](std::size_t i) -> const Point_2& { return point(points[i]); };
+  const auto at = [&](std::size_t i) -> decltype(auto) { return image(points[i]); };
   Polynomial polynomial = points.size() == 4
                               ? -perturbed_in_circle_polynomial(at(0), at(1), at(2), at(3))
                               : orientation_polynomial(at(0), at(1), at(2));
@@ -303,61 +319,51 @@ auto Certificate_finder<Traits>::condition(std::vector<Point_id> points, const M
 
 // The condition that the edge belongs to the triangulation, as in Kinetic_triangulation_2.
 template <class Traits>
-auto Certificate_finder<Traits>::condition_of_edge(const Edge_ids& ids) const -> Condition {
-  const std::optional<Edge> edge = find_edge(ids);
+auto Certificate_finder<Traits>::condition_of_edge(const Edge_name& name) const -> Condition {
+  const std::optional<Edge> edge = faces_.find(name);
   KINETRI_ASSERT(edge, "an edge that is about to change is there");
-  const auto& [face, i] = *edge;
-  const auto beyond = triangulation_.triangulation().mirror_vertex(face, i)->point().id();
-  const Point_id apex = face->vertex(i)->point().id();
-  const Point_id left = face->vertex(Cgal::cw(i))->point().id();
-  const Point_id right = face->vertex(Cgal::ccw(i))->point().id();
-  std::vector<Point_id> points;
-  if (right == no_point) {
-    points = {apex, left, beyond};
-  } else if (left == no_point) {
-    points = {beyond, right, apex};
-  } else if (apex == no_point) {
-    points = {left, right, beyond};
-  } else if (beyond == no_point) {
-    points = {right, left, apex};
-  } else if (right < left) {
-    points = {right, left, apex, beyond};
-  } else {
-    points = {left, right, beyond, apex};
+  const Neighbor first = itself(ids_of(name)[0]);
+  const Neighbor second = second_of(name);
+  const auto [left, right] = faces_.opposite(*edge);
+  std::vector<Neighbor> points = {first, second, left, right};
+  // Without an infinite point, the others turn left.
+  if (id_of(second) == no_point) {
+    points = {right, first, left};
+  } else if (id_of(left) == no_point) {
+    points = {second, first, right};
+  } else if (id_of(right) == no_point) {
+    points = {first, second, left};
   }
-  return condition(std::move(points), edges_.at(ids).since);
+  return condition(std::move(points), edges_.at(name).since);
 }
 
-// The condition that the vertex is not hidden: that of any of its edges, since it has three
-// neighbors, of which one may be infinite.
-template <class Traits>
-auto Certificate_finder<Traits>::condition_of_vertex(Point_id id) const -> Condition {
-  Point_id neighbor = no_point;
-  for_each_neighbor(triangulation_.triangulation(), triangulation_.vertex(id),
-                    [&](auto v) { neighbor = std::min(neighbor, v->point().id()); });
-  return condition_of_edge(edge_ids(id, neighbor));
-}
-
-// The conditions that the point is above the triangle that hides it, and does not leave it.
+// The conditions that the point is above the triangle that hides it and, in the plane, does not
+// leave it.
 template <class Traits>
 auto Certificate_finder<Traits>::conditions_of_hidden(Point_id id) const -> std::vector<Condition> {
-  const Triple triangle = hiding_triangle(id);
+  const Triple triangle = faces_.hiding_triangle(id);
   const auto watched = hidden_.find(id);
   const Moment& since =
       watched != hidden_.end() && watched->second.beside == triangle ? watched->second.since : now_;
-  std::vector<Condition> result = {condition({triangle[0], triangle[1], triangle[2], id}, since)};
-  for (std::size_t i = 0; i < 3; ++i) {
-    result.push_back(condition({triangle[i], triangle[(i + 1) % 3], id}, since));
+  const Neighbor point = itself(id);
+  std::vector<Condition> result = {
+      condition({triangle[0], triangle[1], triangle[2], point}, since)};
+  if constexpr (!is_periodic) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      result.push_back(condition({triangle[i], triangle[(i + 1) % 3], point}, since));
+    }
   }
   return result;
 }
 
 template <class Traits>
 auto Certificate_finder<Traits>::conditions_of_walls(Point_id id) const -> std::vector<Condition> {
-  const Algebraic_number& since = latest(start_, {&id, 1}).time;
   std::vector<Condition> result;
-  for (const Wall_2& wall : walls_) {
-    result.push_back({{id}, wall_polynomial(point(id), wall), since});
+  if constexpr (!is_periodic) {
+    const Algebraic_number& since = latest(start_, {&id, 1}).time;
+    for (const Wall_2& wall : walls_) {
+      result.push_back({{id}, wall_polynomial(image(id), wall), since});
+    }
   }
   return result;
 }
@@ -365,12 +371,13 @@ auto Certificate_finder<Traits>::conditions_of_walls(Point_id id) const -> std::
 // The conditions that the discs are apart, since they last separated; or, if they overlap, that
 // they separate.
 template <class Traits>
-auto Certificate_finder<Traits>::conditions_of_pair(const Edge_ids& pair) const
+auto Certificate_finder<Traits>::conditions_of_pair(const Edge_name& pair) const
     -> std::vector<Condition> {
   const auto touched = touched_.find(pair);
+  const std::vector<Neighbor> points = {itself(ids_of(pair)[0]), second_of(pair)};
   const Algebraic_number& since =
-      latest(touched == touched_.end() ? start_ : touched->second, pair).time;
-  Polynomial apart = contact_polynomial(point(pair[0]), point(pair[1]), diameter_);
+      latest(touched == touched_.end() ? start_ : touched->second, points).time;
+  Polynomial apart = contact_polynomial(image(points[0]), image(points[1]), diameter_);
   Algebraic_number parted = since;
   if (!apart.is_zero()) {
     for (const Real_root& root : real_roots(apart)) {
@@ -380,7 +387,6 @@ auto Certificate_finder<Traits>::conditions_of_pair(const Edge_ids& pair) const
     }
   }
   Polynomial parting = derivative(apart);
-  const std::vector<Point_id> points(pair.begin(), pair.end());
   return {{points, std::move(apart), parted}, {points, std::move(parting), since}};
 }
 
@@ -389,20 +395,24 @@ auto Certificate_finder<Traits>::conditions(const Event& event) const -> std::ve
   switch (event.kind) {
     case Event_kind::flip:
     case Event_kind::hull_insert:
-      return {condition_of_edge(*event.removed)};
     case Event_kind::hull_remove:
-      return {condition_of_edge({*event.apex, no_point})};
-    case Event_kind::hide:
+      return {condition_of_edge(removed_edge(event))};
+    case Event_kind::hide: {
       // After a reconstruction, its results are reported.
-      if (triangulation_.is_hidden(*event.point_a)) return {};
-      return {condition_of_vertex(*event.point_a)};
+      const Point_id id = *event.point_a;
+      if (triangulation_.is_hidden(id)) return {};
+      // Any of its edges, since it has three neighbors, of which one may be infinite.
+      return {condition_of_edge(pair_of(id, faces_.least_neighbor(id)))};
+    }
     case Event_kind::reveal:
-      if (!triangulation_.is_hidden(*event.point_a)) return {};
-      return conditions_of_hidden(*event.point_a);
+      if constexpr (HasWeight<Motion>) {
+        if (triangulation_.is_hidden(*event.point_a)) return conditions_of_hidden(*event.point_a);
+      }
+      return {};
     case Event_kind::wall:
       return conditions_of_walls(*event.point_a);
     case Event_kind::collision:
-      return conditions_of_pair({*event.point_a, *event.point_b});
+      return conditions_of_pair(discs_of(event));
     default:
       return {};
   }
@@ -413,12 +423,16 @@ auto Certificate_finder<Traits>::conditions(const Event& event) const -> std::ve
 template <class Traits>
 void Certificate_finder<Traits>::before_event(const Event& event) {
   set_now(event.time);
-  certificate_ = {event.number, event.kind, points_named(event), std::nullopt, {}};
+  certificate_ = {event.number, event.kind, points_named(event), {}, std::nullopt, {}};
   const std::vector<Condition> all = conditions(event);
   for (const auto& [points, polynomial, since] : all) {
     certificate_.failure = certify_failure(polynomial, since, event.time);
     if (certificate_.failure) {
-      certificate_.points = points;
+      certificate_.points.clear();
+      for (const Neighbor& point : points) {
+        certificate_.points.push_back(id_of(point));
+        if constexpr (is_periodic) certificate_.offsets.push_back(point.offset);
+      }
       break;
     }
   }
@@ -430,9 +444,8 @@ void Certificate_finder<Traits>::before_event(const Event& event) {
   }
   motions_before_.clear();
   if (event.kind != Event_kind::collision) return;
-  for (const Point_id id : {*event.point_a, *event.point_b}) {
-    motions_before_.push_back(triangulation_.motion(id));
-  }
+  const Edge_name pair = discs_of(event);
+  for (const Point_id id : ids_of(pair)) motions_before_.push_back(triangulation_.motion(id));
 }
 
 template <class Traits>
@@ -453,7 +466,7 @@ void Certificate_finder<Traits>::after_event(const Event& event) {
       hidden_.erase(*event.point_a);
       break;
     case Event_kind::collision:
-      follow_contact({*event.point_a, *event.point_b});
+      follow_contact(discs_of(event));
       break;
     default:
       break;
@@ -462,10 +475,10 @@ void Certificate_finder<Traits>::after_event(const Event& event) {
 }
 
 template <class Traits>
-void Certificate_finder<Traits>::follow_contact(const Edge_ids& pair) {
+void Certificate_finder<Traits>::follow_contact(const Edge_name& pair) {
   bool have_changed = false;
   for (const std::size_t i : {0U, 1U}) {
-    const Point_id id = pair[i];
+    const Point_id id = ids_of(pair)[i];
     if (!triangulation_.contains(id)) {
       motions_.erase(id);
       hidden_.erase(id);
@@ -491,7 +504,7 @@ void Certificate_finder<Traits>::after_rebuild(const Algebraic_number& time,
   // A new triangle has corners that have got or lost an edge.
   std::set<Point_id> ends;
   for (const Edge_ids& edge : edges) {
-    if (!find_edge(edge)) edges_.erase(edge);
+    forget_edges(edge);
     ends.insert(edge.begin(), edge.end());
   }
   for (const Point_id id : ends) watch_around(id);
@@ -541,5 +554,7 @@ template class Event_certificates<Linear_kinetic_traits_2>;
 template class Event_certificates<Polynomial_kinetic_traits_2>;
 template class Event_certificates<Disc_kinetic_traits_2>;
 template class Event_certificates<Polynomial_disc_kinetic_traits_2>;
+template class Event_certificates<Periodic_kinetic_traits_2>;
+template class Event_certificates<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri

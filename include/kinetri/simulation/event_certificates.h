@@ -36,10 +36,15 @@ namespace kinetri {
 /// contact_polynomial is the polynomial: they collide when they cease to separate. Points are in
 /// the order of the function's parameters. Other events have no failure, nor have `hide` and
 /// `reveal` of points that coincide for a while; their points are those that they name.
+///
+/// In a periodic box a polynomial is about images of these points: `offsets` has the offset of
+/// each, against the positions as given, of which one is zero. If the same offset is added to all
+/// images, the polynomial is the same.
 struct Event_certificate {
   std::uint64_t event = 0;                     ///< the number of the event
   Event_kind kind = Event_kind::flip;          ///< of the event
   std::vector<Point_id> points;                ///< see above
+  std::vector<Lattice_offset_2> offsets;       ///< empty in the plane, and if there is no failure
   std::optional<Failure_certificate> failure;  ///< none if nothing fails, or not at a root
   std::string_view reason;                     ///< why there is none, for people
 };
@@ -58,7 +63,7 @@ class Certificate_finder;
 /// Cost: for each event the roots of a polynomial and a Sturm sequence; for each change other than
 /// a flip, the degrees of the points whose edges have changed. Memory: a record for each edge. Runs
 /// with such an observer use one thread, since it looks at the triangulation. Compiled for the
-/// library's traits of the plane.
+/// library's traits.
 template <class Traits = Linear_kinetic_traits_2>
 class Event_certificates : public Event_observer {
  public:
@@ -90,6 +95,8 @@ extern template class Event_certificates<Linear_kinetic_traits_2>;
 extern template class Event_certificates<Polynomial_kinetic_traits_2>;
 extern template class Event_certificates<Disc_kinetic_traits_2>;
 extern template class Event_certificates<Polynomial_disc_kinetic_traits_2>;
+extern template class Event_certificates<Periodic_kinetic_traits_2>;
+extern template class Event_certificates<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri
 
