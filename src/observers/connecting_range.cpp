@@ -8,6 +8,8 @@
 
 #include "algebra/root_difference.h"
 #include "kinetri/algebra/real_roots.h"
+#include "kinetri/kinetic/image_motion_2.h"
+#include "kinetri/kinetic/polynomial_motion_2.h"
 
 namespace kinetri::detail {
 namespace {
@@ -41,14 +43,14 @@ class Candidate {
     return a.length() < b.length();
   }
 
-  Connecting_range range() const { return {length(), piece_->edge, time_}; }
-
- private:
+  const Length_piece* piece() const { return piece_; }
+  const Algebraic_number& time() const { return time_; }
   const Algebraic_number& length() const {
     if (!length_) length_ = length_at(piece_->squared_length, time_);
     return *length_;
   }
 
+ private:
   const Length_piece* piece_;
   Algebraic_number time_;
   Double_interval bounds_;
@@ -91,8 +93,7 @@ Algebraic_number length_at(const std::vector<Rational>& squared_length,
   return root_difference_at(squared_length, {}, time);
 }
 
-std::optional<Connecting_range> extreme_length(std::span<const Length_piece> pieces,
-                                               bool greatest) {
+std::optional<Extreme_length> extreme_length(std::span<const Length_piece> pieces, bool greatest) {
   std::optional<Candidate> extreme;
   for (const Length_piece& piece : pieces) {
     for (const Algebraic_number& time : extreme_times(piece)) {
@@ -103,12 +104,15 @@ std::optional<Connecting_range> extreme_length(std::span<const Length_piece> pie
       }
     }
   }
-  return extreme ? std::optional(extreme->range()) : std::nullopt;
+  if (!extreme) return std::nullopt;
+  return Extreme_length{static_cast<std::size_t>(extreme->piece() - pieces.data()),
+                        extreme->length(), extreme->time()};
 }
 
 template std::vector<Rational> squared_distance(const Basic_moving_point_2<Linear_motion_2>&,
                                                 const Basic_moving_point_2<Linear_motion_2>&);
 template std::vector<Rational> squared_distance(const Basic_moving_point_2<Polynomial_motion_2>&,
                                                 const Basic_moving_point_2<Polynomial_motion_2>&);
+template std::vector<Rational> squared_distance(const Moving_image_2&, const Moving_image_2&);
 
 }  // namespace kinetri::detail

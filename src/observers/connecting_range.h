@@ -4,11 +4,12 @@
 #ifndef KINETRI_SRC_OBSERVERS_CONNECTING_RANGE_H
 #define KINETRI_SRC_OBSERVERS_CONNECTING_RANGE_H
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "kinetri/observers/kinetic_spanning_tree_2.h"
+#include "kinetri/algebra/algebraic_number.h"
 
 namespace kinetri::detail {
 
@@ -17,11 +18,17 @@ namespace kinetri::detail {
 struct Length_piece {
   Algebraic_number from;
   Algebraic_number to;
-  Edge_ids edge;
   std::vector<Rational> squared_length;
 };
 
-/// The squared distance of two points, as a polynomial in time, by ascending power.
+/// The extreme length of several pieces.
+struct Extreme_length {
+  std::size_t piece;  ///< index
+  Algebraic_number length;
+  Algebraic_number time;
+};
+
+/// The squared distance of two points or images, as a polynomial in time, by ascending power.
 template <class Point>
 std::vector<Rational> squared_distance(const Point& p, const Point& q);
 
@@ -31,7 +38,7 @@ Algebraic_number length_at(const std::vector<Rational>& squared_length,
 
 /// The least or the greatest length of the pieces, at its first time; none without pieces. Exact;
 /// interval arithmetic excludes most candidates. Precondition: the pieces are in the order of time.
-std::optional<Connecting_range> extreme_length(std::span<const Length_piece> pieces, bool greatest);
+std::optional<Extreme_length> extreme_length(std::span<const Length_piece> pieces, bool greatest);
 
 }  // namespace kinetri::detail
 

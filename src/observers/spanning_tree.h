@@ -25,12 +25,17 @@ namespace kinetri::detail {
 /// minimum spanning tree. A cycle certificate fails when another edge of the cycle becomes longer
 /// than its edge; the queue has the first such failure of each edge that is not in the tree, and
 /// for each edge of the tree except the longest one the time at which it becomes longer than that.
-template <ContactKineticTraits_2 Traits>
+///
+/// In a periodic box the graph is that of the points modulo the lattice, with several edges between
+/// two points. A point and its own image have no edge here, since it would never be in the tree.
+template <SimulationKineticTraits_2 Traits>
 class Spanning_tree final : private Edge_follower<Traits> {
  public:
-  using typename Edge_follower<Traits>::Point_2;
+  using typename Edge_follower<Traits>::Edge_name;
+  using typename Edge_follower<Traits>::Image_2;
+  using typename Edge_follower<Traits>::Neighbor;
   using typename Edge_follower<Traits>::Time;
-  using History = Spanning_tree_history<Point_2>;
+  using History = Spanning_tree_history<Edge_name, Image_2>;
 
   /// Observes a triangulation or a simulation.
   template <class Observed>
@@ -38,8 +43,9 @@ class Spanning_tree final : private Edge_follower<Traits> {
       : Edge_follower<Traits>(observed), now_(present_time()) {
     resize();
     std::vector<std::pair<double, Index>> by_length;
-    for (const Edge_ids& ids : this->graph().edges()) {
-      const Index edge = insert(ids);
+    for (const Edge_name& name : this->graph().edges()) {
+      if (!joins_points(name)) continue;
+      const Index edge = insert(name);
       by_length.emplace_back(rounded_square_length(edge), edge);
     }
     std::ranges::sort(by_length);
@@ -55,18 +61,18 @@ class Spanning_tree final : private Edge_follower<Traits> {
 
   /// @{
   /// Just after that time.
-  std::vector<Edge_ids> edges() {
+  std::vector<Edge_name> edges() {
     look();
-    std::vector<Edge_ids> result;
+    std::vector<Edge_name> result;
     for (const Edge& edge : edges_) {
-      if (edge.is_in_tree) result.push_back(edge.ids);
+      if (edge.is_in_tree) result.push_back(edge.name);
     }
     std::ranges::sort(result);
     return result;
   }
-  bool is_edge(const Edge_ids& ids) {
+  bool is_edge(const Edge_name& name) {
     look();
-    const Index edge = find(ids);
+    const Index edge = find(name);
     return edge != no_edge && edges_[edge].is_in_tree;
   }
   const History& history() {
@@ -81,7 +87,7 @@ class Spanning_tree final : private Edge_follower<Traits> {
   static constexpr Index no_edge = Rooted_forest::no_edge;
 
   struct Edge {
-    Edge_ids ids = {no_point, no_point};
+    Edge_name name = {};
     bool is_in_tree = false;
     bool is_uncertified = false;   // it may belong to the tree
     std::vector<Index> cycle;      // of its certificate, without the edge itself
@@ -98,9 +104,9 @@ class Spanning_tree final : private Edge_follower<Traits> {
   using Queue = Failure_queue<Entry, Spanning_tree>;
   friend Queue;
 
-  // The other end of an edge, kept at the smaller one.
-  struct Greater_end {
-    Point_id id;
+  // The second end of an edge, kept at the first one.
+  struct Second_end {
+    Neighbor id;
     Index edge;
   };
 
@@ -117,20 +123,21 @@ class Spanning_tree final : private Edge_follower<Traits> {
     begin(time);
   }
 
-  void before_change(std::span<const Edge_ids> removed,
+  void before_change(std::span<const Edge_name> removed,
                      std::span<const Changed_point> points) override {
-    std::vector<Edge_ids> affected(removed.begin(), removed.end());
+    std::vector<Edge_name> affected(removed.begin(), removed.end());
     for (const auto& point : points) {
       if (!this->graph().contains(point.id)) continue;
-      for (const Point_id other : this->graph().neighbors(point.id)) {
-        affected.push_back(edge_ids(point.id, other));
+      for (const Neighbor& other : this->graph().neighbors(point.id)) {
+        affected.push_back(pair_of(point.id, other));
       }
     }
+    std::erase_if(affected, [](const Edge_name& name) { return !joins_points(name); });
     std::ranges::sort(affected);
     affected.erase(std::unique(affected.begin(), affected.end()), affected.end());
     // First remove all entries that depend on one of them.
-    for (const Edge_ids& ids : affected) {
-      const Index edge = find(ids);
+    for (const Edge_name& name : affected) {
+      const Index edge = find(name);
       const std::vector<Index> certified = edges_[edge].certified;
       for (const Index other : certified) withdraw(other);
       if (edge != longest_) continue;
@@ -139,18 +146,21 @@ class Spanning_tree final : private Edge_follower<Traits> {
       }
       longest_ = no_edge;
     }
-    for (const Edge_ids& ids : affected) {
-      const Index edge = find(ids);
+    for (const Edge_name& name : affected) {
+      const Index edge = find(name);
       if (edges_[edge].is_in_tree) remove_from_tree(edge);
       withdraw(edge);
-      if (std::ranges::binary_search(removed, ids)) erase(edge);
+      if (std::ranges::binary_search(removed, name)) erase(edge);
     }
   }
 
-  void change(const Time& /*time*/, std::span<const Edge_ids> /*removed*/,
-              std::span<const Edge_ids> added, std::span<const Changed_point> /*points*/) override {
+  void change(const Time& /*time*/, std::span<const Edge_name> /*removed*/,
+              std::span<const Edge_name> added,
+              std::span<const Changed_point> /*points*/) override {
     resize();
-    for (const Edge_ids& ids : added) withdraw(insert(ids));
+    for (const Edge_name& name : added) {
+      if (joins_points(name)) withdraw(insert(name));
+    }
     certify_all();
     find_longest();
   }
@@ -173,7 +183,7 @@ class Spanning_tree final : private Edge_follower<Traits> {
   void record() {
     typename History::Longest_piece longest = {now_};
     if (longest_ != no_edge) {
-      longest = {now_, edges_[longest_].ids, end(longest_, 0), end(longest_, 1)};
+      longest = {now_, edges_[longest_].name, end(longest_, 0), end(longest_, 1)};
     }
     history_.record(std::move(longest));
   }
@@ -203,36 +213,42 @@ class Spanning_tree final : private Edge_follower<Traits> {
     ends_.resize(this->graph().next_id());
   }
 
-  Index find(const Edge_ids& ids) const {
-    if (ids[0] >= ends_.size()) return no_edge;
-    const auto& ends = ends_[ids[0]];
-    const auto found = std::ranges::find(ends, ids[1], &Greater_end::id);
+  // Whether the ends are different points; if not, they are images of one.
+  static bool joins_points(const Edge_name& name) { return ids_of(name)[0] != ids_of(name)[1]; }
+
+  Index find(const Edge_name& name) const {
+    const Point_id first = ids_of(name)[0];
+    if (first >= ends_.size()) return no_edge;
+    const auto& ends = ends_[first];
+    const auto found = std::ranges::find(ends, second_of(name), &Second_end::id);
     return found == ends.end() ? no_edge : found->edge;
   }
 
-  Index insert(const Edge_ids& ids) {
+  Index insert(const Edge_name& name) {
     if (free_edges_.empty()) {
       free_edges_.push_back(static_cast<Index>(edges_.size()));
       edges_.emplace_back();
     }
     const Index edge = free_edges_.back();
     free_edges_.pop_back();
-    edges_[edge].ids = ids;
-    ends_[ids[0]].push_back({ids[1], edge});
+    edges_[edge].name = name;
+    ends_[ids_of(name)[0]].push_back({second_of(name), edge});
     return edge;
   }
 
   // Precondition: it is not in the tree nor in a cycle, and is not scheduled.
   void erase(Index edge) {
-    auto& ends = ends_[edges_[edge].ids[0]];
-    *std::ranges::find(ends, edge, &Greater_end::edge) = ends.back();
+    auto& ends = ends_[ids(edge)[0]];
+    *std::ranges::find(ends, edge, &Second_end::edge) = ends.back();
     ends.pop_back();
     edges_[edge] = {};
     free_edges_.push_back(edge);
   }
 
-  const Point_2& end(Index edge, std::size_t i) const {
-    return this->graph().point(edges_[edge].ids[i]);
+  const Edge_ids& ids(Index edge) const { return ids_of(edges_[edge].name); }
+  decltype(auto) end(Index edge, std::size_t i) const {
+    const Edge_name& name = edges_[edge].name;
+    return i == 0 ? this->first_end(name) : this->second_end(name);
   }
 
   // For initial orders, which need not be right.
@@ -252,7 +268,7 @@ class Spanning_tree final : private Edge_follower<Traits> {
       const bool fails_now = certificate.bounds.lower <= now_.interval().upper &&
                              time_of(certificate, near, far) == now_;
       if (fails_now) return {};
-    } else if (certificate.may_be_zero && edges_[near].ids > edges_[far].ids &&
+    } else if (certificate.may_be_zero && edges_[near].name > edges_[far].name &&
                distance_comparison_polynomial(end(near, 0), end(near, 1), end(far, 0), end(far, 1))
                    .is_zero()) {
       return {};
@@ -272,7 +288,7 @@ class Spanning_tree final : private Edge_follower<Traits> {
                                          end(entry.far, 1), entry.bounds);
   }
   bool precedes(const Entry& a, const Entry& b) const {
-    return edges_[a.owner].ids < edges_[b.owner].ids;
+    return edges_[a.owner].name < edges_[b.owner].name;
   }
 
   void schedule(Index owner, Index near, Index far, Certificate certificate) {
@@ -312,11 +328,13 @@ class Spanning_tree final : private Edge_follower<Traits> {
 
   // Looks for a triangle of edges of which the edge is the longest one. It need not be a face.
   bool find_triangle(Index edge) {
-    const auto [a, b] = edges_[edge].ids;
-    for (const Point_id corner : this->graph().neighbors(a)) {
-      const Index to_b = find(edge_ids(corner, b));
+    const Point_id a = ids(edge)[0];
+    const Neighbor b = second_of(edges_[edge].name);
+    for (const Neighbor& corner : this->graph().neighbors(a)) {
+      if (id_of(corner) == a || id_of(corner) == id_of(b)) continue;
+      const Index to_b = find(pair_of(id_of(corner), seen_from(corner, b)));
       if (to_b == no_edge) continue;
-      const Index to_a = find(edge_ids(corner, a));
+      const Index to_a = find(pair_of(a, corner));
       Closer first = closer(to_a, edge);
       if (!first.holds) continue;
       Closer second = closer(to_b, edge);
@@ -333,7 +351,7 @@ class Spanning_tree final : private Edge_follower<Traits> {
   // The edge enters the tree if it joins two parts of it, or if the longest edge of the path
   // between its ends is longer; else it gets a cycle with the path.
   void find_path(Index edge) {
-    std::optional<std::vector<Index>> path = forest_.path(edges_[edge].ids[0], edges_[edge].ids[1]);
+    std::optional<std::vector<Index>> path = forest_.path(ids(edge)[0], ids(edge)[1]);
     if (!path) return add_to_tree(edge);
     std::vector<Certificate> certificates;
     Index longest = no_edge;
@@ -375,16 +393,16 @@ class Spanning_tree final : private Edge_follower<Traits> {
   // ---- the tree, and its longest edge ----
 
   void add_to_tree(Index edge) {
-    forest_.add(edge, edges_[edge].ids);
+    forest_.add(edge, ids(edge));
     edges_[edge].is_in_tree = true;
-    history_.count(edges_[edge].ids, 1);
+    history_.count(edges_[edge].name, 1);
     new_in_tree_.push_back(edge);
   }
 
   void remove_from_tree(Index edge) {
-    forest_.remove(edge, edges_[edge].ids);
+    forest_.remove(edge, ids(edge));
     edges_[edge].is_in_tree = false;
-    history_.count(edges_[edge].ids, -1);
+    history_.count(edges_[edge].name, -1);
     unschedule(edge);
     if (edge == longest_) longest_ = no_edge;
   }
@@ -438,7 +456,7 @@ class Spanning_tree final : private Edge_follower<Traits> {
   Time now_;
   std::vector<Edge> edges_;
   std::vector<Index> free_edges_;
-  std::vector<std::vector<Greater_end>> ends_;  // by the smaller id of an edge
+  std::vector<std::vector<Second_end>> ends_;  // by the id of the first end of an edge
   Rooted_forest forest_;
   std::vector<Index> uncertified_;
   std::vector<Index> new_in_tree_;  // not compared with the longest one yet

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Euclidean minimum spanning tree of moving points, over time.
+// The Euclidean minimum spanning tree of moving points, over time, in the plane and in periodic
+// boxes.
 #ifndef KINETRI_OBSERVERS_KINETIC_SPANNING_TREE_2_H
 #define KINETRI_OBSERVERS_KINETIC_SPANNING_TREE_2_H
 
@@ -8,35 +9,45 @@
 #include <optional>
 #include <vector>
 
+#include "kinetri/impl/observers/neighbor_names.h"
 #include "kinetri/simulation/simulation_2.h"
 
 namespace kinetri {
 
 /// A change of a spanning tree at one time. Both lists are sorted; they are equally long unless
-/// points are inserted or erased.
-struct Spanning_tree_change {
-  Algebraic_number time;          ///< exact
-  std::vector<Edge_ids> removed;  ///< edges of the tree just before the time and not just after it
-  std::vector<Edge_ids> added;    ///< edges of the tree just after the time and not just before it
+/// points are inserted or erased. `Edge` is Edge_ids, in a periodic box Periodic_edge.
+template <class Edge>
+struct Basic_spanning_tree_change {
+  Algebraic_number time;      ///< exact
+  std::vector<Edge> removed;  ///< edges of the tree just before the time and not just after it
+  std::vector<Edge> added;    ///< edges of the tree just after the time and not just before it
 };
+/// In the plane.
+using Spanning_tree_change = Basic_spanning_tree_change<Edge_ids>;
 
 /// The longest edge of the tree, from a time on.
-struct Longest_edge {
-  Algebraic_number time;         ///< exact
-  std::optional<Edge_ids> edge;  ///< none if there are fewer than two points
-  double length = 0;             ///< at that time, rounded to nearest, ties to even
+template <class Edge>
+struct Basic_longest_edge {
+  Algebraic_number time;     ///< exact
+  std::optional<Edge> edge;  ///< none if there are fewer than two points
+  double length = 0;         ///< at that time, rounded to nearest, ties to even
 };
+/// In the plane.
+using Longest_edge = Basic_longest_edge<Edge_ids>;
 
 /// The range at which all points are connected, at a time: the length of the longest edge of the
 /// tree.
-struct Connecting_range {
-  Algebraic_number range;                ///< exact
-  Edge_ids edge = {no_point, no_point};  ///< the longest edge
-  Algebraic_number time;                 ///< exact
+template <class Edge>
+struct Basic_connecting_range {
+  Algebraic_number range;  ///< exact
+  Edge edge = {};          ///< the longest edge
+  Algebraic_number time;   ///< exact
 };
+/// In the plane.
+using Connecting_range = Basic_connecting_range<Edge_ids>;
 
 namespace detail {
-template <ContactKineticTraits_2 Traits>
+template <SimulationKineticTraits_2 Traits>
 class Spanning_tree;
 }  // namespace detail
 
@@ -48,6 +59,12 @@ class Spanning_tree;
 /// edges (docs/MATH.md, section 15). All changes at one time are one change, unless this object is
 /// called in between. Answers are for just after the current time.
 ///
+/// In a periodic box the tree joins the points modulo the lattice: its edges are those of images,
+/// Periodic_edge, never of a point and its own image, and two points are connected if one is
+/// connected with any image of the other. Edges of equal length throughout some time are in the
+/// order of ids, then of offsets against the positions as given. An offset of 2^31 or more, of
+/// images that far from one another, is a Periodic_box_error of the call that advances time.
+///
 /// Each edge outside of the tree has a certificate: a cycle of which it is the longest edge. Cost:
 /// for each edge whose certificate fails, certificates of the edges of triangles at it, or of those
 /// on its path in the tree. A change of the longest edge costs O(n) certificates. Memory: O(n times
@@ -58,12 +75,16 @@ class Spanning_tree;
 /// Henzinger, Parametric and kinetic minimum spanning trees, 39th Symposium on Foundations of
 /// Computer Science, 1998; Z. Rahmati, A. Zarei, Kinetic Euclidean minimum spanning tree in the
 /// plane, Journal of Discrete Algorithms 16, 2012.
-template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
+template <SimulationKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Kinetic_spanning_tree_2 {
   static_assert(!HasWeight<typename Traits::Motion>, "of points, or discs of one radius");
 
  public:
-  using Triangulation = Kinetic_triangulation_2<Traits>;  ///< what is observed
+  using Triangulation = Kinetic_triangulation_2<Traits>;          ///< what is observed
+  using Edge = detail::Edge_name<Traits>;                         ///< Edge_ids or Periodic_edge
+  using Spanning_tree_change = Basic_spanning_tree_change<Edge>;  ///< of such edges
+  using Longest_edge = Basic_longest_edge<Edge>;                  ///< the same
+  using Connecting_range = Basic_connecting_range<Edge>;          ///< the same
 
   /// @{
   /// Observes from the current time on. What is observed must outlive this object.
@@ -73,9 +94,9 @@ class Kinetic_spanning_tree_2 {
   ~Kinetic_spanning_tree_2();
 
   /// The edges of the tree just after the current time, sorted.
-  std::vector<Edge_ids> edges();
+  std::vector<Edge> edges();
   /// Whether the tree has that edge just after the current time.
-  bool is_edge(const Edge_ids& edge);
+  bool is_edge(const Edge& edge);
   /// All changes so far, in their order. The reference is valid until this object is used again
   /// after the triangulation has advanced.
   const std::vector<Spanning_tree_change>& changes();
@@ -103,6 +124,7 @@ class Kinetic_spanning_tree_2 {
 
 extern template class Kinetic_spanning_tree_2<Linear_kinetic_traits_2>;
 extern template class Kinetic_spanning_tree_2<Polynomial_kinetic_traits_2>;
+extern template class Kinetic_spanning_tree_2<Periodic_kinetic_traits_2>;
 
 }  // namespace kinetri
 

@@ -31,13 +31,14 @@ struct Spanning_tree_row {
   Algebraic_number time;                                        ///< exact
   Spanning_tree_row_kind kind = Spanning_tree_row_kind::start;  ///< what happens
   Edge_ids edge = {no_point, no_point};                         ///< the smaller id first
+  Lattice_offset_2 offset = {};  ///< in a periodic box, of the second end; else zero
   /// Of `longest`, `least` and `greatest`, the length of the edge at the time, rounded to nearest,
   /// ties to even; else NaN.
   double length = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// An observer that follows a Kinetic_spanning_tree_2 from the current time on.
-template <ContactKineticTraits_2 Traits = Linear_kinetic_traits_2>
+template <SimulationKineticTraits_2 Traits = Linear_kinetic_traits_2>
 class Spanning_tree_rows {
  public:
   /// @{
@@ -55,11 +56,12 @@ class Spanning_tree_rows {
  private:
   Kinetic_spanning_tree_2<Traits> tree_;
   Algebraic_number start_;
-  std::vector<Edge_ids> at_start_;
+  std::vector<Edge_name<Traits>> at_start_;
 };
 
 extern template class Spanning_tree_rows<Linear_kinetic_traits_2>;
 extern template class Spanning_tree_rows<Polynomial_kinetic_traits_2>;
+extern template class Spanning_tree_rows<Periodic_kinetic_traits_2>;
 
 }  // namespace kinetri::detail
 
