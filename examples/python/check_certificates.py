@@ -60,7 +60,8 @@ def check(row):
         assert at_once or row["kind"] in kinds, "a polynomial is missing"
         assert row["reason"] and row.keys() == {"event", "kind", "points", "polynomial", "reason"}, "no reason"
         return
-    assert len(set(row["points"])) == len(row["points"]) in POINTS[row["kind"]], "points of another kind of event"
+    points = list(zip(row["points"], map(tuple, row.get("offsets", [()] * len(row["points"])))))  # in a box, images
+    assert len(set(points)) == len(row["points"]) in POINTS[row["kind"]], "points of another kind of event"
     p = tuple(Fraction(int(c)) for c in row["polynomial"])
     start, lower, upper, *touches = (int(m) * Fraction(2)**e for m, e in (
         row["from"], row["lower"], row["upper"], *(end for touch in row["touches"] for end in touch)))

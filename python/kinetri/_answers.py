@@ -276,7 +276,9 @@ class RunAnswers:
             'longest' (from then on this edge is the longest; the points are connected at ranges of at least its
             length); in the last two rows 'least' and 'greatest', the least and the greatest length of the
             longest edge, at the first such time. Lengths are those at the time, rounded to the nearest float64;
-            NaN in rows 'remove' and 'add'. If lengths are equal during some time, the order of ids decides.
+            NaN in rows 'remove' and 'add'. If lengths are equal during some time, the order of ids decides. In a
+            periodic box the tree joins the points modulo the lattice, and there are also k and l, the offset of the
+            image of b to which the edge leads.
         """
         return self._answer(self.watch("spanning_tree"), until, progress)
 
@@ -321,7 +323,7 @@ class RunAnswers:
             One row for each event, in order: event (its number), kind, and certificate: the line of JSON
             that the program writes with --certificates. It has the polynomial of the certificate that fails,
             and signs of its Sturm sequence that prove the time; or, if no certificate fails, the reason of the
-            event.
+            event. In a periodic box it also has the offsets of the images that the polynomial is about.
 
         Examples
         --------

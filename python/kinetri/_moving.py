@@ -1774,18 +1774,14 @@ class Simulation(MovingPoints):
             gaps (for points, distances) while they were neighbors, in the exact order of the gaps, with the
             first time at which each pair was nearest. Each number is the float64 nearest to the exact one. The
             first pair is the closest of all pairs. A point erased and one inserted at the same time both exist
-            at that time.
+            at that time. In a periodic box also k and l, the offset of the image of b that a approaches; a and b
+            may be one point.
 
         Raises
         ------
         PreconditionError
-            If points accelerate; or if discs have radii of their own and `collisions` is None, since overlaps
-            are not tracked then; 'log' is enough.
+            If points accelerate.
         """
-        if self._engine.kind()[1] and self.collisions in (None, "none"):
-            raise PreconditionError(
-                "discs have radii of their own, and collisions is None; expected 'log' or another response, without which "
-                "overlaps are not tracked")
         return self._answer(self.watch("closest", number=number), until, progress)
 
     def set_masses(self, ids: IdsLike, masses: ArrayLike) -> None:

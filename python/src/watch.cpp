@@ -22,9 +22,6 @@ struct Traits_of<Core<Traits>> {
 [[noreturn]] void refuse(const std::string& problem) {
   throw Precondition_error(problem);
 }
-[[noreturn]] void refuse_in_box(const Question& question) {
-  refuse("answers to the question '" + question.about + "' are not possible in a periodic box");
-}
 
 // The table of an observer.
 template <class Observer, class Columns>
@@ -66,11 +63,10 @@ bool has_discs(const Kinetic_triangulation_2<Traits>& /*triangulation*/) {
 
 template <class Core, class Traits>
 std::unique_ptr<Watch> closest(Core& core, const Question& question) {
-  if constexpr (PeriodicKineticTraits_2<Traits>) {
-    refuse_in_box(question);
-  } else if constexpr (std::is_same_v<Core, Simulation_2<Traits>> && HasLinearMotion<Traits>) {
-    return watch_of<Closest_approaches<Traits>>(detail::Approach_columns{has_discs(core)}, core,
-                                                question.number);
+  if constexpr (std::is_same_v<Core, Simulation_2<Traits>> && HasLinearMotion<Traits>) {
+    return watch_of<Closest_approaches<Traits>>(
+        detail::Approach_columns{has_discs(core), PeriodicKineticTraits_2<Traits>}, core,
+        question.number);
   } else {
     refuse("closest approaches are those of a simulation of points that move along straight lines");
   }
@@ -113,15 +109,14 @@ std::unique_ptr<Watch> connected(Core& core, const Question& question) {
 }
 
 template <class Core, class Traits>
-std::unique_ptr<Watch> spanning_tree(Core& core, [[maybe_unused]] const Question& question) {
-  if constexpr (PeriodicKineticTraits_2<Traits>) {
-    refuse_in_box(question);
-  } else if constexpr (HasWeight<typename Traits::Motion>) {
+std::unique_ptr<Watch> spanning_tree(Core& core, const Question& /*question*/) {
+  if constexpr (HasWeight<typename Traits::Motion>) {
     refuse(
         "spanning trees are those of points, or of discs of one radius; these have radii of their "
         "own");
   } else {
-    return watch_of<detail::Spanning_tree_rows<Traits>>(detail::Spanning_tree_columns(), core);
+    return watch_of<detail::Spanning_tree_rows<Traits>>(
+        detail::Spanning_tree_columns{PeriodicKineticTraits_2<Traits>}, core);
   }
 }
 
@@ -226,12 +221,8 @@ class Certificate_watch final : public Watch {
 };
 
 template <class Core, class Traits>
-std::unique_ptr<Watch> certificates(Core& core, [[maybe_unused]] const Question& question) {
-  if constexpr (PeriodicKineticTraits_2<Traits>) {
-    refuse_in_box(question);
-  } else {
-    return std::make_unique<Certificate_watch<Core, Traits>>(core);
-  }
+std::unique_ptr<Watch> certificates(Core& core, const Question& /*question*/) {
+  return std::make_unique<Certificate_watch<Core, Traits>>(core);
 }
 
 // The questions by name.

@@ -3,9 +3,13 @@
 // Reads event logs and motion logs.
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "io/text_table.h"
 #include "kinetri/impl/io/text.h"
@@ -15,7 +19,7 @@
 namespace kinetri {
 namespace {
 
-// What a log is for messages, and its columns, all of which a file must have.
+// What a log is for messages, and its columns.
 template <std::size_t size>
 struct Log_format {
   Table_kind kind;
@@ -23,10 +27,12 @@ struct Log_format {
   std::string_view expected;
 };
 
-constexpr Log_format<12> event_log = {
+// Those of a periodic box have two more columns.
+constexpr std::size_t planar_columns = 12;
+constexpr Log_format<14> event_log = {
     {"events, as --events writes it", "event"},
     {"event", "kind", "time", "time_lo", "time_hi", "removed_a", "removed_b", "added_a", "added_b",
-     "point_a", "point_b", "instant"},
+     "point_a", "point_b", "instant", "removed_offset", "added_offset"},
     "expected a header line with the columns event,kind,time,time_lo,time_hi,removed_a,removed_b,"
     "added_a,added_b,point_a,point_b,instant"};
 constexpr Log_format<13> motion_log = {
@@ -34,13 +40,15 @@ constexpr Log_format<13> motion_log = {
     {"event", "id", "x", "y", "vx", "vy", "ax", "ay", "jx", "jy", "radius", "growth", "epoch"},
     "expected a header line with the columns event,id,x,y,vx,vy,ax,ay,jx,jy,radius,growth,epoch"};
 
-// The rows of a log, one after the other. Columns are indices in those of the format.
+// The rows of a log, one after the other. Columns are indices in those of the format, of which a
+// file must have the first `necessary` ones.
 template <std::size_t size>
 class Log_rows {
  public:
-  Log_rows(std::istream& in, const std::string& name, const Log_format<size>& format)
+  Log_rows(std::istream& in, const std::string& name, const Log_format<size>& format,
+           std::size_t necessary = size)
       : names_(format.columns), table_(in, name, format.kind) {
-    columns_ = table_.read_header(names_, size, format.expected);
+    columns_ = table_.read_header(names_, necessary, format.expected);
   }
 
   bool next() {
@@ -48,10 +56,10 @@ class Log_rows {
     if (!text) return false;
     std::size_t fields = 0;
     for_each_field_between_commas(*text, [&](std::string_view field) {
-      if (fields < size) fields_[columns_[fields]] = field;
+      if (fields < columns_.size()) fields_[columns_[fields]] = field;
       ++fields;
     });
-    table_.check_number_of_fields(fields, size);
+    table_.check_number_of_fields(fields, columns_.size());
     return true;
   }
 
@@ -76,6 +84,18 @@ class Log_rows {
     return Edge_ids{point(a), point(b)};
   }
 
+  // Two whole numbers with a blank between; zero if the field is empty, or if there is none.
+  Lattice_offset_2 offset(std::size_t column) const {
+    if (is_empty(column)) return {};
+    const std::string_view text = fields_[column];
+    const std::size_t blank = text.find(' ');
+    const auto x = parse_integer(text.substr(0, blank));
+    const auto y = parse_integer(blank == text.npos ? std::string_view() : text.substr(blank + 1));
+    if (x && y) return {*x, *y};
+    table_.fail(joined("the column ", names_[column], " is ", in_quotes(text),
+                       "; expected two whole numbers with a blank between, such as -1 0"));
+  }
+
   Event_kind kind(std::size_t column) const {
     for (std::size_t i = 0; i < event_kinds; ++i) {
       const auto result = static_cast<Event_kind>(i);
@@ -86,6 +106,13 @@ class Log_rows {
   }
 
  private:
+  static std::optional<std::int32_t> parse_integer(std::string_view text) {
+    std::int32_t result = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, problem] = std::from_chars(text.data(), end, result);
+    return problem == std::errc() && rest == end ? std::optional(result) : std::nullopt;
+  }
+
   std::array<std::string_view, size> names_;
   Table_reader table_;
   std::vector<std::size_t> columns_;             // of the fields in a line
@@ -96,7 +123,7 @@ class Log_rows {
 
 std::vector<Logged_event> read_event_log(std::istream& in, const std::string& name) {
   std::vector<Logged_event> result;
-  Log_rows rows(in, name, event_log);
+  Log_rows rows(in, name, event_log, planar_columns);
   while (rows.next()) {
     Logged_event& event = result.emplace_back();
     event.number = rows.event_number(0);
@@ -106,6 +133,8 @@ std::vector<Logged_event> read_event_log(std::istream& in, const std::string& na
     event.added = rows.optional_edge(7, 8);
     event.point_a = rows.optional_point(9);
     event.point_b = rows.optional_point(10);
+    event.removed_offset = rows.offset(12);
+    event.added_offset = rows.offset(13);
     event.line = rows.line();
   }
   return result;

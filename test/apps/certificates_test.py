@@ -119,6 +119,47 @@ class Certificates(In_folder):
         self.write("d.csv", "\n".join(lines) + "\n")
         self.assertLessEqual({"hide", "reveal", "flip"}, self.kinds(self.certified("simulate d.csv --until 9 --regular")))
 
+    def test_periodic_boxes_are_accepted(self):
+        self.run_program("generate uniform --points 30 --side 1 --seed 3 --speed 0.5 --output u.csv")
+        for options, kinds in (("", {"flip"}), ("--shear 0.5", {"flip"}),
+                               ("--shear 0.25 --collisions elastic --radius 0.02", {"flip", "collision"})):
+            rows = self.certified(f"simulate u.csv --until 2 --periodic 1,1,0.25 {options}")
+            self.assertLessEqual(kinds, self.kinds(rows))
+            failed = [row for row in rows if row["polynomial"] is not None]
+            self.assertTrue(all(len(row["offsets"]) == len(row["points"]) for row in failed))
+            self.assertTrue(any(offset != [0, 0] for row in failed for offset in row["offsets"]))
+        # Two flips of images of one point, or of two.
+        self.write("p.csv", "x,y,vx,vy\n0,0,0,0\n0.3,0.4,0.2,-0.1\n")
+        rows = self.certified("simulate p.csv --until 9 --periodic 1,1 --shear 1")
+        self.assertTrue(any(len(set(row["points"])) < 4 for row in rows if row["polynomial"] is not None))
+        self.flip_polynomials_are_those_of_images(rows, 1)
+
+    def flip_polynomials_are_those_of_images(self, rows, shear):
+        """In a box of the side 1 that is sheared, of the points of p.csv: at five times, up to a positive factor."""
+        lines = (self.folder / "p.csv").read_text("ascii").splitlines()[1:]
+        points = [[fractions.Fraction(text) for text in line.split(",")] for line in lines]
+        points = [[fractions.Fraction(float(c)) for c in point] for point in points]  # as binary64 numbers
+
+        def place(id, offset, t):
+            x, y, vx, vy = points[id]
+            k, l = offset
+            return x + vx * t + k + l * shear * t, y + vy * t + l
+
+        def circle(places):
+            (*three, (x, y)) = places
+            (a, b, c), (d, e, f), (g, h, i) = [(p - x, q - y, (p - x) ** 2 + (q - y) ** 2) for p, q in three]
+            return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+
+        flips = [row for row in rows if row["kind"] == "flip" and row["polynomial"] is not None]
+        self.assertGreater(len(flips), 5)
+        for row in flips:
+            images = list(zip(row["points"], row["offsets"]))
+            values = [(-circle([place(*image, t) for image in images]),
+                       check_certificates.value([int(c) for c in row["polynomial"]], t)) for t in range(-2, 3)]
+            factor = next(b / a for a, b in values if a)
+            self.assertGreater(factor, 0)
+            self.assertTrue(all(a * factor == b for a, b in values))
+
     def test_tracks_and_waves_are_accepted(self):
         self.write("t.csv", TRACKS)
         rows = self.certified("tracks t.csv")

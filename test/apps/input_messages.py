@@ -100,9 +100,7 @@ def periodic_cases():
     yield simulate("--shear 0.5")
     yield simulate("--periodic 1,1e300 --shear 1e10", rate="1e10", height="1e+300")
     yield simulate("--periodic 1,1e-300 --shear 1e-100", rate="1e-100", height="1e-300")
-    for option in ("--box 0,0,9,9", "--rim", "--replay e", "--certificates c",
-                   "--walkable w --areas n", "--walkable w --mean-areas n",
-                   "--spanning-tree n"):
+    for option in ("--box 0,0,9,9", "--rim", "--walkable w --areas n", "--walkable w --mean-areas n"):
         yield simulate(f"--periodic 9,9 {option}", option=option.split()[0])
     yield simulate("--periodic 9,9 --html p --components n --range 1", option="--html with --range")
     yield case("simulate p.csv --until-share 0.5 --periodic 9,9", option="--until-share")
@@ -173,7 +171,7 @@ def meaning_cases():
     yield case("tracks t.csv --date-format %m", format="%m")
     yield case("tracks t.csv --unwrap nearest", file="t.csv", option="--unwrap")
     yield case("tracks t.csv --periodic", file="t.csv", option="--periodic")
-    for option in ("--unwrap nearest", "--closest 3", "--walkable w --areas n"):
+    for option in ("--unwrap nearest", "--walkable w --areas n"):
         yield case(f"tracks t.csv --periodic {option}", option=option.split()[0])
     yield case("tracks t.csv --format rows --columns t=t,id=id,x=x,y=y", file="t.csv", format="rows")
     both, outputs = "--fps,--frames-per-time", "--frames, --vtu, --areas or --pressure"

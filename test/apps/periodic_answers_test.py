@@ -139,6 +139,33 @@ class Periodic_answers(In_folder):
 
     GAS = "simulate p.csv --periodic 6,6 --radius 0.3 --collisions elastic"
 
+    def test_spanning_tree_has_offsets(self):
+        self.run_program("simulate p.csv --until 12 --periodic 10,10 --spanning-tree s.csv",
+                         HEADER + "1,2,0,0\n2,2,1,0\n")
+        self.assertEqual(self.header("s.csv"), "time_lo,time_hi,kind,a,b,offset,length")
+        rows = [(r["time_lo"], r["kind"], r["a"], r["b"], r["offset"], r["length"]) for r in self.table("s.csv")]
+        self.assertEqual(rows, [("0", "start", "0", "1", "0 0", ""), ("0", "longest", "0", "1", "0 0", "1"),
+                                ("4", "remove", "0", "1", "0 0", ""), ("4", "add", "0", "1", "-1 0", ""),
+                                ("4", "longest", "0", "1", "-1 0", "5"), ("9", "least", "0", "1", "-1 0", "0"),
+                                ("4", "greatest", "0", "1", "0 0", "5")])
+
+    def test_closest_approaches_of_tracks_have_offsets(self):
+        frames = []
+        for step, places in ((0, ((1, 9), (2, 1))), (10, ((1, 4), (2, 6)))):
+            atoms = "".join(f"{i + 1} 1 {x} {y} 0\n" for i, (x, y) in enumerate(places))
+            frames.append(f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 10\n0 10\n0 1\n"
+                          f"ITEM: ATOMS id type x y z\n{atoms}")
+        self.write("d.lammpstrj", "".join(frames))
+        # The atoms go 5 apart from each other, or toward each other: both ways are half of the box.
+        done = self.run_program("tracks d.lammpstrj --periodic --closest 2", "", code=2)
+        self.assertIn("d.lammpstrj", done.stderr)
+        self.write("d.lammpstrj", "".join(frames).replace("1 1 1 4 0", "1 1 1 5 0").replace("2 1 2 6 0", "2 1 2 5 0"))
+        done = self.run_program("tracks d.lammpstrj --periodic --closest 2", "")
+        rows = list(csv.DictReader(io.StringIO(done.stdout)))
+        self.assertEqual(done.stdout.splitlines()[0], "id_a,id_b,offset,time,time_lo,time_hi,distance")
+        self.assertEqual([(r["id_a"], r["id_b"], r["offset"], r["time"], r["distance"]) for r in rows[:2]],
+                         [("1", "2", "0 0", "10", "1"), ("1", "2", "0 1", "0", "2.23606797749979")])
+
     def test_pressure_in_intervals(self):
         self.run_program(f"{self.GAS} --until 3 --pressure p.csv.out --fps 4 --events e.csv", self.gas(1))
         self.assertEqual(self.header("p.csv.out"), "from,until,collisions,energy,pressure,xx,xy,yy")
@@ -177,6 +204,30 @@ class Periodic_answers(In_folder):
         self.run_program(f"resume c --until 4 --thermostat 8,{start!r} --events f.csv --edges t.csv", self.gas(2))
         rest = (self.folder / "f.csv").read_text(encoding="utf-8").split("\n", 1)[1]
         self.assertEqual((first + rest, (self.folder / "t.csv").read_text(encoding="utf-8")), whole)
+
+    def test_a_run_is_repeated(self):
+        discs = self.gas(3).replace("vy\n", "vy,radius\n", 1)
+        sizes = iter(["0.1", "0.2", "0.3"] * 12)
+        discs = "\n".join(line if i == 0 else f"{line},{next(sizes)}" for i, line in enumerate(discs.splitlines())) + "\n"
+        for points, options, more in (
+                (self.gas(1), "--shear 0.5", ""), (self.gas(2), "--shear 0.3 --collisions elastic", "--radius 0.3"),
+                (self.gas(2), "--shear 0.3 --collisions stop", "--radius 0.3"),
+                (self.gas(4), "--shear -0.7 --collisions elastic", "--radius 0.3 --growth 0.001 --thermostat 8"),
+                (discs, "--shear 0.1 --collisions elastic", "--mass area"), (discs, "--regular", "")):
+            with self.subTest(options + more):
+                self.run_program(f"simulate p.csv --until 3 --periodic 6,6,1 {options} {more} --events e.csv --motions m.csv",
+                                 points)
+                self.run_program(f"simulate m.csv --replay e.csv --until 3 --periodic 6,6,1 {options} --events f.csv "
+                                 "--motions n.csv", points)
+                for first, second in (("e.csv", "f.csv"), ("m.csv", "n.csv")):
+                    self.assertEqual((self.folder / first).read_bytes(), (self.folder / second).read_bytes())
+                self.assertGreater(len(self.table("e.csv")), 50)
+        # The collisions of a box that moves have images that move.
+        self.run_program("simulate p.csv --until 3 --periodic 6,6,1 --shear 0.3 --collisions elastic --radius 0.3 --events e.csv "
+                         "--motions m.csv", self.gas(2))
+        self.assertTrue(any(row["kind"] == "collision" and not row["added_offset"].endswith(" 0")
+                            for row in self.table("e.csv")))
+        self.run_program("simulate m.csv --replay e.csv --until 3 --periodic 6,6 --collisions elastic", "", code=2)
 
     def energy(self, points, rate):
         """The kinetic energy, with velocities relative to the flow of a sheared box."""

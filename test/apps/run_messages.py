@@ -69,8 +69,6 @@ def periodic_checkpoint_cases():
     def resume(content, more="", **values):
         return case(f"resume c --until 3 {more}", files={"c": content}, **values)
 
-    for option in ("--certificates n", "--spanning-tree n"):
-        yield resume(checkpoint(*run), option, option=option.split()[0])
     yield resume(checkpoint(*run), "--areas n --walkable w", option="--walkable")
     yield resume(checkpoint(*run), "--html n --range 1", option="--range")
     shrinking = [[9.0, 0.0, -4.0, 0.0, 0.0], [0.0, 9.0, 0.0, 0.0, 0.0]]
@@ -267,12 +265,17 @@ def replay_cases():
     yield replay(motions=",7,0,0,1,0,0,0,0,0,1,0,0\n", file="m", line=2, id=7, point=0)
     yield replay(motions=",-1,0,0,1,0,0,0,0,0,1,0,0\n", file="m", line=2, column="id", text="-1", highest=4294967294)
     yield replay("0,flap,1,1,1,,,,,0,,0\n", file="e", line=2, text="flap")
+    for text in ("1", "1 0 0", "1 0x", "3000000000 0"):
+        yield case("simulate m --replay e --until 2 --periodic 9,9", file="e", line=2, column="added_offset", text=text,
+                   files={"m": f"{motions_header}\n{start}", "e": f"{events_header},removed_offset,added_offset\n"
+                                                                 f"0,flip,1,1,1,0,1,0,1,,,0,0 0,{text}\n"})
     yield replay(motions=start, file="e", line=2, n=0, kind="trajectory", other="m")
     yield replay("0,trajectory,1,0.5,1,,,,,0,,0\n", file="e", line=2, n=0, kind="trajectory", lower="0.5", upper=1,
                  **{"from": 0})
     yield replay("5,trajectory,1,1,1,,,,,0,,0\n", start + motion.replace("0", "5", 1), file="e", line=2, n=5,
                  kind="trajectory")
     yield replay("", start.replace(",0,0,0,1,", ",0,0,0,4,", 1), "--collisions elastic", file="e", a=0, b=1, time="1.75")
+    yield replay(motions=start.replace(",0,0,0,1,0,0,", ",0,0,0,1,0,0.5,", 1) + motion, more="--periodic 9,9", file="m")
     yield replay(more="--box 0,0,9,0.5", motions=start + motion.replace("0,0,1,0", "0,0,1,7"), file="e", line=2, point=0,
                  time=1, x=1, y=7, side="upper", position="0.5")
 

@@ -58,10 +58,9 @@ def test_tracks_with_radii_have_gaps_and_labels():
     assert tracks.closest(1)["distance"][0] == float(root)
 
 
-def test_discs_of_any_size_need_a_response():
+def test_discs_of_any_size_need_no_response():
     sim = kinetri.Simulation([[0, 0], [9, 0]], [[1, 0], [0, 0]], radius=[1, 2])
-    with pytest.raises(kinetri.PreconditionError, match="collisions is None; expected 'log'"):
-        sim.closest(1, until=1)
+    assert sim.closest(1, until=1)[["a", "b", "time", "gap"]].values.tolist() == [[0, 1, 1, 5]]
     log = kinetri.Simulation([[0, 0], [9, 0]], [[1, 0], [0, 0]], radius=[1, 2], collisions="log")
     with pytest.raises(kinetri.PreconditionError, match="number is 0"):
         log.closest(0, until=1)

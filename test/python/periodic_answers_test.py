@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Answers about runs in periodic boxes: compared with the events of the same run, and with places in fractions."""
+import json
 from collections import Counter
 
 import numpy as np
@@ -161,3 +162,35 @@ def test_a_watch_is_kept_over_changes():
     table = watch.table()
     assert (table["begins_by"] == "point").any() and (table["ends_by"] == "point").any()
     assert repr(watch) == "<kinetri.Watch of neighbor_lives>"
+
+
+def test_closest_approaches_are_those_of_images():
+    sim = kinetri.Simulation([[9, 5], [4, 6]], [[1, 0], [0, 0]], box=kinetri.Box((10, 10)))
+    table = sim.closest(2, until=16)
+    assert table.columns.tolist() == ["a", "b", "k", "l", "time", "time_lo", "time_hi", "distance"]
+    assert table[["a", "b", "k", "l", "time", "distance"]].to_numpy().tolist() == [
+        [0, 1, 1, 0, 5, 1], [0, 1, 2, 0, 15, 1]]
+    # A disc that is larger than the box, and its image.
+    sim = kinetri.Simulation([[1, 1]], [[1, 3]], radius=[1], growth=[1], box=kinetri.Box((4, 5)))
+    assert sim.closest(1, until=2)[["a", "b", "k", "l", "time", "distance", "gap"]].to_numpy().tolist() == [
+        [0, 0, 1, 0, 2, 4, -2]]
+
+
+def test_spanning_trees_are_those_of_images():
+    kd = kinetri.KineticDelaunay([[1, 2], [2, 2]], [[0, 0], [1, 0]], box=kinetri.Box((10, 10)))
+    table = kd.spanning_tree(until=12)
+    assert table[["time", "kind", "a", "b", "k", "l"]].to_numpy().tolist() == [
+        [0, "start", 0, 1, 0, 0], [0, "longest", 0, 1, 0, 0], [4, "remove", 0, 1, 0, 0], [4, "add", 0, 1, -1, 0],
+        [4, "longest", 0, 1, -1, 0], [9, "least", 0, 1, -1, 0], [4, "greatest", 0, 1, 0, 0]]
+    assert table["length"].dropna().tolist() == [1, 5, 0, 5]
+
+
+@pytest.mark.parametrize("box", BOXES)
+def test_each_event_has_a_certificate(box):
+    kd = triangulation(7, 3, box)
+    watch = kd.watch("certificates")
+    kd.advance_to(float(kd.time) + 1.5)
+    rows = [json.loads(line) for line in watch.table()["certificate"]]
+    proved = [row for row in rows if row["polynomial"] is not None]
+    assert len(rows) == len(watch.table()) and proved
+    assert all(len(row["offsets"]) == len(row["points"]) for row in proved)

@@ -213,8 +213,7 @@ def test_points_that_coincide_are_refused_with_collisions():
     assert kinetri.Simulation(places, velocities, box=kinetri.Box((8, 8))).hidden_points().tolist() == [1]
 
 
-@pytest.mark.parametrize("call", [
-    lambda sim: sim.closest(until=1.0), lambda sim: sim.hull(), lambda sim: sim.play(1.0)])
+@pytest.mark.parametrize("call", [lambda sim: sim.hull(), lambda sim: sim.play(1.0)])
 def test_what_is_not_possible_in_a_box_says_so(call):
     sim = gas(BOXES[0], 4, collisions="elastic")
     with pytest.raises(kinetri.PreconditionError, match="(is|are) not possible in a periodic box"):

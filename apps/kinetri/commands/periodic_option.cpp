@@ -55,11 +55,6 @@ void refuse_with_periodic(std::string_view option) {
 
 void expect_periodic(const Run_options& options) {
   if (options.until_share) refuse_with_periodic("--until-share");
-  for (const Output_row& row : output_table) {
-    if (options.outputs[row.output] && !is_for_periodic_boxes(row.output)) {
-      refuse_with_periodic(row.option);
-    }
-  }
   if (options.range && options.outputs[Output::html]) refuse_with_periodic("--html with --range");
   if (options.walkable) refuse_with_periodic("--walkable");
 }

@@ -51,7 +51,6 @@ void expect_periodic_options(const Simulate_options& options) {
   expect_periodic(options.run);
   if (options.box) refuse_with_periodic("--box");
   if (options.rim) refuse_with_periodic("--rim");
-  if (options.replay) refuse_with_periodic("--replay");
 }
 
 Points_settings points_settings(const Simulate_options& options) {

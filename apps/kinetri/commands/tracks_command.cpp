@@ -157,7 +157,6 @@ Run_settings settings_of_run(const Tracks_options& options) {
 void expect_periodic_options(const Tracks_options& options) {
   expect_periodic(options.run);
   if (options.unwrap) refuse_with_periodic("--unwrap");
-  if (options.closest) refuse_with_periodic("--closest");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace kinetri::app {
 
 std::unique_ptr<Event_observer> follow_certificates(std::ostream& out,
                                                     const Any_simulation& simulation) {
-  return simulation.visit_plane([&]<class Traits>(Simulation_2<Traits>& s) {
+  return simulation.visit([&]<class Traits>(Simulation_2<Traits>& s) {
     auto log =
         std::make_unique<Certificate_log_writer<Traits>>(out, s.triangulation(), s.options());
     s.add_observer(*log);

@@ -41,12 +41,6 @@ enum class Output {
 
 constexpr std::size_t number_of_outputs = 24;
 
-/// Whether runs in periodic boxes have the output.
-constexpr bool is_for_periodic_boxes(Output output) {
-  return output != Output::certificates && output != Output::closest &&
-         output != Output::spanning_tree;
-}
-
 /// The commands that have an output.
 enum class Offered {
   by_every_run,

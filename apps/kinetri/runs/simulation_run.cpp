@@ -246,9 +246,6 @@ void Simulation_run::expect_periodic_outputs() {
   const auto refuse = [](const char* option) {
     throw Usage_error(joined(option, ": is not for periodic boxes; expected no ", option));
   };
-  for (const Output_row& row : output_table) {
-    if (outputs_.has(row.output) && !is_for_periodic_boxes(row.output)) refuse(row.option);
-  }
   if (settings_.html_range) refuse("--range");
   if (asked_.walkable) refuse("--walkable");
 }

@@ -2,7 +2,10 @@
 #include "sources/replay_source.h"
 
 #include <algorithm>
+#include <cmath>
+#include <concepts>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <span>
 #include <string_view>
@@ -70,6 +73,8 @@ class Replay_source final : public Run_source {
   Input_error error(const Logged_event& event, const std::string& message) const;
   Input_error unexpected(const Logged_event& event) const;
   Contact_response_2 response_to(const Contact_2& contact) const;
+  Vector_2 velocity_of_image(const Logged_event& event, const Vector_2& velocity,
+                             const Vector_2& before) const;
   template <class Simulation>
   void make(Simulation& simulation, const Change& change) const;
 
@@ -119,6 +124,10 @@ void Replay_source::read_motions() {
     }
     start_.push_back(row);
   }
+  if (!settings_.periodic_box || !is_polynomial_) return;
+  throw Input_error(input_name(path()), 0,
+                    "the points accelerate, but those in a periodic box move on straight lines; "
+                    "expected zeros in the columns ax, ay, jx and jy, or no --periodic");
 }
 
 void Replay_source::read_events() {
@@ -198,10 +207,20 @@ Any_simulation Replay_source::make_simulation(Arithmetic arithmetic) const {
     options.rim_touches = options.rim_touches && options.radius > 0;
   }
   const auto of = [&]<class Motion>(Motion) -> Any_simulation {
-    using Traits = Basic_kinetic_traits_2<Motion>;
     std::vector<Motion> motions;
     for (const Logged_motion& row : start_) motions.push_back(motion_as<Motion>(*row.motion));
-    return std::make_unique<Simulation_2<Traits>>(motions, options, from(), Traits(arithmetic));
+    const auto make_with = [&]<class Traits>(const Traits& traits) -> Any_simulation {
+      return std::make_unique<Simulation_2<Traits>>(motions, options, from(), traits);
+    };
+#ifndef KINETRI_WITHOUT_PERIODIC_BOXES
+    if constexpr (std::same_as<Center_motion_of<Motion>, Linear_motion_2>) {
+      if (settings_.periodic_box) {
+        return make_with(
+            Basic_periodic_kinetic_traits_2<Motion>(*settings_.periodic_box, arithmetic));
+      }
+    }
+#endif
+    return make_with(Basic_kinetic_traits_2<Motion>(arithmetic));
   };
   try {
     if (has_discs) {
@@ -210,6 +229,8 @@ Any_simulation Replay_source::make_simulation(Arithmetic arithmetic) const {
     return is_polynomial_ ? of(Polynomial_motion_2()) : of(Linear_motion_2());
   } catch (const Outside_box_error& outside) {
     throw Input_error(input_name(path()), start_[outside.point()].line, outside.what());
+  } catch (const Periodic_box_error& too_far) {
+    throw Input_error(input_name(path()), 0, too_far.what());
   }
 }
 
@@ -235,7 +256,38 @@ Contact_response_2 Replay_source::response_to(const Contact_2& contact) const {
   Contact_response_2 result;
   result.velocity_a = velocity(contact.point_a);
   result.velocity_b = velocity(contact.point_b);
+  if (settings_.periodic_box && result.velocity_b) {
+    result.velocity_b = velocity_of_image(event, *result.velocity_b, contact.velocity_b);
+  }
   return result;
+}
+
+// A velocity of the image that the first disc touches with which the point gets the velocity of the
+// log: that is the velocity of the image less its rate against the point, rounded (Simulation_2).
+// It is not `before`, which would be no change.
+Vector_2 Replay_source::velocity_of_image(const Logged_event& event, const Vector_2& velocity,
+                                          const Vector_2& before) const {
+  const Vector_2& first = settings_.periodic_box->first().velocity;
+  const Vector_2& second = settings_.periodic_box->second().velocity;
+  const auto& [k, l] = event.added_offset;
+  const Vector_2 rate = {k * first.x + l * second.x, k * first.y + l * second.y};
+  // The numbers near the sum that give the coordinate; the other coordinate may decide.
+  const auto candidates = [&](double coordinate, double change) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<double> result;
+    const double sum = coordinate + change;
+    for (const double number :
+         {sum, std::nextafter(sum, infinity), std::nextafter(sum, -infinity)}) {
+      if (number - change == coordinate) result.push_back(number);
+    }
+    return result;
+  };
+  for (const double x : candidates(velocity.x, rate.x)) {
+    for (const double y : candidates(velocity.y, rate.y)) {
+      if (Vector_2{x, y} != before) return {x, y};
+    }
+  }
+  throw unexpected(event);
 }
 
 std::optional<double> Replay_source::next_change() const {
@@ -247,7 +299,7 @@ std::optional<double> Replay_source::next_change() const {
 
 void Replay_source::make_change(const Any_simulation& simulation) {
   const Change& change = changes_[next_change_++];
-  simulation.visit_plane([&](auto& s) { make(s, change); });
+  simulation.visit([&](auto& s) { make(s, change); });
 }
 
 template <class Simulation>

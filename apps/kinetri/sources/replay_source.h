@@ -16,7 +16,7 @@ namespace kinetri::app {
 /// `settings.points` is a motion log, and `events` the event log of the same run, which `settings`
 /// has the start, the box and the response of; radii are those of the motion log. Changes that are
 /// no contacts are made as the logs say. So are those of elastic collisions, since no log has
-/// masses.
+/// masses. With a periodic box the run is one in that box.
 std::unique_ptr<Run_source> replay_source(const Points_settings& settings,
                                           const std::string& events);
 

@@ -43,12 +43,14 @@ inline std::optional<Lattice_offset_2> offset_of_end(Point_id id, const Lattice_
 /// A third argument, false, means that the column has no values, because they were not requested.
 struct Approach_columns {
   using Row = Approach;
-  bool has_gaps = false;  ///< whether the points are discs
+  bool has_gaps = false;     ///< whether the points are discs
+  bool has_offsets = false;  ///< whether there is a periodic box
 
   static auto rows(auto& observer) { return observer.approaches(); }
   void visit(const auto& column) const {
     column("a", [](const Row& row) { return row.points[0]; });
     column("b", [](const Row& row) { return row.points[1]; });
+    if (has_offsets) column("offset", [](const Row& row) { return std::optional(row.offset); });
     column("time", &Row::time);
     column("distance", &Row::distance);
     if (has_gaps) column("gap", &Row::gap);
@@ -109,13 +111,15 @@ struct Connection_columns {
 
 struct Spanning_tree_columns {
   using Row = Spanning_tree_row;
+  bool has_offsets = false;  ///< whether there is a periodic box
 
   static auto rows(auto& observer) { return observer.rows(); }
-  static void visit(const auto& column) {
+  void visit(const auto& column) const {
     column("time", &Row::time);
     column("kind", [](const Row& row) { return name(row.kind); });
     column("a", [](const Row& row) { return row.edge[0]; });
     column("b", [](const Row& row) { return row.edge[1]; });
+    if (has_offsets) column("offset", [](const Row& row) { return std::optional(row.offset); });
     column("length", &Row::length);
   }
 };
