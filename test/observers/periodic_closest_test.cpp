@@ -236,19 +236,20 @@ TEST(Periodic_closest, are_the_least_distances_of_all_edges_in_the_exact_order) 
     if (seed % 2 == 0) static_cast<void>(run.closest.approaches());
     run.simulation.advance_to(end);
     std::map<Periodic_edge, Expected> least;
-    for (const Neighbor_life& life : lives.lives()) {
-      const Periodic_edge pair = {life.points, life.offset};
-      Expected next = least_gap(pair, Image_motion_2{motions[life.points[0]], {}, &run.box},
-                                Image_motion_2{motions[life.points[1]], life.offset, &run.box}, 0,
-                                life.begin, life.end);
+    const auto add = [&](const Periodic_edge& pair, const Algebraic_number& since,
+                         const Algebraic_number& until) {
+      Expected next =
+          least_gap(pair, Image_motion_2{motions[pair.ids[0]], {}, &run.box},
+                    Image_motion_2{motions[pair.ids[1]], pair.offset, &run.box}, 0, since, until);
       const auto [known, is_new] = least.try_emplace(pair, next);
       if (!is_new && next < known->second) known->second = std::move(next);
+    };
+    for (const Neighbor_life& life : lives.lives()) {
+      add({life.points, life.offset}, life.begin, life.end);
     }
-    // An edge that begins at the end has no life.
+    // An edge that begins at the end has no life then.
     for (const Periodic_edge& pair : run.simulation.triangulation().periodic_edges()) {
-      least.try_emplace(pair, least_gap(pair, Image_motion_2{motions[pair.ids[0]], {}, &run.box},
-                                        Image_motion_2{motions[pair.ids[1]], pair.offset, &run.box},
-                                        0, end, end));
+      add(pair, end, end);
     }
     std::vector<Expected> expected;
     for (const auto& [pair, approach] : least) expected.push_back(approach);
