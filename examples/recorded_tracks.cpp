@@ -57,9 +57,10 @@ int main(int argc, char** argv) try {
   park->advance_to(40);
 
   std::cout << "closest approaches:\n";
-  for (const auto& [points, time, distance, gap] : approaches.approaches()) {
-    std::cout << "  " << names[points[0]] << " and " << names[points[1]]
-              << " at t = " << time.to_double() << ", distance " << distance << '\n';
+  for (const kinetri::Approach& approach : approaches.approaches()) {
+    std::cout << "  " << names[approach.points[0]] << " and " << names[approach.points[1]]
+              << " at t = " << approach.time.to_double() << ", distance " << approach.distance
+              << '\n';
   }
 } catch (const kinetri::Error& error) {
   std::cerr << error.what() << '\n';
