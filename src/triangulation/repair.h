@@ -8,7 +8,7 @@
 // triangulation; Lawson's flips make it Delaunay, and the points are inserted again. Points that
 // are taken out and inserted again are the filter of P. M. M. de Castro, J. Tournois, P. Alliez,
 // O. Devillers, Filtering relocations on a Delaunay triangulation, Computer Graphics Forum 28(5),
-// 2009. On a torus all that is the same, but for the hull; docs/MATH.md, section 18, has the proof.
+// 2009. A torus has no hull; which flips are possible there says docs/MATH.md, section 18.
 #ifndef KINETRI_SRC_TRIANGULATION_REPAIR_H
 #define KINETRI_SRC_TRIANGULATION_REPAIR_H
 
@@ -603,6 +603,7 @@ void Kinetic_types<Traits>::Repair::flip(const Edge& edge) {
   const auto& [face, i] = edge;
   take_out_hidden(face);
   take_out_hidden(face->neighbor(i));
+  if constexpr (is_periodic) Triangulation::offset_across(edge);  // may throw
   note(edge, -1);
   if constexpr (is_periodic) {
     triangulation_.flip(edge);

@@ -269,6 +269,9 @@ def replay_cases():
         yield case("simulate m --replay e --until 2 --periodic 9,9", file="e", line=2, column="added_offset", text=text,
                    files={"m": f"{motions_header}\n{start}", "e": f"{events_header},removed_offset,added_offset\n"
                                                                  f"0,flip,1,1,1,0,1,0,1,,,0,0 0,{text}\n"})
+    yield case("simulate m --replay e --until 2", file="e", line=2, n=0, kind="flip",
+               files={"m": f"{motions_header}\n{start}", "e": f"{events_header},removed_offset,added_offset\n"
+                                                             "0,flip,1,1,1,0,1,0,1,,,0,0 0,1 0\n"})
     yield replay(motions=start, file="e", line=2, n=0, kind="trajectory", other="m")
     yield replay("0,trajectory,1,0.5,1,,,,,0,,0\n", file="e", line=2, n=0, kind="trajectory", lower="0.5", upper=1,
                  **{"from": 0})

@@ -19,7 +19,7 @@ INCLUDE_OF_OURS = re.compile(r'#include "(kinetri/[^"]+)"')
 NOT_INSTALLED = re.compile(
     r"kinetri/impl/(io/|kinetic/drawn_box_2|observers/(answer_columns|connections|spanning_tree_rows)"
     r"|simulation/(experiment|playback|wave))")
-MOST_PUBLIC, MOST_LINES = 75, 17_200
+MOST_PUBLIC, MOST_LINES = 75, 17_250
 
 
 class Public_headers(unittest.TestCase):

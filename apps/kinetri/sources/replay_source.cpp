@@ -133,6 +133,12 @@ void Replay_source::read_motions() {
 void Replay_source::read_events() {
   std::ifstream in = open_input(events_path_, "events");
   for (const Logged_event& event : read_event_log(in, events_path_)) {
+    if (!settings_.periodic_box &&
+        (event.removed_offset != Lattice_offset_2() || event.added_offset != Lattice_offset_2())) {
+      throw error(event,
+                  joined(described(event),
+                         " of images of points; expected the option --periodic of that run"));
+    }
     switch (event.kind) {
       case Event_kind::insert:
       case Event_kind::erase:

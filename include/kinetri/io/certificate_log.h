@@ -14,9 +14,8 @@ namespace kinetri {
 
 /// The line of a certificate, with its line end: a JSON object with the members event, kind,
 /// points, polynomial, from, lower, upper, signs, multiplicity, touches of Failure_certificate; or
-/// event, kind, points, polynomial (null) and reason. In a periodic box the polynomial has a member
-/// offsets before it, a list of two integers for each point. Coefficients, by ascending power, are
-/// texts.
+/// event, kind, points, polynomial (null) and reason. In a periodic box there is a member offsets
+/// after points, with two integers for each of these. Coefficients, by ascending power, are texts.
 /// A dyadic number is a list of an odd integer, or 0, as a text, and the exponent of a power of
 /// two, its factor. Signs are -1, 0 and 1.
 std::string certificate_line(const Event_certificate& certificate);

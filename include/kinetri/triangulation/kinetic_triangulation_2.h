@@ -280,11 +280,11 @@ class Kinetic_triangulation_2 {
   // If more than a quarter of the points, and more than 16, get other motions, none is inserted or
   // erased, and coincident points are not refused, then the triangulation is repaired
   // (src/triangulation/repair.h) as long as that costs less than a construction: if points move
-  // less than about half the distance of neighbors. It is constructed again with points or
-  // predicates that are not of this library, in a periodic box if weights differ, and after 64
-  // events for each point, so that neighbors are near each other in memory again. After a repair or
-  // construction certificates are *deferred*: computed only when time is to go on (next_event_time,
-  // step, advance_to), or at another change.
+  // less than about half the distance of neighbors. It is constructed instead if points or
+  // predicates are not those of this library, in a periodic box if weights differ, and after 32
+  // changes of edges for each point, so that neighbors are near each other in memory again. After a
+  // repair or construction certificates are *deferred*: computed only when time is to go on
+  // (next_event_time, step, advance_to), or at another change.
 
   /// Gives the points `ids` these motions from now on, as set_motion does: an event `trajectory`
   /// for each point. Throws Coincident_trajectories_error if two points have the same trajectory

@@ -200,7 +200,7 @@ void Kinetic_types<Traits>::Point_changes::move(Vertex_changes& planned) {
 // neighbors near each other in memory: else steps take up to twice as long.
 template <class Traits>
 bool Kinetic_types<Traits>::Point_changes::repair(std::span<const Change> changes) {
-  constexpr std::size_t events_per_point = 64;
+  constexpr std::size_t events_per_point = 32;
   if (updates_.events_since_construction() <= events_per_point * topology_.number_of_vertices()) {
     if constexpr (is_periodic) {
       if (topology_.are_weights_equal()) {

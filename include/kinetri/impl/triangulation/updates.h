@@ -80,15 +80,18 @@ class Kinetic_types<Traits>::Updates {
 
   std::uint64_t number_of_changes() const { return changes_; }
 
-  /// The number of events since the faces were constructed, when neighbors were near each other in
-  /// memory. Each event may replace a face by one that is elsewhere in the plane.
-  std::uint64_t events_since_construction() const {
-    return reporter_.counters().number_of_events() - events_before_construction_;
-  }
+  /// The number of events, other than new motions, since the faces were constructed, when neighbors
+  /// were near each other in memory. They change edges, and so which faces are neighbors.
+  std::uint64_t events_since_construction() const { return events() - events_before_construction_; }
 
  private:
   class Face_journal;
 
+  std::uint64_t events() const {
+    const Triangulation_counters& counters = reporter_.counters();
+    return counters.number_of_events() -
+           counters.events[static_cast<std::size_t>(Event_kind::trajectory)];
+  }
   void take_out_hidden(Vertex_handle v);
   bool take_out_on_torus(Vertex_handle v);
   bool take_out_in_plane(Vertex_handle v);

@@ -341,7 +341,7 @@ void Kinetic_types<Traits>::Updates::rebuild(const Change_vertices& change_verti
     reporter_.note_moved_hidden(hidden);
   });
   topology_.set_weights_equal(Topology::have_equal_weights(points));
-  events_before_construction_ = reporter_.counters().number_of_events();
+  events_before_construction_ = events();
   const std::vector<Edge_name> after = topology_.finite_edges();
   const auto note_all = [this](const std::vector<Edge_name>& edges, int change) {
     for (const Edge_name& edge : edges) reporter_.note(edge, change);
