@@ -407,6 +407,7 @@ auto Kinetic_types<Traits>::Repair::best_ear(std::span<const Edge> spokes) const
       for (std::size_t m = k + 2; m + 1 < k + degree; ++m) {
         const End& other = ends[m % degree];
         if (other.is_infinite) continue;
+        // A preference, which decides nothing: on a torus the error of images may be greater.
         const Sign side = certain_side_of_oriented_circle(before.place, tip.place, after.place,
                                                           other.place, points_.error());
         badness.second += side == CGAL::POSITIVE ? 1 : 0;
@@ -569,8 +570,8 @@ bool Kinetic_types<Traits>::Repair::are_adjacent(const Vertex& v, const Vertex& 
   return result;
 }
 
-// Whether a flip leaves a complex: its new edge is no other one and, on a torus, no point; and no
-// face gets an edge twice.
+// Whether an edge may be flipped: there is no edge yet with the ends of the new one, on a torus of
+// that offset; and there the new one has two different ends, and no face gets an edge twice.
 template <class Traits>
 bool Kinetic_types<Traits>::Repair::may_flip(const Edge& edge) const {
   const auto& [here, right, there, left] = Moved_points::quadrilateral(edge);
