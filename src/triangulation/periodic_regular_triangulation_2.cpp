@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The triangulation of discs in a periodic box, instantiated as that of points.
+#include "events/divided_scheduler_impl.h"
 #include "kinetri/triangulation/audit_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
@@ -19,7 +20,7 @@ template class Torus_triangulation<Disc_predicates>;
 template Torus_triangulation<Disc_predicates> triangulation_of_torus(
     std::span<const Disc_predicates::Point_2>, double, const Disc_predicates&,
     std::vector<Edge_ids>&);
-template struct Kinetic_types<Periodic_disc_kinetic_traits_2>::Kinetic_core;
+KINETRI_PARTS_OF_ANY_SPACE(template, Periodic_disc_kinetic_traits_2);
 template Audit_report audit<Periodic_disc_kinetic_traits_2>(
     const Kinetic_core<Periodic_disc_kinetic_traits_2>&, Audit_level);
 }  // namespace detail

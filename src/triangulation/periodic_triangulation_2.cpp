@@ -2,6 +2,7 @@
 //
 // The triangulation of points in a periodic box, and of the torus. Its parts are instantiated
 // member by member: the members for the hull and for regions are not for periodic boxes.
+#include "events/divided_scheduler_impl.h"
 #include "kinetri/triangulation/audit_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"
 #include "kinetri/triangulation/kinetic_triangulation_2_impl.h"
@@ -19,7 +20,7 @@ using Predicates = Periodic_kinetic_traits_2::Instantaneous_traits;
 template class Torus_triangulation<Predicates>;
 template Torus_triangulation<Predicates> triangulation_of_torus(
     std::span<const Predicates::Point_2>, double, const Predicates&, std::vector<Edge_ids>&);
-template struct Kinetic_types<Periodic_kinetic_traits_2>::Kinetic_core;
+KINETRI_PARTS_OF_ANY_SPACE(template, Periodic_kinetic_traits_2);
 template Audit_report audit<Periodic_kinetic_traits_2>(
     const Kinetic_core<Periodic_kinetic_traits_2>&, Audit_level);
 }  // namespace detail

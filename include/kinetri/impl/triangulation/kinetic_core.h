@@ -78,9 +78,8 @@ struct Region_runs {
   static void join(Core& core);
 };
 
-/// The parts that the library compiles for its own traits.
-#define KINETRI_KINETIC_PARTS(declaration, Traits)                                           \
-  declaration class Kinetic_types<Traits>::Own_topology;                                     \
+/// The parts that the library compiles for its own traits, in the plane and in periodic boxes.
+#define KINETRI_PARTS_OF_ANY_SPACE(declaration, Traits)                                      \
   declaration class Kinetic_types<Traits>::Schedule::Policy;                                 \
   declaration class Divided_scheduler<Kinetic_types<Traits>::Entry,                          \
                                       Kinetic_types<Traits>::Schedule::Policy>;              \
@@ -88,17 +87,21 @@ struct Region_runs {
   declaration bool Kinetic_types<Traits>::Schedule::settle(const Algebraic_number*);         \
   declaration void Kinetic_types<Traits>::Schedule::schedule_all();                          \
   declaration class Kinetic_types<Traits>::Event_reporter;                                   \
-  declaration class Kinetic_types<Traits>::Decisions;                                        \
   declaration class Kinetic_types<Traits>::Event_loop;                                       \
   declaration class Kinetic_types<Traits>::Change_planner;                                   \
   declaration class Kinetic_types<Traits>::Point_changes;                                    \
   declaration struct Kinetic_types<Traits>::Kinetic_core
+/// In the plane; not all members of the first two are for periodic boxes.
+#define KINETRI_KINETIC_PARTS(declaration, Traits)       \
+  declaration class Kinetic_types<Traits>::Own_topology; \
+  declaration class Kinetic_types<Traits>::Decisions;    \
+  KINETRI_PARTS_OF_ANY_SPACE(declaration, Traits)
 KINETRI_KINETIC_PARTS(extern template, Linear_kinetic_traits_2);
 KINETRI_KINETIC_PARTS(extern template, Polynomial_kinetic_traits_2);
 KINETRI_KINETIC_PARTS(extern template, Disc_kinetic_traits_2);
 KINETRI_KINETIC_PARTS(extern template, Polynomial_disc_kinetic_traits_2);
-extern template struct Kinetic_types<Periodic_kinetic_traits_2>::Kinetic_core;
-extern template struct Kinetic_types<Periodic_disc_kinetic_traits_2>::Kinetic_core;
+KINETRI_PARTS_OF_ANY_SPACE(extern template, Periodic_kinetic_traits_2);
+KINETRI_PARTS_OF_ANY_SPACE(extern template, Periodic_disc_kinetic_traits_2);
 
 /// Access to the parts of a triangulation, for audits, queries and simulations.
 struct Core_access {
