@@ -4,9 +4,11 @@
 // recording.
 'use strict';
 
-/** The encounters of the recording: {range, inAll, count, a, b, begin, end}; null if it has none. */
-function readEncounters(json, points, ids) {
+/** The encounters of the recording: {range, inAll, count, a, b, x, y, begin, end}, (x, y) the offsets of the
+ * second points in a periodic box, else null; null if it has none. */
+function readEncounters(recording, json, ids) {
   if (json === undefined) return null;
+  const {points} = recording;
   demand(json !== null && Number.isFinite(json.range) && Number.isInteger(json.in_all),
          'the encounters have no range or no number');
   const {count} = json;
@@ -15,15 +17,18 @@ function readEncounters(json, points, ids) {
   const end = decodeNumbers(json.end, 'Float64', 'the list of ends of encounters');
   demand(id.length === 2 * count && begin.length === count && end.length === count,
          `it has ${count} encounters, but ${id.length} points, ${begin.length} begins and ${end.length} ends of them`);
+  const offsets = readOffsets(recording, json.offsets, 'encounters', count);
   const a = new Uint32Array(count), b = new Uint32Array(count);
+  const x = offsets?.filter((_, i) => i % 2 === 0) ?? null, y = offsets?.filter((_, i) => i % 2 === 1) ?? null;
   for (let i = 0; i < count; ++i) {
     a[i] = id[2 * i];
     b[i] = id[2 * i + 1];
-    demand(a[i] < b[i] && b[i] < points, `encounter ${i} is of the points ${a[i]} and ${b[i]}`);
+    demand(isForward(a[i], b[i], x?.[i] ?? 0, y?.[i] ?? 0) && b[i] < points,
+           `encounter ${i} is of the points ${a[i]} and ${b[i]}`);
     demand(Number.isFinite(begin[i]) && Number.isFinite(end[i]), `encounter ${i} has no begin or no end`);
     demand(i === 0 || begin[i - 1] <= begin[i], `encounter ${i} begins before encounter ${i - 1}`);
   }
-  return {range: json.range, inAll: json.in_all, count, a, b, begin, end};
+  return {range: json.range, inAll: json.in_all, count, a, b, x, y, begin, end};
 }
 
 /** Whether the page can show pairs within range. */
@@ -96,7 +101,7 @@ class Encounters {
     for (let point = parent.length - 1; point >= 0; --point) size[point] = size[parent[point]];
   }
 
-  /** The points within range of a point, ascending. */
+  /** The points within range of a point, ascending; in a periodic box one for each image. */
   partners(point) {
     const {a, b} = this.recording.encounters;
     const result = [];

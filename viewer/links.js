@@ -10,20 +10,26 @@ const THINNEST_LINK = 0.02;  // pixels; what is thinner is a share of a pixel's 
 const FAINTEST_LINK = 0.4;
 
 /** Between points that are within range of each other. In a crowd they are thinner and fainter, so that
- * what is between and behind them is seen. */
+ * what is between and behind them is seen. What leaves a periodic box is fainter, as edges are. */
 function drawLinks(painter, view) {
-  const {viewer, sx, sy} = view;
-  const {encounters, colors, recording: {encounters: {a, b}}} = viewer;
+  const {encounters, colors, images, recording: {encounters: {a, b}}} = view.viewer;
   const width = 1.6 * view.detail.lineWidth();
   const levels = linkLevels(view, width);
-  for (let level = LINK_LEVELS - 1; level >= 0; --level) {
+  const draw = (level, isLeaving) => {
     const batch = view.lineBatch.clear();
     for (let i = 0; i < encounters.liveCount; ++i) {
       if (levels[i] !== level) continue;
       const encounter = encounters.live[i];
-      view.addSegment(batch, sx[a[encounter]], sy[a[encounter]], sx[b[encounter]], sy[b[encounter]]);
+      view.setShiftOfEncounter(encounter);
+      if (isLeaving === (SHIFT.x !== 0 || SHIFT.y !== 0)) view.addLink(batch, a[encounter], b[encounter]);
     }
-    if (batch.count > 0) painter.lines(batch, {color: colors.link, cap: 'round', ...linkStyle(width, level)});
+    if (batch.count === 0) return;
+    const {width: lineWidth, alpha} = linkStyle(width, level);
+    painter.lines(batch, {color: colors.link, cap: 'round', width: lineWidth, alpha: isLeaving ? LEAVING * alpha : alpha});
+  };
+  for (let level = LINK_LEVELS - 1; level >= 0; --level) {
+    if (images !== null) draw(level, true);
+    draw(level, false);
   }
 }
 
@@ -39,10 +45,18 @@ function linkLevels(view, width) {
   const {viewer: {encounters, recording: {encounters: {a, b}}}, sx, sy} = view;
   const columns = Math.ceil(view.width / LINK_FIELD), rows = Math.ceil(view.height / LINK_FIELD);
   const ink = new Float64Array(columns * rows);
-  /** Calls what(field, ink) for places along the link, half of a field apart at most. */
+  /** Calls what(field, ink) for places along the link, half of a field apart at most; if it leaves a periodic
+   * box, along both drawings of it. */
   const walk = (encounter, what) => {
+    view.setShiftOfEncounter(encounter);
+    const {x, y} = SHIFT;
     const x0 = sx[a[encounter]], y0 = sy[a[encounter]];
-    const dx = sx[b[encounter]] - x0, dy = sy[b[encounter]] - y0, length = Math.hypot(dx, dy);
+    const dx = sx[b[encounter]] + x - x0, dy = sy[b[encounter]] + y - y0;
+    walkFrom(x0, y0, dx, dy, what);
+    if (x !== 0 || y !== 0) walkFrom(x0 - x, y0 - y, dx, dy, what);
+  };
+  const walkFrom = (x0, y0, dx, dy, what) => {
+    const length = Math.hypot(dx, dy);
     const steps = Math.min(Math.ceil(2 * length / LINK_FIELD), columns + rows);
     for (let step = 0; step < steps; ++step) {
       const share = (step + 0.5) / steps;

@@ -19,8 +19,8 @@ const HINT_TIME = 8000;  // milliseconds for which the hint stays
  *                      null if it is not there
  *   radii()            the radius of each point by id at the time shown; null if it is not there
  *   hidden()           the ids of the points that others hide, ascending
- *   inRange()          [a, b] of each pair within range at the time shown, a < b, sorted; null if that
- *                      is not in the recording
+ *   inRange()          [a, b] of each pair within range at the time shown, sorted; in a periodic box
+ *                      [a, b, x, y], as edges(); null if that is not in the recording
  *   components()       the least id in the component of each point by id; null as before
  *   goTo(time)         executes each row whose exact time is at or before `time`, and no other
  *   stepForward()      to just after the next instant; false if there is none
@@ -77,9 +77,9 @@ function consoleObject(viewer) {
     inRange() {
       if (viewer.encounters === null) return null;
       viewer.place();
-      const {live, liveCount} = viewer.encounters, {a, b} = recording.encounters;
-      const pairs = Array.from(live.subarray(0, liveCount), (encounter) => [a[encounter], b[encounter]]);
-      return pairs.sort((p, q) => p[0] - q[0] || p[1] - q[1]);
+      const {live, liveCount} = viewer.encounters, {a, b, x, y} = recording.encounters;
+      const pairs = Array.from(live.subarray(0, liveCount), (i) => (x === null ? [a[i], b[i]] : [a[i], b[i], x[i], y[i]]));
+      return pairs.sort(compareLists);
     },
     components() {
       if (viewer.encounters === null) return null;

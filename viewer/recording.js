@@ -80,7 +80,7 @@ function readRecording(text, grows = false) {
          recording.wave.width > 0), 'its wave has no height or no width');
 
   const ids = points <= 65536 ? 'Uint16' : 'Uint32';
-  recording.encounters = readEncounters(json.encounters, points, ids);
+  recording.encounters = readEncounters(recording, json.encounters, ids);
   const edges = new EdgeNumbers(points, recording.periodic !== null);
   const triangles = readTriangles(recording, json.triangles, ids, edges);
   const initial = decodeNumbers(json.initial_edges, ids, 'the list of edges at the start');

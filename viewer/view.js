@@ -128,9 +128,13 @@ class View {
 
   /** Adds the edge; one that leaves a periodic box at both ends. */
   addEdge(batch, edge, shade = 0) {
-    const {sx, sy} = this;
-    const a = this.viewer.recording.edgeA[edge], b = this.viewer.recording.edgeB[edge];
     this.setShift(edge);
+    this.addLink(batch, this.viewer.recording.edgeA[edge], this.viewer.recording.edgeB[edge], shade);
+  }
+
+  /** Adds the line from a point to the image of another one that is off the other one by SHIFT. */
+  addLink(batch, a, b, shade = 0) {
+    const {sx, sy} = this;
     const {x, y} = SHIFT;
     this.addSegment(batch, sx[a], sy[a], sx[b] + x, sy[b] + y, shade);
     if (x !== 0 || y !== 0) this.addSegment(batch, sx[a] - x, sy[a] - y, sx[b], sy[b], shade);
@@ -142,6 +146,13 @@ class View {
     const {recording: {edgeA, edgeB, edgeX, edgeY}} = this.viewer;
     if (edgeX === null) SHIFT.x = SHIFT.y = 0;
     else this.setShiftOf(edgeA[edge], edgeB[edge], edgeX[edge], edgeY[edge]);
+  }
+
+  /** The same of two points within range of each other. */
+  setShiftOfEncounter(encounter) {
+    const {recording: {encounters: {a, b, x, y}}} = this.viewer;
+    if (x === null) SHIFT.x = SHIFT.y = 0;
+    else this.setShiftOf(a[encounter], b[encounter], x[encounter], y[encounter]);
   }
 
   /** The same of an image with this offset against the first point. */

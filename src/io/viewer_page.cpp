@@ -63,7 +63,7 @@ int degree(const Recording& recording) {
   return result;
 }
 
-// The offsets of edges, or of corners of triangles; empty in the plane.
+// The offsets of edges, encounters, or corners of triangles; not written in the plane.
 class Offset_bytes {
  public:
   void add(const Lattice_offset_2& offset) {
@@ -268,12 +268,15 @@ void write_wave(Json_writer& json, const std::optional<Wave_shape>& wave) {
   json.end_object();
 }
 
-void write_encounters(Json_writer& json, const Viewer_encounters& encounters, std::size_t points) {
+void write_encounters(Json_writer& json, const Viewer_encounters& encounters,
+                      const Recording& recording, std::size_t points) {
   Id_bytes ids(points);
+  Offset_bytes offsets;
   Bytes begin;
   Bytes end;
   for (const Viewer_encounter& encounter : encounters.all) {
     ids.add(encounter.points);
+    offsets.add(encounter.offset);
     begin.add(encounter.begin);
     end.add(encounter.end);
   }
@@ -283,6 +286,7 @@ void write_encounters(Json_writer& json, const Viewer_encounters& encounters, st
   json.member("in_all", encounters.in_all);
   json.member("count", encounters.all.size());
   json.member("ids", ids.base64());
+  offsets.write(json, "offsets", recording);
   json.member("begin", begin.base64());
   json.member("end", end.base64());
   json.end_object();
@@ -382,7 +386,7 @@ std::string viewer_recording(const Recording& recording, const Viewer_settings& 
   json.member("radius", settings.radius);
   write_thinned(json, recording);
   write_wave(json, settings.wave);
-  if (settings.encounters) write_encounters(json, *settings.encounters, points);
+  if (settings.encounters) write_encounters(json, *settings.encounters, recording, points);
   json.member("initial_edges", initial_edges(recording, points));
   json.key("triangles");
   write_triangles(json, recording, points);

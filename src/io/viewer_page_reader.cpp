@@ -298,13 +298,17 @@ class Page_reader {
     Packed_numbers ids(json, "ids", points_);
     Packed_numbers begin(json, "begin", points_);
     Packed_numbers end(json, "end", points_);
+    std::optional<Packed_numbers> offsets = this->offsets(json, "offsets");
     for (std::uint64_t i = 0; i < count; ++i) {
       Viewer_encounter& encounter = encounters.all.emplace_back();
-      encounter.points = ids.take_edge();
+      const Periodic_edge pair = ids.take_edge(offsets ? &*offsets : nullptr);
+      encounter.points = pair.ids;
+      encounter.offset = pair.offset;
       encounter.begin = begin.take_finite();
       encounter.end = end.take_finite();
     }
     for (const Packed_numbers* list : {&ids, &begin, &end}) list->expect_end();
+    if (offsets) offsets->expect_end();
   }
 
   // The kinds by their indices in the page.

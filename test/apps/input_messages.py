@@ -102,7 +102,6 @@ def periodic_cases():
     yield simulate("--periodic 1,1e-300 --shear 1e-100", rate="1e-100", height="1e-300")
     for option in ("--box 0,0,9,9", "--rim", "--walkable w --areas n", "--walkable w --mean-areas n"):
         yield simulate(f"--periodic 9,9 {option}", option=option.split()[0])
-    yield simulate("--periodic 9,9 --html p --components n --range 1", option="--html with --range")
     yield case("simulate p.csv --until-share 0.5 --periodic 9,9", option="--until-share")
     box = "--until 1 --periodic 4,4,1 --shear 0.5"
     yield points("x,y,vx,vy,ax,ay\n0,0,0,0,1,0\n", box)

@@ -70,7 +70,6 @@ def periodic_checkpoint_cases():
         return case(f"resume c --until 3 {more}", files={"c": content}, **values)
 
     yield resume(checkpoint(*run), "--areas n --walkable w", option="--walkable")
-    yield resume(checkpoint(*run), "--html n --range 1", option="--range")
     shrinking = [[9.0, 0.0, -4.0, 0.0, 0.0], [0.0, 9.0, 0.0, 0.0, 0.0]]
     yield resume(forged(setter("periodic_box", shrinking), *run), time="2.25")
     flat = [[9.0, 0.0, 0.0, 0.0, 0.0], [0.0, 9.0, 0.0, -4.5, 0.0]]

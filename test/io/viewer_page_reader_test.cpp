@@ -304,13 +304,23 @@ Recording record_in_box(std::size_t most_rows) {
   return result;
 }
 
+// One encounter is of a point with an image of itself.
+Viewer_settings settings_in_box() {
+  Viewer_settings result = {"periodic", {}};
+  result.encounters =
+      Viewer_encounters{1.5, {{{0, 7}, 0.25, 1, {-2, 1}}, {{3, 3}, 0.5, 4, {1, 0}}}, 2};
+  return result;
+}
+
 TEST(Viewer_page_reader, reads_runs_in_periodic_boxes) {
   for (const std::size_t most_rows : {100'000U, 60U}) {
     const Recording recording = record_in_box(most_rows);
     EXPECT_EQ(recording.is_thinned, most_rows == 60);
-    const std::string page = page_of(recording, {"periodic", {}});
+    const std::string page = page_of(recording, settings_in_box());
     const Viewer_page read = read_back(page);
     EXPECT_EQ(page_of(read.recording, read.settings), page);
+    EXPECT_EQ(read.settings.encounters->all[0].offset, (Lattice_offset_2{-2, 1}));
+    EXPECT_EQ(read.settings.encounters->all[1].points, (Edge_ids{3, 3}));
     EXPECT_EQ(read.recording.periodic_box, recording.periodic_box);
     EXPECT_EQ(read.recording.initial_edges, recording.initial_edges);
     EXPECT_EQ(read.recording.initial_triangles, recording.initial_triangles);
@@ -370,7 +380,7 @@ std::string changed(const std::string& page, Change change) {
 }
 
 TEST(Viewer_page_reader, says_what_is_wrong_in_a_periodic_box) {
-  const std::string page = page_of(record_in_box(100'000), {"periodic", {}});
+  const std::string page = page_of(record_in_box(100'000), settings_in_box());
   const auto expect = [&](const std::string& text, auto change) {
     const std::string said = refusal(changed(page, change));
     EXPECT_TRUE(said.starts_with("run.html: " + text)) << said;
@@ -394,6 +404,9 @@ TEST(Viewer_page_reader, says_what_is_wrong_in_a_periodic_box) {
   expect("recording.triangles.offsets is too long",
          [&](auto& json) { longer(json["triangles"]["offsets"]); });
   expect("recording.events", [](auto& json) { json["events"].erase("offsets"); });
+  expect("recording.encounters.offsets is too long",
+         [&](auto& json) { longer(json["encounters"]["offsets"]); });
+  expect("recording.encounters", [](auto& json) { json["encounters"].erase("offsets"); });
   expect("recording event ", [](auto& json) {
     std::string& offsets = json["events"]["offsets"].template get_ref<std::string&>();
     offsets = "AQAA" + offsets.substr(4);  // the first offset begins with 1
@@ -472,7 +485,7 @@ TEST(Viewer_page_reader, of_a_page_with_random_damage_refuses_it_or_plays_it) {
   const std::size_t last = page.find("</script>", first);
   std::mt19937 random(5);
   int refused = 0;
-  const int times = 3000 * test::multiplier();
+  const int times = test::cases(1000);
   for (int i = 0; i < times; ++i) {
     std::string damaged = page;
     const std::size_t at = first + random() % (last - first);

@@ -164,6 +164,7 @@ TEST(Viewer_page, has_encounters) {
   EXPECT_EQ(encounters["ids"], "AAACAAEAAgA=");
   EXPECT_EQ(encounters["begin"], "AAAAAAAA4D8AAAAAAAAAQA==");
   EXPECT_EQ(encounters["end"], "AAAAAAAAEEAAAAAAAAD8Pw==");
+  EXPECT_FALSE(encounters.contains("offsets"));
 }
 
 TEST(Viewer_page, is_not_broken_by_texts) {

@@ -10,6 +10,7 @@ from page import STEPS, Page
 
 WIDTH, HEIGHT, TILT, SHEAR = 8, 10, 1, 0.75
 UNTIL = 6
+RANGE = 8.5  # more than the width: of images of one point too
 POINTS = "x,y,vx,vy\n" + "".join(
     f"{(i * 37) % 83 / 4 - 6},{(i * 53) % 97 / 4 - 5},{(i * 7) % 11 / 8 - 0.5},{(i * 5) % 13 / 8 - 0.75}\n" for i in range(24))
 BOX = ("--periodic", f"{WIDTH},{HEIGHT},{TILT}", "--shear", SHEAR)
@@ -87,6 +88,51 @@ class Periodic(Page):
             edges = self.evaluate("kinetri.edges()")
             self.assertEqual(edges, edges_in(self.folder / "edges.csv"), time)
             self.check_triangles(self.evaluate("kinetri.triangles()"), edges, time)
+
+    def in_range(self, time):
+        """[a, b, x, y] of each pair of images within range, exactly."""
+        (ux, _), (wx, wy) = vectors(time)
+        result = []
+        for a in range(len(self.motions)):
+            for b in range(a, len(self.motions)):
+                dx, dy = (q - p for p, q in zip(self.place(a, time), self.place(b, time)))
+                for l in range(math.ceil((-RANGE - dy) / wy), math.floor((RANGE - dy) / wy) + 1):
+                    x = dx + l * wx
+                    for k in range(math.ceil((-RANGE - x) / ux), math.floor((RANGE - x) / ux) + 1):
+                        if (a < b or (k, l) > (0, 0)) and (x + k * ux) ** 2 + (dy + l * wy) ** 2 <= RANGE ** 2:
+                            result.append([a, b, k, l])
+        return sorted(result)
+
+    def test_pairs_within_range_are_those_of_images(self):
+        page = self.folder / "range.html"
+        self.simulate(UNTIL, "--html", page, "--range", RANGE)
+        self.open(page)
+        most = 0
+        for time in (0, 0.3, 4.125, 2.5, UNTIL, 1.75):
+            self.go_to(time)
+            expected = self.in_range(time)
+            self.assertEqual(self.evaluate("kinetri.inRange()"), expected, time)
+            self.assertEqual(self.evaluate("kinetri.components()"), [0] * len(self.motions))
+            most = max(most, max(abs(number) for *_, x, y in expected for number in (x, y)))
+        self.assertGreater(most, 2)
+        shown = self.look()
+        self.browser.key("y")
+        self.assertGreater(shown.difference(self.look()), 0.004)
+        self.evaluate("void (location.hash = 't=2.5&point=3')")
+        self.browser.settle()
+        partners = sum((a == 3) + (b == 3) for a, b, *_ in self.in_range(2.5))
+        self.assertIn(f"In range\n{partners}: ", self.evaluate("document.getElementById('point-facts').innerText"))
+        # kinetri render draws as many.
+        target = self.folder / "range.svg"
+        runs.execute(self.program, "render", page, "--at", 2.5, "--output", target)
+        places = self.evaluate("kinetri.positions()")
+        links = self.in_range(2.5)
+        leaving = 0
+        for a, b, k, l in links:
+            p, q = self.place(a, 2.5), self.place(b, 2.5, (k, l))
+            leaving += math.dist([places[a][axis] + float(q[axis] - p[axis]) for axis in (0, 1)], places[b]) > 1e-6
+        drawn = target.read_text(encoding="utf-8").split('class="links"')[1:]
+        self.assertEqual(sum(part[:part.index("/>")].count("M") for part in drawn), len(links) + leaving)
 
     def test_steps_forward_and_backward(self):
         forward = self.evaluate(STEPS.replace("DIRECTION", "stepForward"))

@@ -55,7 +55,6 @@ void refuse_with_periodic(std::string_view option) {
 
 void expect_periodic(const Run_options& options) {
   if (options.until_share) refuse_with_periodic("--until-share");
-  if (options.range && options.outputs[Output::html]) refuse_with_periodic("--html with --range");
   if (options.walkable) refuse_with_periodic("--walkable");
 }
 

@@ -29,7 +29,7 @@ Viewer_encounter shown(const Encounter& encounter, const Algebraic_number& now) 
   const double end =
       encounter.end == now ? now.to_double() : -std::numeric_limits<double>::infinity();
   return {encounter.points, encounter.begin.tight_interval().upper,
-          std::max(end, encounter.end.tight_interval().lower)};
+          std::max(end, encounter.end.tight_interval().lower), encounter.offset};
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ Viewer_output::Viewer_output(const Any_simulation& simulation, const Run_source&
     recorder_ = std::move(recorder);
   });
   if (range) {
-    simulation.visit_plane([&](auto& s) { follow_encounters(s, *range); });
+    simulation.visit([&](auto& s) { follow_encounters(s, *range); });
   }
 }
 

@@ -49,14 +49,14 @@ bool is_whole(Quantity quantity) {
 }
 
 // For each point the least id in its component; pairs within range are linked.
-std::vector<Point_id> components(const std::vector<Edge_ids>& pairs, std::size_t points) {
+std::vector<Point_id> components(const std::vector<Periodic_edge>& pairs, std::size_t points) {
   std::vector<Point_id> parent(points);
   std::iota(parent.begin(), parent.end(), Point_id{0});
   const auto root = [&](Point_id id) {
     while (parent[id] != id) id = parent[id] = parent[parent[id]];
     return id;
   };
-  for (const Edge_ids& pair : pairs) {
+  for (const auto& [pair, offset] : pairs) {
     const Point_id p = root(pair[0]);
     const Point_id q = root(pair[1]);
     parent[std::max(p, q)] = std::min(p, q);
@@ -85,10 +85,10 @@ bool has_encounters(const Viewer_page& page) {
   return encounters && encounters->all.size() == encounters->in_all;
 }
 
-std::vector<Edge_ids> encounters_at(const Viewer_page& page, double time) {
-  std::vector<Edge_ids> result;
-  for (const auto& [points, begin, end] : page.settings.encounters->all) {
-    if (begin <= time && time <= end) result.push_back(points);
+std::vector<Periodic_edge> encounters_at(const Viewer_page& page, double time) {
+  std::vector<Periodic_edge> result;
+  for (const auto& [points, begin, end, offset] : page.settings.encounters->all) {
+    if (begin <= time && time <= end) result.push_back({points, offset});
   }
   return result;
 }

@@ -59,8 +59,6 @@ void add_path(std::vector<Segment>& path, const Scene& scene, Point_id id, doubl
   }
 }
 
-constexpr double leaving = 0.45;  // strength of what is outside of a periodic box
-
 // The center of the triangle to the left of the edge from the place of p to the image q; none if
 // there is no triangle.
 std::optional<Vector_2> center_at(const Scene& scene, const Periodic_image& p,

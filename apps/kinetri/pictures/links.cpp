@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <ranges>
+#include <vector>
 
 #include "pictures/scene.h"
 
@@ -37,24 +40,29 @@ void walk_fields(const Camera& camera, const Segment& segment, const Function& f
   }
 }
 
+// One segment, or two if the link leaves a periodic box.
+using Link = std::vector<Segment>;
+
 // The level of each link, from the ink of all links in the fields along it.
-std::vector<int> levels_of_links(const Camera& camera, const std::vector<Segment>& links,
+std::vector<int> levels_of_links(const Camera& camera, const std::vector<Link>& links,
                                  double width) {
   std::vector<double> ink(static_cast<std::size_t>(std::ceil(camera.width() / link_field) *
                                                    std::ceil(camera.height() / link_field)));
-  for (const Segment& link : links) {
-    const double length = std::hypot(link.to.x - link.from.x, link.to.y - link.from.y);
-    walk_fields(camera, link,
+  for (const Segment& part : std::views::join(links)) {
+    const double length = std::hypot(part.to.x - part.from.x, part.to.y - part.from.y);
+    walk_fields(camera, part,
                 [&](std::size_t field, double share) { ink[field] += width * length * share; });
   }
   std::vector<int> result;
-  for (const Segment& link : links) {
+  for (const Link& link : links) {
     double sum = 0;
     double fields = 0;
-    walk_fields(camera, link, [&](std::size_t field, double) {
-      sum += ink[field];
-      ++fields;
-    });
+    for (const Segment& part : link) {
+      walk_fields(camera, part, [&](std::size_t field, double) {
+        sum += ink[field];
+        ++fields;
+      });
+    }
     const double cover = fields > 0 ? sum / fields / (link_field * link_field) : 0;
     const double level = cover > 0 ? std::round(2 * std::log2(cover / links_cover)) : 0;
     result.push_back(static_cast<int>(std::clamp(level, 0.0, link_levels - 1.0)));
@@ -64,26 +72,31 @@ std::vector<int> levels_of_links(const Camera& camera, const std::vector<Segment
 
 }  // namespace
 
-// Draws the links. Dense ones are thinner and fainter, so that what is behind them is seen.
+// Draws the links. Dense ones are thinner and fainter, so that what is behind them is seen; those
+// that leave a periodic box are fainter, as edges are.
 void draw_links(Svg_drawing& drawing, const Scene& scene) {
-  std::array<std::vector<Segment>, link_levels> by_level;
+  // Of a level the links that leave the box, and the others.
+  std::array<std::array<std::vector<Segment>, 2>, link_levels> by_level;
   const double width = 1.6 * scene.detail.line_width();
-  std::vector<Segment> links;
-  for (const Edge_ids& pair : encounters_at(scene.page, scene.playback.time())) {
-    links.push_back(scene.segment(pair));
+  std::vector<Link> links;
+  for (const Periodic_edge& pair : encounters_at(scene.page, scene.playback.time())) {
+    links.push_back(scene.segments(pair));
   }
   const std::vector<int> levels = levels_of_links(scene.camera, links, width);
   for (std::size_t i = 0; i < links.size(); ++i) {
-    by_level[static_cast<std::size_t>(levels[i])].push_back(links[i]);
+    auto& list = by_level[static_cast<std::size_t>(levels[i])][links[i].size() > 1 ? 0 : 1];
+    list.insert(list.end(), links[i].begin(), links[i].end());
   }
   for (int level = link_levels - 1; level >= 0; --level) {
     // Lines become thinner before they become fainter: overlapping lines of one path do not add
     // their strengths.
     const double ink = width / std::exp2(level / 2.0);
-    drawing.lines(
-        "links", by_level[static_cast<std::size_t>(level)],
-        {scene.view.theme().link.faded(std::clamp(ink / thinnest_link, faintest_link, 1.0)),
-         std::max(ink, thinnest_link), true});
+    const double alpha = std::clamp(ink / thinnest_link, faintest_link, 1.0);
+    for (const bool is_within : {false, true}) {
+      const Color color = scene.view.theme().link.faded(is_within ? alpha : leaving * alpha);
+      drawing.lines("links", by_level[static_cast<std::size_t>(level)][is_within],
+                    {color, std::max(ink, thinnest_link), true});
+    }
   }
 }
 

@@ -57,6 +57,9 @@ struct View {
   const Theme& theme() const { return is_dark ? dark_theme : light_theme; }
 };
 
+/// Strength of what is outside of a periodic box.
+constexpr double leaving = 0.45;
+
 /// The state at one time, with the points on the picture.
 struct Scene {
   const Viewer_page& page;

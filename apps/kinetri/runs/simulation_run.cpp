@@ -218,11 +218,11 @@ void Simulation_run::build() {
     certificate_log_ = follow_certificates(outputs_.stream(Output::certificates), simulation_);
   }
   if (verification_) verification_->start(simulation_);
-  if (outputs_.has(Output::html)) {
-    viewer_.emplace(simulation_, source_, statistics_.until, settings_.html_view,
-                    settings_.html_range);
-  }
   try {
+    if (outputs_.has(Output::html)) {
+      viewer_.emplace(simulation_, source_, statistics_.until, settings_.html_view,
+                      settings_.html_range);
+    }
     answers_ = follow_answers(outputs_, asked_, simulation_, source_);
   } catch (const Periodic_box_error& error) {
     throw Usage_error(joined("--range: ", error.what()));
@@ -243,11 +243,8 @@ void Simulation_run::build() {
 // Throws if the run is in a periodic box, as a checkpoint may say, and an option is not for that.
 void Simulation_run::expect_periodic_outputs() {
   if (!simulation_.is_periodic()) return;
-  const auto refuse = [](const char* option) {
-    throw Usage_error(joined(option, ": is not for periodic boxes; expected no ", option));
-  };
-  if (settings_.html_range) refuse("--range");
-  if (asked_.walkable) refuse("--walkable");
+  if (!asked_.walkable) return;
+  throw Usage_error("--walkable: is not for periodic boxes; expected no --walkable");
 }
 
 // Throws if a periodic box without contacts has no area at a time of the run. (With contacts a disc

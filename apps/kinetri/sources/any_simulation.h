@@ -67,22 +67,6 @@ class Any_simulation {
         simulation_);
   }
 
-  /// Calls `function`, which is for the plane, with the simulation. Precondition: the box is not
-  /// periodic.
-  template <class Function>
-  std::invoke_result_t<Function, Linear&> visit_plane(Function function) const {
-    return std::visit(
-        [&]<class Traits>(const std::unique_ptr<Simulation_2<Traits>>& s)
-            -> std::invoke_result_t<Function, Linear&> {
-          if constexpr (PeriodicKineticTraits_2<Traits>) {
-            throw Internal_error("an output for the plane in a periodic box");
-          } else {
-            return function(*s);
-          }
-        },
-        simulation_);
-  }
-
  private:
   std::variant<std::unique_ptr<Linear>, std::unique_ptr<Polynomial>, std::unique_ptr<Discs>,
                std::unique_ptr<Polynomial_discs>

@@ -22,7 +22,8 @@
 //   wave          null, or {"height": h, "width": w}: the page begins with the wave. Its height is
 //                 h exp(-d^2 / (2 w^2)), d the distance in y to the mean of the moving points
 //   encounters    absent, or the encounters: {range, in_all, count, ids, begin, end}: ids: base64
-//                 of the ids, two an encounter; begin and end: base64 of binary64, the first and
+//                 of the ids, two an encounter, in a periodic box with offsets as edges of events
+//                 have them; begin and end: base64 of binary64, the first and
 //                 the last number among the times of the encounter (begin > end if no number is);
 //                 in_all: the number of encounters, count: that of those in the page, which is 0
 //                 if there are too many
@@ -90,6 +91,7 @@ struct Viewer_encounter {
   Edge_ids points = {no_point, no_point};  ///< the smaller first
   double begin = 0;                        ///< the first number
   double end = 0;                          ///< the last number; before `begin` if there is none
+  Lattice_offset_2 offset = {};            ///< of the second in a periodic box (Encounter)
 };
 
 /// The encounters of a run.
