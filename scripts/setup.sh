@@ -36,7 +36,7 @@ kinetri_packages() {
   # For tests that are skipped without them: of the viewer page, of PNG pictures, and of the reference manual.
   # (Films are tested if ffmpeg, which is large, is installed.)
   if [[ $1 == browser ]]; then
-    printf '%s\n' chromium=chromium doxygen=doxygen librsvg2-bin=rsvg-convert
+    printf '%s\n' chromium-headless-shell=chromium-headless-shell doxygen=doxygen librsvg2-bin=rsvg-convert
   fi
   # The Python package, its tests and its examples.
   if [[ $1 == python ]]; then

@@ -194,6 +194,6 @@ class Player(unittest.TestCase):
 
 if __name__ == "__main__":
     if Chromium.executable() is None:
-        print("chromium is not installed; nothing tested (scripts/test.sh --browser installs it)")
+        print("chromium-headless-shell is not installed; nothing tested (scripts/test.sh --browser installs it)")
         sys.exit(SKIPPED)
     unittest.main(argv=sys.argv[:1])

@@ -25,7 +25,8 @@ class Chromium(Browser):
 
     @staticmethod
     def executable():
-        return os.environ.get("KINETRI_CHROMIUM") or shutil.which("chromium")
+        """The one without a window is chosen, which starts and opens a page in a fraction of the time."""
+        return os.environ.get("KINETRI_CHROMIUM") or shutil.which("chromium-headless-shell") or shutil.which("chromium")
 
     def start(self):
         ours_in, self.output = os.pipe()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tests of the viewer page in Debian's chromium or firefox-esr, without a window.
+"""Tests of the viewer page in Debian's chromium-headless-shell, or chromium, or firefox-esr, without a window.
 
 usage: viewer_test.py PROGRAM WORK_DIR TEST BROWSER
 
@@ -28,7 +28,7 @@ from recordings import Damaged, Small  # noqa: E402
 from screens import Accessible, Screens  # noqa: E402
 
 SKIPPED = 77
-BROWSERS = {"chromium": (Chromium, "chromium"), "firefox": (Firefox, "firefox-esr")}
+BROWSERS = {"chromium": (Chromium, "chromium-headless-shell"), "firefox": (Firefox, "firefox-esr")}
 CASES = {"runs": Playing, "interface": Interface, "certificate": Certificate, "drawing": Drawing,
          "without_webgl": Without_webgl, "points": Points, "screens": Screens,
          "accessible": Accessible, "exporting": Exporting, "encounters": Near, "periodic": Periodic, "small": Small, "damaged": Damaged}
