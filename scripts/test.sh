@@ -25,7 +25,8 @@ exit code is 0 if none failed.
   --video          likewise for the program kinetri-video
 
 Other options are those of ctest, for example -R REGEX for the tests whose names match, or -LE slow
-for those without the label slow. The labels are slow, install and threads.
+for those without the label slow. The labels are slow, install, threads, and recompile for what compiles
+the library once more, without optimization and with CGAL's own checks.
 
 KINETRI_TEST_MULTIPLIER=N makes the randomized tests N times as long.
 EOF
