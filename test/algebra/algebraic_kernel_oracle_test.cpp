@@ -60,7 +60,7 @@ TEST(Algebraic_kernel_oracle, roots_of_random_polynomials_agree) {
   std::vector<Real_root> previous;
   std::vector<Root_with_multiplicity> previous_cgal;
   unsigned long equal_pairs = 0;
-  for (unsigned long seed = 0; seed < test::scaled_count(20000); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(5000ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Polynomial p = random_polynomial_of_some_kind(random);

@@ -82,7 +82,7 @@ Specimen make_scaled_specimen(const Value& v, Random& random) {
 }
 
 TEST(Algebraic_number, tight_interval_has_the_two_neighbors_or_the_number_itself) {
-  for (unsigned long seed = 0; seed < test::scaled_count(25); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(25ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     for (const Value& v : values_of_every_magnitude(random)) {
@@ -143,7 +143,7 @@ TEST(Algebraic_number, tight_interval_beyond_the_range_ends_at_infinity_or_at_th
 }
 
 TEST(Algebraic_number, to_double_is_the_nearest_ties_to_even) {
-  for (unsigned long seed = 0; seed < test::scaled_count(25); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(25ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed + 1000);
     for (const Value& v : values_of_every_magnitude(random)) {

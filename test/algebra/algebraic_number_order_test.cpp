@@ -37,7 +37,7 @@ constexpr double smallest = std::numeric_limits<double>::denorm_min();
 
 TEST(Algebraic_number, order_of_a_pool_with_equal_and_nearly_equal_numbers_is_the_true_one) {
   const std::vector<Value> values = some_values();
-  for (unsigned long seed = 0; seed < test::scaled_count(60); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(60ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     std::vector<Specimen> pool;
@@ -67,7 +67,7 @@ TEST(Algebraic_number, order_of_a_pool_with_equal_and_nearly_equal_numbers_is_th
 
 TEST(Algebraic_number, sorting_a_pool_is_total_and_transitive) {
   const std::vector<Value> values = some_values();
-  for (unsigned long seed = 0; seed < test::scaled_count(20); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(20ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     std::vector<Specimen> pool;
@@ -85,7 +85,7 @@ TEST(Algebraic_number, sorting_a_pool_is_total_and_transitive) {
 
 TEST(Algebraic_number, order_against_rationals_is_the_true_one) {
   const std::vector<Value> values = some_values();
-  for (unsigned long seed = 0; seed < test::scaled_count(600); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(600ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Specimen s = make_specimen(random.pick(values), values, random);
@@ -231,7 +231,7 @@ TEST(Simplest_between, known_intervals_give_known_numbers) {
 
 TEST(Simplest_between, of_random_numbers_is_what_trial_finds_for_every_representation) {
   const std::vector<Value> values = some_values();
-  for (unsigned long seed = 0; seed < test::scaled_count(500); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(500ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Value& v = random.pick(values);

@@ -118,7 +118,7 @@ TEST(Algebraic_number, prints_the_rational_or_the_polynomial_with_an_interval) {
 
 TEST(Algebraic_number, refinement_shrinks_the_interval_around_the_number_as_far_as_asked) {
   const std::vector<Value> values = some_values();
-  for (unsigned long seed = 0; seed < test::scaled_count(400); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(400ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Specimen s = make_specimen(random.pick(values), values, random);

@@ -77,7 +77,7 @@ TEST(Number_types, every_binary64_number_survives_the_round_trip) {
                                  smallest, -smallest, smallest_normal,
                                  largest,  -largest,  next_down(smallest_normal)};
   Random random(1);
-  for (unsigned long i = 0; i < test::scaled_count(20000); ++i) {
+  for (unsigned long i = 0; i < test::cases(20000ul); ++i) {
     numbers.push_back(random_double(random));
   }
   for (const double x : numbers) {
@@ -88,7 +88,7 @@ TEST(Number_types, every_binary64_number_survives_the_round_trip) {
 }
 
 TEST(Number_types, to_interval_gives_the_neighbors_of_a_random_rational) {
-  for (unsigned long seed = 0; seed < test::scaled_count(20000); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(20000ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Rational x = random_rational_of_any_size(random);
@@ -127,7 +127,7 @@ TEST(Number_types, to_interval_has_no_negative_zero) {
 }
 
 TEST(Number_types, to_double_of_a_random_rational_is_the_nearer_neighbor) {
-  for (unsigned long seed = 0; seed < test::scaled_count(20000); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(20000ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Rational x = random_rational_of_any_size(random);
@@ -152,7 +152,7 @@ TEST(Number_types, to_double_of_a_random_rational_is_the_nearer_neighbor) {
 
 TEST(Number_types, to_double_of_a_tie_is_the_even_neighbor) {
   Random random(3);
-  for (unsigned long i = 0; i < test::scaled_count(20000); ++i) {
+  for (unsigned long i = 0; i < test::cases(20000ul); ++i) {
     // All of the range, with as many subnormals as others.
     const double x = i % 2 == 0 ? random_double(random)
                                 : std::bit_cast<double>(random.bits() & ((1ULL << 53) - 1));

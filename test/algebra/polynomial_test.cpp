@@ -90,7 +90,7 @@ TEST(Polynomial, printing_is_readable) {
 // -----------------------------------------------------------------------------
 
 TEST(Polynomial, value_and_sign_of_a_random_polynomial_agree_with_powers) {
-  for (unsigned long seed = 0; seed < test::scaled_count(3000); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(3000ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Polynomial p = random.polynomial(static_cast<int>(random.integer(0, 8)), 100);
@@ -121,7 +121,7 @@ TEST(Polynomial, value_and_sign_of_zero_and_constants) {
 }
 
 TEST(Polynomial, sign_at_infinity_is_the_sign_far_out) {
-  for (unsigned long seed = 0; seed < test::scaled_count(500); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(500ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Polynomial p = random.polynomial(static_cast<int>(random.integer(0, 6)), 40);
@@ -135,7 +135,7 @@ TEST(Polynomial, sign_at_infinity_is_the_sign_far_out) {
 
 TEST(Polynomial, sign_on_an_interval_holds_at_every_point_of_it) {
   unsigned long decided = 0;
-  const unsigned long cases = test::scaled_count(5000);
+  const unsigned long cases = test::cases(5000ul);
   for (unsigned long seed = 0; seed < cases; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -178,7 +178,7 @@ TEST(Polynomial, sign_on_a_shrinking_interval_decides_unless_it_is_a_root) {
 // -----------------------------------------------------------------------------------
 
 TEST(Polynomial, arithmetic_agrees_with_arithmetic_of_values) {
-  for (unsigned long seed = 0; seed < test::scaled_count(1000); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(1000ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Polynomial p = random.polynomial(static_cast<int>(random.integer(0, 6)), 80);
@@ -231,7 +231,7 @@ TEST(Polynomial, primitive_polynomial_is_a_positive_multiple) {
             (Polynomial{2, 0, -3}));
   EXPECT_EQ(primitive_polynomial(std::vector<Rational>{}), Polynomial());
   EXPECT_EQ(primitive_polynomial(std::vector<Rational>{0, 0}), Polynomial());
-  for (unsigned long seed = 0; seed < test::scaled_count(500); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(500ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     std::vector<Rational> c;
@@ -252,7 +252,7 @@ TEST(Polynomial, primitive_polynomial_is_a_positive_multiple) {
 // -------------------------------------------------------------------------------------
 
 TEST(Polynomial, pseudo_remainder_is_a_positive_multiple_of_the_remainder) {
-  for (unsigned long seed = 0; seed < test::scaled_count(3000); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(3000ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const auto bits = static_cast<unsigned>(random.integer(1, 60));
@@ -271,7 +271,7 @@ TEST(Polynomial, pseudo_remainder_with_zero_is_zero_or_refused) {
 }
 
 TEST(Polynomial, exact_quotient_undoes_a_product) {
-  for (unsigned long seed = 0; seed < test::scaled_count(1000); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(1000ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Polynomial q = random.polynomial(static_cast<int>(random.integer(0, 6)), 90);
@@ -309,7 +309,7 @@ std::vector<Polynomial> coprime_factors() {
 
 TEST(Polynomial, gcd_of_products_is_the_product_of_the_common_factors) {
   const std::vector<Polynomial> factors = coprime_factors();
-  for (unsigned long seed = 0; seed < test::scaled_count(1500); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(1500ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Polynomial a{random.big_integer_not_zero(20)};
@@ -355,7 +355,7 @@ TEST(Polynomial, gcd_is_not_misled_by_the_modulus) {
 
 TEST(Polynomial, square_free_decomposition_gives_the_multiplicities_of_the_construction) {
   const std::vector<Polynomial> factors = coprime_factors();
-  for (unsigned long seed = 0; seed < test::scaled_count(300); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(300ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Integer constant = random.big_integer_not_zero(20);
@@ -386,7 +386,7 @@ TEST(Polynomial, square_free_decomposition_gives_the_multiplicities_of_the_const
 }
 
 TEST(Polynomial, odd_part_has_the_sign_of_the_polynomial_where_that_is_not_zero) {
-  for (unsigned long seed = 0; seed < test::scaled_count(500); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(500ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const test::Known_polynomial known = test::random_known_polynomial(random, 10, 4);

@@ -41,7 +41,7 @@ testing::AssertionResult is_isolated(const Algebraic_number& number) {
 // ------------------------------------------------------------------------------------
 
 TEST(Real_roots, of_a_polynomial_built_from_roots_are_those_in_order) {
-  for (unsigned long seed = 0; seed < test::scaled_count(1500); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(1500ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Known_polynomial p = test::random_known_polynomial(random, 12, 4);
@@ -52,7 +52,7 @@ TEST(Real_roots, of_a_polynomial_built_from_roots_are_those_in_order) {
 }
 
 TEST(Real_roots, of_huge_and_tiny_magnitude_are_found) {
-  for (unsigned long seed = 0; seed < test::scaled_count(40); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(20ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Known_polynomial p(random.big_integer_not_zero(400));
@@ -74,7 +74,7 @@ TEST(Real_roots, of_huge_and_tiny_magnitude_are_found) {
 
 // Coefficients whose exponents span the range of products of binary64 numbers.
 TEST(Real_roots, of_random_coefficients_are_as_many_as_a_sturm_sequence_counts) {
-  for (unsigned long seed = 0; seed < test::scaled_count(200); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(200ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     std::vector<Rational> coefficients;
@@ -105,7 +105,7 @@ TEST(Real_roots, of_random_coefficients_are_as_many_as_a_sturm_sequence_counts) 
 }
 
 TEST(Real_roots, that_are_very_close_are_told) {
-  for (unsigned long seed = 0; seed < test::scaled_count(60); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(60ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Known_polynomial p;
@@ -228,7 +228,7 @@ TEST(First_root_after, of_a_cluster_beside_the_end_of_an_interval_is_found) {
 }
 
 TEST(First_root_after, a_time_is_the_next_root_by_construction) {
-  for (unsigned long seed = 0; seed < test::scaled_count(400); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(400ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Known_polynomial p = test::random_known_polynomial(random, 8, 4);
@@ -248,7 +248,7 @@ TEST(First_root_after, a_time_is_the_next_root_by_construction) {
 }
 
 TEST(First_root_after, many_roots_of_all_sizes_visits_them_in_turn) {
-  for (unsigned long seed = 0; seed < test::scaled_count(15); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(15ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Known_polynomial p;
@@ -274,7 +274,7 @@ TEST(First_root_after, zero_polynomial_is_refused) {
 
 TEST(Failure_time, is_the_infimum_of_the_times_of_negative_values) {
   std::array<unsigned long, 3> outcomes = {};
-  for (unsigned long seed = 0; seed < test::scaled_count(600); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(300ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Known_polynomial p = test::random_known_polynomial(random, 8, 4);

@@ -37,7 +37,7 @@ Sign sign_by_construction(const Known_polynomial& p, const Known_root& t, int si
 
 TEST(Sign_at, an_algebraic_number_is_the_sign_by_construction) {
   const std::vector<Value> values = some_values();
-  for (unsigned long seed = 0; seed < test::scaled_count(1200); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(1200ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Value& v = random.pick(values);

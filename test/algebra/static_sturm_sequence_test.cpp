@@ -38,7 +38,7 @@ Integer random_integer(Random& random) {
 
 TEST(Stack_integer, computes_as_gmp_does) {
   Random random(1);
-  const unsigned long rounds = test::scaled_count(20000);
+  const unsigned long rounds = test::cases(20000ul);
   for (unsigned long round = 0; round < rounds; ++round) {
     const Integer x = random_integer(random);
     const Integer y = random_integer(random);
@@ -132,7 +132,7 @@ TEST(Static_sturm_sequence, is_that_of_euclid_for_all_small_coefficients) {
 
 TEST(Static_sturm_sequence, is_that_of_euclid_for_wide_coefficients) {
   Random random(2);
-  for (unsigned long round = 0; round < test::scaled_count(2000); ++round) {
+  for (unsigned long round = 0; round < test::cases(2000ul); ++round) {
     std::vector<Integer> c;
     const long degree = random.integer(0, 4);
     const auto bits = static_cast<unsigned>(random.integer(1, 500));
@@ -150,7 +150,7 @@ TEST(Static_sturm_sequence, has_the_multiple_roots_in_its_last_term) {
       {1}, {2}, {1, 1}, {3}, {2, 1}, {4}, {3, 1}, {2, 2}, {2, 1, 1}, {1, 1, 1}, {1, 1, 1, 1}};
   // Apart, whatever the denominators.
   const std::vector<long> far = {0, 1'000, 1'000'000, 1'000'000'000};
-  for (unsigned long round = 0; round < test::scaled_count(200); ++round) {
+  for (unsigned long round = 0; round < test::cases(200ul); ++round) {
     for (const std::vector<int>& pattern : patterns) {
       Polynomial f{random.coin() ? 1 : -1};
       Polynomial repeated{1};
@@ -181,7 +181,7 @@ TEST(Static_sturm_sequence, has_the_multiple_roots_in_its_last_term) {
 // together, gaps of the remainders, and where terms vanish.
 TEST(Sturm_counter, counts_as_the_exact_sequence_does) {
   Random random(7);
-  for (unsigned long round = 0; round < test::scaled_count(300); ++round) {
+  for (unsigned long round = 0; round < test::cases(300ul); ++round) {
     std::vector<Integer> c;
     const long degree = random.integer(1, 12);
     const bool is_even = random.integer(0, 9) == 0;
@@ -247,7 +247,7 @@ bool expect_failure(const Polynomial& p, const Algebraic_number& t, bool vanishe
 TEST(Count_failure, is_the_first_one_of_random_polynomials) {
   Random random(4);
   unsigned long decided = 0;
-  const unsigned long rounds = test::scaled_count(3000);
+  const unsigned long rounds = test::cases(3000ul);
   for (unsigned long round = 0; round < rounds; ++round) {
     std::vector<Integer> c;
     const long degree = random.integer(0, 4);
@@ -270,7 +270,7 @@ TEST(Count_failure, goes_on_from_roots) {
   Random random(5);
   unsigned long decided = 0;
   unsigned long asked = 0;
-  const unsigned long rounds = test::scaled_count(1000);
+  const unsigned long rounds = test::cases(1000ul);
   for (unsigned long round = 0; round < rounds; ++round) {
     std::vector<Integer> c;
     const auto bits = static_cast<unsigned>(random.integer(3, 200));
@@ -296,7 +296,7 @@ TEST(Count_failure, does_not_guess_among_roots_that_are_close) {
   Random random(6);
   unsigned long decided = 0;
   unsigned long unknown = 0;
-  for (unsigned long round = 0; round < test::scaled_count(2000); ++round) {
+  for (unsigned long round = 0; round < test::cases(2000ul); ++round) {
     const Integer scale = Integer(1) << static_cast<unsigned>(random.integer(2, 70));
     const Integer place = random.big_integer(static_cast<unsigned>(random.integer(1, 70)));
     Polynomial p{random.coin() ? 1 : -1};
@@ -335,7 +335,7 @@ TEST(Count_failure, is_not_misled_by_the_guess) {
 // Of (d t - m)^k r(t) at m / d and beside it, where r has no root: the sign of r, and its turns.
 TEST(Count_sign, at_a_rational_root_is_that_of_the_other_factor) {
   Random random(7);
-  for (unsigned long round = 0; round < test::scaled_count(2000); ++round) {
+  for (unsigned long round = 0; round < test::cases(2000ul); ++round) {
     const auto bits = static_cast<unsigned>(random.integer(1, 150));
     const Integer m = random.big_integer(bits);
     const Integer d = random.integer(1, 50);

@@ -52,7 +52,7 @@ using Algorithm = std::function<std::vector<Real_root>(const Polynomial&)>;
 void check_patterns(int degree, unsigned long cases, const Algorithm& solve,
                     const std::vector<std::string>& patterns) {
   std::map<std::string, unsigned long> counts;
-  for (unsigned long seed = 0; seed < test::scaled_count(cases); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(cases); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Known_polynomial p = random_pattern(random, degree);

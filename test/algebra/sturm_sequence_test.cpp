@@ -86,7 +86,7 @@ void for_intervals(const std::vector<Rational>& points, Random& random, int pair
 // -------------------------------------------------------------------------------------
 
 TEST(Sturm_count, of_a_polynomial_built_from_roots_is_their_number_in_every_interval) {
-  for (unsigned long seed = 0; seed < test::scaled_count(800); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(800ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Known_polynomial p = test::random_known_polynomial(random, 10, 4);
@@ -100,7 +100,7 @@ TEST(Sturm_count, of_a_polynomial_built_from_roots_is_their_number_in_every_inte
 }
 
 TEST(Sturm_count, is_right_for_coefficients_of_huge_and_tiny_magnitude) {
-  for (unsigned long seed = 0; seed < test::scaled_count(300); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(300ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Known_polynomial p(random.big_integer_not_zero(500));
@@ -174,7 +174,7 @@ TEST(Sturm_sequence, preconditions_are_checked) {
 // ------------------------------------------------------------------------------------------
 
 TEST(Sturm_sequence, terms_are_primitive_negated_remainders_that_end_with_the_gcd) {
-  for (unsigned long seed = 0; seed < test::scaled_count(500); ++seed) {
+  for (unsigned long seed = 0; seed < test::cases(500ul); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Polynomial f = random.coin()

@@ -13,7 +13,7 @@ template <class Kinetic>
 void check_runs() {
   std::size_t twins = 0;
   std::size_t compared = 0;
-  const unsigned runs = 200u * static_cast<unsigned>(test::multiplier());
+  const unsigned runs = test::cases(200u);
   for (unsigned seed = 0; seed < runs; ++seed) {
     test::Random_choices random(seed);
     test::Coincident_run<Kinetic, test::Random_choices> run(random);

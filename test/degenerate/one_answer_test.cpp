@@ -130,7 +130,7 @@ std::string problem(const std::vector<Linear_motion_2>& motions, unsigned seed) 
 }
 
 TEST(One_answer, whatever_the_way) {
-  const unsigned runs = 100u * static_cast<unsigned>(test::multiplier());
+  const unsigned runs = test::cases(40u);
   for (unsigned seed = 0; seed < runs; ++seed) {
     const auto motions = grid_that_turns(seed);
     ASSERT_EQ(problem(motions, seed), "") << "seed " << seed << '\n' << test::describe(motions);
@@ -166,7 +166,7 @@ std::set<Point_id> visible_in(const Kinetic_regular& kinetic) {
 TEST(One_answer, of_discs_whatever_the_way) {
   int compared = 0;
   int hidden = 0;
-  const unsigned runs = 100u * static_cast<unsigned>(test::multiplier());
+  const unsigned runs = test::cases(40u);
   for (unsigned seed = 0; seed < runs; ++seed) {
     const auto discs = with_weights(grid_that_turns(seed), seed);
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -193,15 +193,15 @@ TEST(One_answer, of_discs_whatever_the_way) {
     for (Disc_motion_2& d : back) d = mirrored(d);
     ASSERT_EQ(edges_of(kinetic), edges_of(Kinetic_regular(back, Algebraic_number(0.0))));
   }
-  EXPECT_GT(compared, 500);
-  EXPECT_GT(hidden, 100);
+  EXPECT_GT(compared, 300);
+  EXPECT_GT(hidden, 50);
 }
 
 // ---- lattices ----
 
 // Movers leave diagonals behind them that do not depend on them.
 TEST(One_answer, of_lattices_after_movers_is_that_of_a_start_at_the_end) {
-  const unsigned seeds = std::min(36u, 4u * static_cast<unsigned>(test::multiplier()));
+  const unsigned seeds = std::min(36u, test::cases(4u));
   for (const Lattice_movers movers :
        {Lattice_movers::one, Lattice_movers::columns, Lattice_movers::all}) {
     for (unsigned seed = 1; seed <= seeds; ++seed) {

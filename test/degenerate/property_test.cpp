@@ -65,7 +65,7 @@ template <class Property>
 void expect_for_all(int cases, Property property) {
   rc::detail::TestParams parameters;
   parameters.seed = 20240229;
-  parameters.maxSuccess = cases * test::multiplier();
+  parameters.maxSuccess = test::cases(cases);
   rc::detail::TestMetadata metadata;
   metadata.id = testing::UnitTest::GetInstance()->current_test_info()->name();
   const auto result = rc::detail::checkTestable(property, metadata, parameters);
@@ -126,8 +126,8 @@ TEST_P(Grid_properties, is_the_same_run_however_it_is_seen) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Grids, Grid_properties,
-                         testing::Values(Grid{4, 2, 1, 600}, Grid{5, 3, 1, 420}, Grid{6, 3, 1, 240},
-                                         Grid{6, 4, 2, 180}, Grid{7, 3, 1, 60}),
+                         testing::Values(Grid{4, 2, 1, 200}, Grid{5, 3, 1, 140}, Grid{6, 3, 1, 80},
+                                         Grid{6, 4, 2, 60}, Grid{7, 3, 1, 20}),
                          [](const testing::TestParamInfo<Grid>& grid) {
                            return std::to_string(grid.param.points) + "_points_of_" +
                                   std::to_string(grid.param.size) + "_by_" +
@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Grids, Grid_properties,
                          });
 
 TEST(Large_grid_properties, passes_audits_with_and_without_filters) {
-  expect_for_all(120, [] {
+  expect_for_all(40, [] {
     const auto motions = distinct_motions(*grid_points(20, 5, 1));
     const Algebraic_number until(Rational(*integer_in(0, 8), 2));
     Kinetic_delaunay kinetic(motions);

@@ -68,7 +68,7 @@ Case make_case(unsigned seed) {
 
 TEST(Checkpoint, a_run_with_breaks_is_the_run_without) {
   test::Broken_runs sums;
-  for (unsigned seed = 0; seed < 45u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(30u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::expect_the_run_without_breaks(make_case(seed), seed, sums);
     if (HasFatalFailure()) return;
@@ -289,7 +289,7 @@ TEST_F(Forged_checkpoint, names_the_place_that_is_wrong) {
 TEST_F(Forged_checkpoint, changed_at_random_is_refused_or_right) {
   int refused = 0;
   int right = 0;
-  for (unsigned seed = 0; seed < 900u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(450u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
     try {

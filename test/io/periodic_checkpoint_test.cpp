@@ -79,7 +79,7 @@ test::Start<Discs> start_of_discs(unsigned seed) {
 template <class Traits>
 void expect_the_runs_without_breaks(test::Start<Traits> (*start)(unsigned),
                                     test::Broken_runs& sums) {
-  for (unsigned seed = 0; seed < 72u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(72u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     try {
       test::expect_the_run_without_breaks(start(seed), seed, sums);
@@ -192,7 +192,7 @@ TEST(Periodic_checkpoint, changed_at_random_is_refused_or_right) {
   const std::string text = text_of(checkpoint_of(simulation, "elastic"));
   int refused = 0;
   int right = 0;
-  for (unsigned seed = 0; seed < 600u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(600u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
     try {

@@ -334,7 +334,7 @@ TEST_F(Temporary_test, processes_do_not_disturb_each_other) {
     }
   };
   std::mt19937 random(1);
-  for (int round = 0; round < 2 * test::multiplier(); ++round) {
+  for (int round = 0; round < test::cases(2); ++round) {
     std::vector<pid_t> processes;
     for (unsigned i = 0; i < 6; ++i) {
       processes.push_back(::fork());
@@ -381,7 +381,7 @@ TEST_F(Temporary_test, signal_at_any_moment_leaves_nothing) {
       [&] { Output_directory(file("out")).write("a", "text"); }};
   std::mt19937 random(1);
   for (const auto& write_output : writers) {
-    for (int i = 0; i < 120 * test::multiplier(); ++i) {
+    for (int i = 0; i < test::cases(60); ++i) {
       const pid_t process = ::fork();
       ASSERT_GE(process, 0);
       if (process == 0) {

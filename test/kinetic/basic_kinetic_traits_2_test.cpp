@@ -296,7 +296,7 @@ TEST_P(Rounded_failure_times, are_those_of_the_exact_roots) {
   const Linear_kinetic_traits_2 traits;
   test::Certificates source(99);
   int compared = 0;
-  for (int i = 0; i < 1500 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(750); ++i) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe({m.begin(), m.end()}); });
     const Algebraic_number t(source.time(GetParam()));
@@ -333,7 +333,7 @@ TEST_P(Rounded_failure_times, are_those_of_the_exact_roots) {
     if (HasFailure()) return;
   }
   if (GetParam() == 0) {
-    EXPECT_GT(compared, 80 * test::multiplier());
+    EXPECT_GT(compared, test::cases(40));
   }
 }
 
@@ -343,7 +343,7 @@ INSTANTIATE_TEST_SUITE_P(Flavors, Rounded_failure_times,
 TEST(Linear_kinetic_traits_2, random_failure_times_are_where_the_static_predicate_turns) {
   constexpr unsigned seed = 11;
   int failures = 0;
-  for (unsigned i = 0; i < 300u * static_cast<unsigned>(test::multiplier()); ++i) {
+  for (unsigned i = 0; i < test::cases(300u); ++i) {
     const auto m = test::random_motions(4, 10, 5, seed + i);
     const test::On_failure trace([&] { return test::describe(m); });
     const Moving_point_2 p(m[0]);
@@ -376,7 +376,7 @@ TEST(Linear_kinetic_traits_2, random_failure_times_are_where_the_static_predicat
 TEST_P(Linear_kinetic_traits_2_test, two_certificates_at_once_are_those_of_each) {
   test::Certificates source(97);
   int known = 0;
-  for (int i = 0; i < 700 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(700); ++i) {
     const int flavor = i % test::Certificates::flavors;
     std::vector<Moving_point_2> points;
     for (const auto& motions : {source.next(flavor), source.next(flavor)}) {
@@ -418,7 +418,7 @@ TEST_P(Linear_kinetic_traits_2_test, two_certificates_of_polynomial_motions_are_
   using Point = Polynomial_kinetic_traits_2::Point_2;
   test::Certificates source(98);
   int known = 0;
-  for (int i = 0; i < 700 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(700); ++i) {
     const int flavor = i % test::Certificates::flavors;
     std::vector<Point> points;
     for (const int kind : {i % 4, i / 4 % 4}) {

@@ -60,7 +60,7 @@ TEST(Certificate_polynomials, at_rational_times_have_the_signs_of_the_static_pre
   Motion_source source(seed);
   int zeros = 0;
   for (int flavor = 0; flavor < flavors; ++flavor) {
-    for (int i = 0; i < cases_per_flavor * test::multiplier(); ++i) {
+    for (int i = 0; i < test::cases(cases_per_flavor); ++i) {
       std::array<Linear_motion_2, 4> m;
       for (auto& motion : m) motion = source.next(flavor);
       const Rational t = source.time(flavor);

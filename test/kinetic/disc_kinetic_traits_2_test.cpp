@@ -223,7 +223,7 @@ TYPED_TEST(Certificates_of_discs, agree_with_static_predicates_at_many_times) {
   Disc_source source(seed);
   int circles = 0;
   int contacts = 0;
-  for (int i = 0; i < 300 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(150); ++i) {
     const int flavor = i % 3 == 0 ? 0 : i % 3 == 1 ? 4 : 5;
     std::array<TypeParam, 4> m;
     std::array<Point, 4> p;

@@ -60,7 +60,7 @@ TEST(Disc_motion, has_the_trajectory_of_another_one_with_an_epoch_of_its_own) {
 
 TYPED_TEST(Disc_motions, are_rounded_within_the_bounds) {
   Disc_source source(12);
-  for (int i = 0; i < 3000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(3000); ++i) {
     const int flavor = i % Disc_source::flavors;
     const auto m = source.next<TypeParam>(flavor);
     const double t = to_double(source.time(flavor));
@@ -80,7 +80,7 @@ TYPED_TEST(Disc_motions, are_rounded_within_the_bounds) {
 TYPED_TEST(Disc_motions, that_grow_and_touch_do_not_overlap_after_they_have_been_continued) {
   Disc_source source(99);
   int count = 0;
-  for (int i = 0; i < 3000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(3000); ++i) {
     auto p = source.next<TypeParam>(0);
     auto q = source.next<TypeParam>(0);
     p.weight = q.weight = 0;
@@ -136,7 +136,7 @@ TEST(Disc_motion, that_shrinks_is_not_continued_with_a_negative_radius) {
 TYPED_TEST(Disc_motions, are_clamped_to_the_inner_side_of_a_wall_for_rims) {
   Disc_source source(31);
   int moved = 0;
-  for (int i = 0; i < 1000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(1000); ++i) {
     const auto m = source.next<TypeParam>(i % 2 == 0 ? 0 : 3);
     const double t = to_double(source.time(0));
     const Double_interval times = {t, i % 3 == 0 ? t : std::nextafter(t, 100.0)};

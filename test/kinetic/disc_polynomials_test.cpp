@@ -34,7 +34,7 @@ TYPED_TEST(Disc_polynomials, at_rational_times_have_the_signs_of_the_static_pred
   const auto power_side = kernel.power_side_of_oriented_power_circle_2_object();
   int zeros = 0;
   for (int flavor = 0; flavor < Disc_source::flavors; ++flavor) {
-    for (int i = 0; i < (flavor == 1 ? 2000 : 500) * test::multiplier(); ++i) {
+    for (int i = 0; i < test::cases(flavor == 1 ? 2000 : 500); ++i) {
       std::array<TypeParam, 4> m;
       std::array<Point, 4> p;
       std::array<Static_disc, 4> s;
@@ -82,7 +82,7 @@ TYPED_TEST(Disc_polynomials, of_collinear_discs_have_the_signs_of_the_static_pre
   Disc_source source(seed);
   const auto power_side = test::Static_kernel().power_side_of_oriented_power_circle_2_object();
   std::array<int, 3> signs = {};
-  for (int i = 0; i < 3000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(3000); ++i) {
     const int flavor = i % 2 == 0 ? 1 : i % Disc_source::flavors;
     std::array<TypeParam, 3> m;
     std::array<Point, 3> p;

@@ -309,7 +309,7 @@ void expect_definition(const std::vector<Motion>& m, unsigned seed, int& failure
 TEST(Exact_distance_certificates, are_those_of_the_definition) {
   constexpr std::size_t n = 400;
   int failures = 0;
-  for (int run = 0; run < test::multiplier(); ++run) {
+  for (int run = 0; run < test::cases(1); ++run) {
     const auto seed = [run](unsigned k) { return k + 100 * static_cast<unsigned>(run); };
     expect_definition(test::grid_motions(n, 12, 3, seed(41)), seed(51), failures);
     if (HasFatalFailure()) return;
@@ -324,7 +324,7 @@ TEST(Exact_distance_certificates, are_those_of_the_definition) {
     expect_definition(discs, seed(53), failures);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(failures, static_cast<int>(n) / 4 * test::multiplier());
+  EXPECT_GT(failures, test::cases(static_cast<int>(n) / 4));
 }
 
 // ---- the filters ----
@@ -450,16 +450,16 @@ void expect_same_as_exact(int flavor, int cases, int greatest_exact_share) {
 class Filtered_distance_certificates : public testing::TestWithParam<int> {};
 
 TEST_P(Filtered_distance_certificates, are_those_of_exact_arithmetic) {
-  expect_same_as_exact<Linear_motion_2>(GetParam(), 400 * test::multiplier(), 60);
+  expect_same_as_exact<Linear_motion_2>(GetParam(), test::cases(200), 60);
 }
 TEST_P(Filtered_distance_certificates, of_curves_are_those_of_exact_arithmetic) {
-  expect_same_as_exact<Polynomial_motion_2>(GetParam(), 150 * test::multiplier(), 60);
+  expect_same_as_exact<Polynomial_motion_2>(GetParam(), test::cases(50), 60);
 }
 TEST_P(Filtered_distance_certificates, of_discs_are_those_of_exact_arithmetic) {
-  expect_same_as_exact<Disc_motion_2>(GetParam(), 240 * test::multiplier(), 70);
+  expect_same_as_exact<Disc_motion_2>(GetParam(), test::cases(240), 70);
 }
 TEST_P(Filtered_distance_certificates, of_curved_discs_are_those_of_exact_arithmetic) {
-  expect_same_as_exact<Polynomial_disc_motion_2>(GetParam(), 80 * test::multiplier(), 100);
+  expect_same_as_exact<Polynomial_disc_motion_2>(GetParam(), test::cases(40), 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(Flavors, Filtered_distance_certificates,

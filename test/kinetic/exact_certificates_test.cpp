@@ -53,7 +53,7 @@ TEST_P(Polynomials_on_stack, are_those_on_the_heap) {
   int made = 0;
   int asked = 0;
   Disc_certificates<Disc_motion_2> source(GetParam(), 31);
-  for (int i = 0; i < 40 * test::Kind_of_radii::kinds * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(40 * test::Kind_of_radii::kinds); ++i) {
     const auto m = source.next(i % test::Kind_of_radii::kinds, source.time());
     const std::array<Moving_disc_2, 4> d = {Moving_disc_2(m[0]), Moving_disc_2(m[1]),
                                             Moving_disc_2(m[2]), Moving_disc_2(m[3])};
@@ -186,7 +186,7 @@ class Counted_certificates : public testing::TestWithParam<int> {
 
 TEST_P(Counted_certificates, are_those_of_general_algebraic_numbers) {
   Disc_certificates<Disc_motion_2> source(GetParam(), 32);
-  for (int i = 0; i < 30 * test::Kind_of_radii::kinds * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(30 * test::Kind_of_radii::kinds); ++i) {
     const double t = source.time();
     const auto m = source.next(i % test::Kind_of_radii::kinds, t);
     const std::array<Moving_disc_2, 4> d = {Moving_disc_2(m[0]), Moving_disc_2(m[1]),
@@ -287,7 +287,7 @@ TEST_P(Exact_traits, decide_as_the_polynomials_on_the_heap) {
     ADD_FAILURE() << "without Certificate::failure";
     return {};
   };
-  for (int i = 0; i < 6 * test::Kind_of_radii::kinds * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(6 * test::Kind_of_radii::kinds); ++i) {
     const double start = source.time();
     const auto m = source.next(i % test::Kind_of_radii::kinds, start);
     const Moving_disc_2 p(m[0]);

@@ -63,7 +63,7 @@ void expect_failure(const Certificate& certificate, const Polynomial& p, const T
 
 TEST_P(Image_traits, decide_as_polynomials_by_definition) {
   test::Images source(61);
-  for (int i = 0; i < 60 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(15); ++i) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe(m); });
     const auto all = points(m);

@@ -39,7 +39,7 @@ void expect_same(const Polynomial& p, const Polynomial& expected) {
 TEST_P(Images_of_points, have_the_polynomials_of_their_definition) {
   test::Images source(41);
   int made = 0;
-  const int cases = 200 * test::multiplier();
+  const int cases = test::cases(100);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe(m); });
@@ -77,7 +77,7 @@ TEST_P(Images_of_points, have_the_polynomials_of_their_definition) {
 
 TEST_P(Images_of_points, depend_on_differences_of_offsets_alone) {
   test::Images source(42);
-  for (int i = 0; i < 100 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(100); ++i) {
     auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe(m); });
     const auto [p, q, r, s] = points(m);
@@ -99,7 +99,7 @@ TEST_P(Images_of_points, depend_on_differences_of_offsets_alone) {
 
 TEST_P(Images_of_points, are_within_the_error_of_their_rounded_places) {
   test::Images source(43);
-  for (int i = 0; i < 300 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(300); ++i) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe(m); });
     const double t = source.time();
@@ -168,7 +168,7 @@ TEST(Image_motion_2, that_is_wrapped_is_in_the_box) {
     return static_cast<double>(static_cast<int>(random() % static_cast<unsigned>(2 * range + 1)) -
                                range);
   };
-  for (int i = 0; i < 300 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(300); ++i) {
     const Periodic_box_2 box({{5 + integer(1), integer(2)}, {integer(1), integer(1)}, 1},
                              {{integer(2), 5 + integer(1)}, {integer(1), 0}, 0});
     const Linear_motion_2 motion = {{integer(20), integer(20)}, {integer(3), integer(3)}, 0};

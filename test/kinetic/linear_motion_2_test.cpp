@@ -40,7 +40,7 @@ TEST(Linear_motion_2, turns_at_its_place_rounded_to_nearest) {
   for (int flavor = 0; flavor < test::Certificates::flavors; ++flavor) {
     SCOPED_TRACE(test::Certificates::name(flavor));
     test::Certificates source(31);
-    for (int i = 0; i < 2000 * test::multiplier(); ++i) {
+    for (int i = 0; i < test::cases(2000); ++i) {
       const Linear_motion_2 m = source.next(flavor)[0];
       const double t = source.time(flavor);
       const Linear_motion_2 result = with_velocity_at(m, {-1, 2}, t);
@@ -62,7 +62,7 @@ TEST(Linear_motion_2, is_kept_inside_of_a_wall_by_the_least_change) {
   std::mt19937_64 random(5);
   std::uniform_int_distribution<int> small(-4, 4);
   int changed = 0;
-  for (int i = 0; i < 20000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(20000); ++i) {
     const double unit = i % 2 == 0 ? 1 : 0x1p-52;
     const Linear_motion_2 m = {{3 + small(random) * unit, -2 + small(random) * unit},
                                {0.1 * small(random), 0.3 * small(random)},

@@ -109,7 +109,7 @@ TEST(Periodic_box_2, has_the_area_of_its_vectors_at_each_time_also_mirrored) {
                            {scale * real(random), scale * real(random)},
                            real(random)};
   };
-  for (int i = 0; i < 200 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(200); ++i) {
     const Periodic_box_2 box(vector({3, 0}), vector({0, 3}));
     const Periodic_box_2 other_way = mirrored(box);
     EXPECT_EQ(mirrored(other_way), box);

@@ -83,7 +83,7 @@ TEST(Polynomial_motion_2, is_kept_inside_of_a_wall) {
   std::mt19937_64 random(5);
   std::uniform_int_distribution<int> small(-4, 4);
   int changed = 0;
-  for (int i = 0; i < 20000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(5000); ++i) {
     const double unit = i % 2 == 0 ? 1 : 0x1p-52;
     const auto tenths = [&] { return Vector_2{0.1 * small(random), 0.3 * small(random)}; };
     Polynomial_motion_2 m;

@@ -47,7 +47,7 @@ TYPED_TEST(Rounded_places_of, any_flavor_are_as_near_as_their_error_says) {
   for (int flavor = 0; flavor < Certificates::flavors; ++flavor) {
     SCOPED_TRACE(Certificates::name(flavor));
     Certificates source(41);
-    for (int i = 0; i < 500 * test::multiplier(); ++i) {
+    for (int i = 0; i < test::cases(500); ++i) {
       const double t = source.time(flavor);
       const Double_interval times = {t, t + std::abs(t) * 0x1p-40};
       for (const auto& point : this->points(source, flavor)) {
@@ -70,7 +70,7 @@ TYPED_TEST(Rounded_places_of, any_flavor_make_certain_only_what_is_so) {
   for (int flavor = 0; flavor < Certificates::flavors; ++flavor) {
     SCOPED_TRACE(Certificates::name(flavor));
     Certificates source(43);
-    for (int i = 0; i < 500 * test::multiplier(); ++i) {
+    for (int i = 0; i < test::cases(500); ++i) {
       const Algebraic_number time(source.time(flavor));
       const auto p = this->points(source, flavor);
       const Rounded_places places(p, time);
@@ -87,14 +87,14 @@ TYPED_TEST(Rounded_places_of, any_flavor_make_certain_only_what_is_so) {
       }
     }
   }
-  EXPECT_GT(certain, 500 * test::multiplier());
+  EXPECT_GT(certain, test::cases(500));
 }
 
 TEST(Rounded_places, of_an_irrational_time_make_certain_what_is_so_just_after) {
   const Polynomial two({-2, 0, 1});
   const Algebraic_number time = first_root_after(two, Algebraic_number(0.0))->value;
   const Instantaneous_traits_2 exact(Instant{time, Time_side::after}, Arithmetic::exact_only);
-  for (unsigned seed = 1; seed <= 50u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(50u); ++seed) {
     std::vector<Moving_point_2> p;
     for (const Linear_motion_2& m : test::random_motions(4, 10, 5, seed)) {
       p.emplace_back(m, static_cast<Point_id>(p.size()));

@@ -133,7 +133,7 @@ TYPED_TEST_SUITE(Weighted_instantaneous_traits, Discs);
 
 TYPED_TEST(Weighted_instantaneous_traits, give_the_regular_triangulation_of_an_exact_kernel) {
   for (int flavor = 0; flavor < test::Disc_source::flavors; ++flavor) {
-    for (unsigned seed = 1; seed <= 6; ++seed) {
+    for (const unsigned seed : {1u, 3u, 6u}) {
       const std::size_t n = 3 + 4 * seed;
       test::Disc_source times(seed);
       compare_with_static(discs<TypeParam>(n, flavor, seed), times.time(flavor));

@@ -207,7 +207,7 @@ void expect_exact_areas_along(Kinetic& kinetic, int instants) {
 // ---- against the oracle ----
 
 TEST(CellAreas, of_points_on_grids_are_those_of_the_exact_cells) {
-  for (unsigned seed = 0; seed < 16u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(16u); ++seed) {
     SCOPED_TRACE(seed);
     Kinetic_delaunay_triangulation_2<> kinetic(test::grid_motions(1 + seed % 8, 4, 1, seed));
     ASSERT_NO_FATAL_FAILURE(expect_exact_areas_along(kinetic, 5));
@@ -215,7 +215,7 @@ TEST(CellAreas, of_points_on_grids_are_those_of_the_exact_cells) {
 }
 
 TEST(CellAreas, of_random_points_are_those_of_the_exact_cells) {
-  for (unsigned seed = 0; seed < 2u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(2u); ++seed) {
     SCOPED_TRACE(seed);
     Kinetic_delaunay_triangulation_2<> kinetic(test::random_motions(10, 5, 3, seed));
     ASSERT_NO_FATAL_FAILURE(expect_exact_areas_along(kinetic, 4));
@@ -233,7 +233,7 @@ TEST(CellAreas, of_points_that_accelerate_are_those_of_the_exact_cells) {
 
 // Some discs are hidden, some do not have their center in their cell, some coincide.
 TEST(CellAreas, of_discs_are_those_of_the_exact_power_cells) {
-  for (unsigned seed = 0; seed < 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
     std::uniform_int_distribution<int> radius(0, 3);
@@ -248,7 +248,7 @@ TEST(CellAreas, of_discs_are_those_of_the_exact_power_cells) {
 
 TEST(CellAreas, of_points_that_coincide_for_a_while_are_equal_shares_of_the_exact_cells) {
   std::size_t hidden = 0;
-  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(12u); ++seed) {
     SCOPED_TRACE(seed);
     const auto motions = test::coincident_motions(2 + seed % 8, seed);
     Kinetic_delaunay_triangulation_2<> kinetic(motions);

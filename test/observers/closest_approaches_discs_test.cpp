@@ -283,7 +283,7 @@ TEST(Closest_discs, begin_with_the_closest_of_all_pairs) {
   for (const auto& [least_radius, greatest_radius, until, first_radius] :
        {Case{0x1p-12, 0x1p-2, 0.125}, Case{0x1p-20, 0.5, 4}, Case{0.125, 2, 20}, Case{2, 8, 20},
         Case{0x1p-18, 4, 1}, Case{0x1p-6, 0.25, 10, 15}}) {
-    for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
       SCOPED_TRACE("radii up to " + std::to_string(std::max(greatest_radius, first_radius)) +
                    ", seed " + std::to_string(seed));
       Discs discs = random_discs(30, seed, least_radius, greatest_radius);
@@ -320,7 +320,7 @@ TEST(Closest_discs, begin_with_the_closest_of_all_pairs) {
 
 // Discs on a lattice whose rims nearly touch, of sizes 1 : 10^6; with many equal gaps.
 TEST(Closest_discs, on_a_lattice_begin_with_the_closest_of_all_pairs) {
-  for (unsigned seed = 0; seed < 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
     std::uniform_int_distribution<int> speed(-1, 1);
@@ -348,7 +348,7 @@ TEST(Closest_discs, on_a_lattice_begin_with_the_closest_of_all_pairs) {
 TEST(Closest_discs, of_tracks_begin_with_the_closest_of_all_pairs) {
   int overlapping = 0;
   for (const double scale : {0x1p-10, 0.25, 2.0}) {
-    for (unsigned seed = 0; seed < 15u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    for (unsigned seed = 0; seed < test::cases(15u); ++seed) {
       SCOPED_TRACE("scale " + std::to_string(scale) + ", seed " + std::to_string(seed));
       const double fraction = seed % 2 == 0 ? 0 : 0x1p-10;
       const test::Tracks tracks = test::random_walks(9, seed, 0, fraction);
@@ -427,7 +427,7 @@ TEST(Closest_discs, that_grow_are_nearest_where_the_rims_stop_approaching) {
 }
 
 TEST(Closest_discs, that_grow_begin_with_the_closest_of_all_pairs) {
-  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(20u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Discs discs = random_discs(15, seed, 0x1p-6, seed % 2 == 0 ? 0.25 : 2);
     std::mt19937_64 random(seed);

@@ -88,7 +88,7 @@ TEST(Closest_approaches, of_two_points_is_where_the_slope_vanishes) {
 // distances that are less.
 TEST(Closest_approaches, begin_with_the_closest_of_all_pairs_wherever_they_are) {
   for (const double origin : {0.0, 1e15}) {
-    for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    for (unsigned seed = 0; seed < test::cases(20u); ++seed) {
       SCOPED_TRACE("origin " + std::to_string(origin) + ", seed " + std::to_string(seed));
       const std::vector<Linear_motion_2> motions = random_motions(30, seed, origin);
       std::optional<Rational_approach> least;
@@ -112,7 +112,7 @@ TEST(Closest_approaches, begin_with_the_closest_of_all_pairs_wherever_they_are) 
 
 TEST(Closest_approaches, of_tracks_begin_with_the_closest_of_all_pairs) {
   for (const auto& [origin, fraction] : {std::pair(0.0, 0x1p-10), {0.0, 0.0}, {1e15, 0.125}}) {
-    for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    for (unsigned seed = 0; seed < test::cases(20u); ++seed) {
       SCOPED_TRACE("origin " + std::to_string(origin) + ", fraction " + std::to_string(fraction) +
                    ", seed " + std::to_string(seed));
       const test::Tracks tracks = test::random_walks(9, seed, origin, fraction);
@@ -224,7 +224,7 @@ TEST(Closest_approaches, of_discs_that_vanish_and_one_that_comes_are_at_that_tim
 // Points that are far apart leave when others come that are: the nearest pairs are of one of these
 // and one of those, and there are too many pairs to look at each.
 TEST(Closest_approaches, of_many_that_leave_and_many_that_come_are_the_nearest_pairs) {
-  for (unsigned seed = 0; seed < 3u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> jitter(0, 16);
@@ -345,7 +345,7 @@ bool is_before(const Near_approach& a, const Near_approach& b) {
 // polynomial of degree 4.
 TEST(Closest_approaches, are_in_the_exact_order) {
   for (const double origin : {0.0, 1e15}) {
-    for (unsigned seed = 0; seed < 3u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    for (unsigned seed = 0; seed < test::cases(2u); ++seed) {
       for (const std::size_t number : {std::size_t{8}, std::size_t{1000}}) {
         SCOPED_TRACE("origin " + std::to_string(origin) + ", seed " + std::to_string(seed));
         Simulation_2<> simulation(random_motions(60, seed, origin), {});

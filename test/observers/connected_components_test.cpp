@@ -23,7 +23,6 @@ namespace {
 using test::Component_oracle;
 using test::Partition;
 using test::run_of;
-using test::seeds;
 using Kind = Component_event_kind;
 
 std::size_t largest(const Partition& partition) {
@@ -304,7 +303,7 @@ TEST(Connected_components, of_points_that_come_later_start_with_none) {
 // ---- compared with all pairs ----
 
 TEST(Connected_components, are_those_of_all_pairs) {
-  for (unsigned seed = 0; seed < seeds(4); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto motions = test::random_motions(24, 10, 2, seed);
     for (const double range : {0.3, 1.5, 2.5}) {
@@ -315,7 +314,7 @@ TEST(Connected_components, are_those_of_all_pairs) {
 
 // Places and velocities are small integers: exact touches of the range, many at one time, meetings.
 TEST(Connected_components, are_those_of_all_pairs_where_much_happens_at_once) {
-  for (unsigned seed = 0; seed < seeds(6); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(6u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto motions = test::grid_motions(14, 6, 1 + static_cast<int>(seed) % 2, seed);
     for (const double range : {0.0, 1.0, 2.0}) {
@@ -325,7 +324,7 @@ TEST(Connected_components, are_those_of_all_pairs_where_much_happens_at_once) {
 }
 
 TEST(Connected_components, are_those_of_all_pairs_on_a_line) {
-  for (unsigned seed = 0; seed < seeds(4); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     auto motions = test::grid_motions(40, 12, 2, seed);
     std::set<std::pair<double, double>> chosen;
@@ -340,7 +339,7 @@ TEST(Connected_components, are_those_of_all_pairs_on_a_line) {
 }
 
 TEST(Connected_components, are_those_of_all_pairs_on_accelerated_motions) {
-  for (unsigned seed = 0; seed < seeds(3); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto grid = test::polynomial_grid_motions(9, 5, 2, 3, seed);
     const auto random = test::random_polynomial_motions(9, 6, 2, seed);
@@ -367,7 +366,7 @@ TEST(Connected_components, of_accelerated_points_touch_the_range_after_they_have
 }
 
 TEST(Connected_components, are_those_of_all_pairs_through_walls_and_collisions) {
-  for (unsigned seed = 0; seed < seeds(2); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(2u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto motions = test::discs_in_a_box(16, 2, seed);
     for (const Collision_response& response :
@@ -379,7 +378,7 @@ TEST(Connected_components, are_those_of_all_pairs_through_walls_and_collisions) 
 }
 
 TEST(Connected_components, are_those_of_all_pairs_on_tracks_with_gaps) {
-  for (unsigned seed = 0; seed < seeds(3); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const double fraction = seed % 2 == 0 ? 0 : 0x1p-10;
     const test::Tracks tracks = test::random_walks(14, seed, 0, fraction);
@@ -391,7 +390,7 @@ TEST(Connected_components, are_those_of_all_pairs_on_tracks_with_gaps) {
 
 // Points that come, go, turn and jump, several at one time.
 TEST(Connected_components, are_those_of_all_pairs_through_scheduled_changes) {
-  for (unsigned seed = 0; seed < seeds(4); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto make = test::scheduled_changes(12, 9, seed);
     for (const double range : {0.0, 1.0, 2.0}) {

@@ -51,7 +51,7 @@ void expect_same(const Dynamic_connectivity& graph, const std::set<Point_id>& po
 
 // Few edges, so that components are of all sizes, and both kinds of change split and join.
 TEST(Dynamic_connectivity, is_that_of_a_search_over_all_edges) {
-  for (unsigned seed = 0; seed < 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
     const unsigned most = 12 + 3 * (seed % 10);

@@ -19,7 +19,6 @@
 namespace kinetri::encounters_discs_test {
 namespace {
 
-using test::seeds;
 using Disc_simulation = Simulation_2<Disc_kinetic_traits_2>;
 using Recorder = test::Leg_recorder<Disc_kinetic_traits_2>;
 using Discs = std::vector<Disc_motion_2>;
@@ -109,7 +108,7 @@ void expect_all_encounters(const Discs& discs, const Simulation_options& options
 TEST(Encounters_of_discs, are_those_of_all_pairs_at_any_range) {
   for (const double range : {0.0, 1e-3, 1.0, 6.0, 500.0}) {
     for (const double growth : {0.0, 0.25}) {
-      for (unsigned seed = 0; seed < seeds(3); ++seed) {
+      for (unsigned seed = 0; seed < test::cases(1u); ++seed) {
         SCOPED_TRACE("range " + std::to_string(range) + ", growth " + std::to_string(growth) +
                      ", seed " + std::to_string(seed));
         std::mt19937_64 random(seed);
@@ -126,7 +125,7 @@ TEST(Encounters_of_discs, on_a_grid_are_those_of_all_pairs) {
     return double(least + static_cast<int>(random() % static_cast<unsigned>(greatest - least + 1)));
   };
   for (const double range : {0.0, 1.0, 2.0, 5.0}) {
-    for (unsigned seed = 0; seed < seeds(12); ++seed) {
+    for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
       SCOPED_TRACE("range " + std::to_string(range) + ", seed " + std::to_string(seed));
       Discs discs;
       const bool is_line = seed % 4 == 0;
@@ -146,7 +145,7 @@ TEST(Encounters_of_discs, on_a_grid_are_those_of_all_pairs) {
 
 TEST(Encounters_of_discs, that_collide_come_turn_and_leave_are_those_of_all_pairs) {
   for (const auto response : {collide_elastically, log_contact, erase_both}) {
-    for (unsigned seed = 0; seed < seeds(4); ++seed) {
+    for (unsigned seed = 0; seed < test::cases(2u); ++seed) {
       for (const double range : {0.0, 0.5, 8.0}) {
         SCOPED_TRACE("range " + std::to_string(range) + ", seed " + std::to_string(seed));
         std::mt19937_64 random(seed);
@@ -194,7 +193,7 @@ TEST(Encounters_of_discs, that_shrink_end) {
 
 TEST(Encounters_of_discs, of_tracks_are_those_of_all_pairs) {
   const std::vector<double> radii = {0.25, 0.125, 1, 0, 0.5, 0.25, 0.0625, 2, 0.125, 0.25, 0};
-  for (unsigned seed = 0; seed < seeds(6); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(6u); ++seed) {
     for (const double range : {0.0, 1.0}) {
       SCOPED_TRACE("range " + std::to_string(range) + ", seed " + std::to_string(seed));
       const test::Tracks tracks =
@@ -214,7 +213,7 @@ TEST(Encounters_of_discs, that_accelerate_are_those_of_all_pairs) {
   using Traits = Polynomial_disc_kinetic_traits_2;
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> number(-2, 2);
-  for (unsigned seed = 0; seed < seeds(3); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::vector<Polynomial_disc_motion_2> discs;
     for (int i = 0; i < 5; ++i) {

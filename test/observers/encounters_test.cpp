@@ -22,7 +22,6 @@
 namespace kinetri::encounters_test {
 namespace {
 
-using test::seeds;
 using Recorder = test::Leg_recorder<Linear_kinetic_traits_2>;
 
 // ---- by hand ----
@@ -142,7 +141,7 @@ void expect_all_encounters(const std::vector<Linear_motion_2>& motions,
 
 TEST(Encounters, are_those_of_all_pairs_at_any_range) {
   for (const double range : {0.0, 1e-3, 1.0, 4.0, 9.0, 25.0, 1000.0}) {
-    for (unsigned seed = 0; seed < seeds(4); ++seed) {
+    for (unsigned seed = 0; seed < test::cases(2u); ++seed) {
       SCOPED_TRACE("range " + std::to_string(range) + ", seed " + std::to_string(seed));
       expect_all_encounters(test::random_motions(30, 40, 2, seed), {}, range, 12);
     }
@@ -153,7 +152,7 @@ TEST(Encounters, on_a_grid_are_those_of_all_pairs) {
   std::mt19937_64 random(1);
   for (const bool is_line : {false, true}) {
     for (const double range : {0.0, 1.0, std::sqrt(2.0), 2.0, 5.0}) {
-      for (unsigned seed = 0; seed < seeds(6); ++seed) {
+      for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
         SCOPED_TRACE("range " + std::to_string(range) + ", seed " + std::to_string(seed) +
                      (is_line ? ", on a line" : ""));
         const int size = seed % 2 == 0 ? 4 : 10;
@@ -166,7 +165,7 @@ TEST(Encounters, on_a_grid_are_those_of_all_pairs) {
 TEST(Encounters, in_a_box_are_those_of_all_pairs) {
   for (const auto response :
        {swap_velocities, collide_elastically, log_contact, erase_both, stop_both}) {
-    for (unsigned seed = 0; seed < seeds(3); ++seed) {
+    for (unsigned seed = 0; seed < test::cases(1u); ++seed) {
       for (const double range : {0.0, 0.5, 12.0}) {
         SCOPED_TRACE("range " + std::to_string(range) + ", seed " + std::to_string(seed));
         expect_all_encounters(test::discs_in_a_box(16, 2, seed),
@@ -178,7 +177,7 @@ TEST(Encounters, in_a_box_are_those_of_all_pairs) {
 
 // Inserts, erases, turns and jumps, at times of events too, several at one time.
 TEST(Encounters, of_points_that_come_turn_jump_and_leave_are_those_of_all_pairs) {
-  for (unsigned seed = 0; seed < seeds(30); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     for (const double range : {0.0, 1.0, 3.0}) {
       SCOPED_TRACE("range " + std::to_string(range) + ", seed " + std::to_string(seed));
       std::mt19937_64 random(seed);
@@ -218,7 +217,7 @@ TEST(Encounters, of_points_that_come_turn_jump_and_leave_are_those_of_all_pairs)
 
 TEST(Encounters, of_tracks_with_gaps_are_those_of_all_pairs) {
   for (const auto& [origin, fraction] : {std::pair(0.0, 0x1p-10), {0.0, 0.0}, {1e15, 0.125}}) {
-    for (unsigned seed = 0; seed < seeds(10); ++seed) {
+    for (unsigned seed = 0; seed < test::cases(5u); ++seed) {
       for (const double range : {0.0, 1.0, 2.5}) {
         SCOPED_TRACE("origin " + std::to_string(origin) + ", fraction " + std::to_string(fraction) +
                      ", range " + std::to_string(range) + ", seed " + std::to_string(seed));
@@ -259,7 +258,7 @@ TEST(Encounters, of_points_that_accelerate_are_those_of_all_pairs) {
   const auto integer = [&random](int size) {
     return double(static_cast<int>(random() % static_cast<unsigned>(2 * size + 1)) - size);
   };
-  for (unsigned seed = 0; seed < seeds(10); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     for (const double range : {0.0, 1.0, 3.0}) {
       SCOPED_TRACE("range " + std::to_string(range) + ", seed " + std::to_string(seed));
       std::vector<Polynomial_motion_2> motions;

@@ -20,7 +20,6 @@ namespace kinetri::kinetic_spanning_tree_2_test {
 namespace {
 
 using test::run_of;
-using test::seeds;
 using Edges = std::vector<Edge_ids>;
 
 // ---- the oracle: Kruskal's algorithm over all pairs ----
@@ -295,7 +294,7 @@ TEST(Kinetic_spanning_tree_2, has_extreme_ranges_just_before_and_just_after_a_ch
 // ---- compared with Kruskal's algorithm ----
 
 TEST(Kinetic_spanning_tree_2, is_that_of_all_pairs) {
-  for (unsigned seed = 0; seed < seeds(3); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto motions = test::random_motions(8 + 8 * (seed % 3), 10, 1, seed);
     expect_right<Linear_kinetic_traits_2>(run_of(motions), 3);
@@ -308,7 +307,7 @@ TEST(Kinetic_spanning_tree_2, is_that_of_all_pairs_of_sixty_points) {
 
 // Many lengths are equal, at a time or always; points meet.
 TEST(Kinetic_spanning_tree_2, is_that_of_all_pairs_where_lengths_are_equal) {
-  for (unsigned seed = 0; seed < seeds(6); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(6u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_right<Linear_kinetic_traits_2>(
         run_of(test::grid_motions(10, 5, 1 + static_cast<int>(seed) % 2, seed)), 4);
@@ -316,7 +315,7 @@ TEST(Kinetic_spanning_tree_2, is_that_of_all_pairs_where_lengths_are_equal) {
 }
 
 TEST(Kinetic_spanning_tree_2, is_that_of_all_pairs_on_a_line) {
-  for (unsigned seed = 0; seed < seeds(3); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     auto motions = test::grid_motions(30, 12, 2, seed);
     std::set<std::pair<double, double>> chosen;
@@ -329,7 +328,7 @@ TEST(Kinetic_spanning_tree_2, is_that_of_all_pairs_on_a_line) {
 }
 
 TEST(Kinetic_spanning_tree_2, is_that_of_all_pairs_on_accelerated_motions) {
-  for (unsigned seed = 0; seed < seeds(2); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(2u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto grid = test::polynomial_grid_motions(6, 5, 2, 3, seed);
     const auto random = test::random_polynomial_motions(7, 6, 2, seed);
@@ -348,7 +347,7 @@ TEST(Kinetic_spanning_tree_2, is_that_of_all_pairs_through_walls_and_collisions)
 }
 
 TEST(Kinetic_spanning_tree_2, is_that_of_all_pairs_on_tracks_with_gaps) {
-  for (unsigned seed = 0; seed < seeds(2); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(2u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const double fraction = seed % 2 == 0 ? 0 : 0x1p-10;
     const test::Tracks tracks = test::random_walks(9, seed, 0, fraction);
@@ -358,7 +357,7 @@ TEST(Kinetic_spanning_tree_2, is_that_of_all_pairs_on_tracks_with_gaps) {
 }
 
 TEST(Kinetic_spanning_tree_2, is_that_of_all_pairs_through_scheduled_changes) {
-  for (unsigned seed = 0; seed < seeds(3); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto make = test::scheduled_changes(9, 7, seed);
     expect_right<Linear_kinetic_traits_2>(make, 5);

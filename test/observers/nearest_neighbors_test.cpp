@@ -37,8 +37,6 @@ bool operator==(const Nearest_neighbor_change& a, const Nearest_neighbor_change&
 namespace kinetri::nearest_neighbors_test {
 namespace {
 
-using test::seeds;
-
 // ---- the oracle: all triples, in exact arithmetic ----
 
 template <class Motion>
@@ -281,14 +279,14 @@ TEST(Nearest_neighbors, report_what_happens_at_one_time_as_one_change) {
 // ---- against the oracle ----
 
 TEST(Nearest_neighbors, of_random_motions_are_those_of_all_pairs) {
-  for (unsigned seed = 0; seed < seeds(4); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     run_and_check<Linear_kinetic_traits_2>(test::random_motions(12, 10, 1, seed), 10);
   }
 }
 
 TEST(Nearest_neighbors, of_degenerate_motions_are_those_of_all_pairs) {
-  for (unsigned seed = 0; seed < seeds(12); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(12u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     run_and_check<Linear_kinetic_traits_2>(test::grid_motions(8, 4, 1, seed), 4);
   }
@@ -296,7 +294,7 @@ TEST(Nearest_neighbors, of_degenerate_motions_are_those_of_all_pairs) {
 
 // Points that pass through one another.
 TEST(Nearest_neighbors, on_a_line_are_those_of_all_pairs) {
-  for (unsigned seed = 0; seed < seeds(6); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(6u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::vector<Linear_motion_2> motions = test::grid_motions(7, 6, 2, seed);
     for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -313,14 +311,14 @@ TEST(Nearest_neighbors, on_a_line_are_those_of_all_pairs) {
 }
 
 TEST(Nearest_neighbors, of_accelerated_motions_are_those_of_all_pairs) {
-  for (unsigned seed = 0; seed < seeds(3); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     run_and_check<Polynomial_kinetic_traits_2>(test::polynomial_grid_motions(6, 4, 2, 3, seed), 2);
   }
 }
 
 TEST(Nearest_neighbors, of_points_between_walls_are_those_of_all_pairs) {
-  for (unsigned seed = 0; seed < seeds(2); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(2u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     run_and_check<Linear_kinetic_traits_2>(test::random_motions(7, 4, 2, seed), 3,
                                            test::in_box({0, 0, 4, 4}));
@@ -331,7 +329,7 @@ TEST(Nearest_neighbors, of_points_between_walls_are_those_of_all_pairs) {
 }
 
 TEST(Nearest_neighbors, of_points_that_come_turn_and_go_are_those_of_all_pairs) {
-  for (unsigned seed = 0; seed < seeds(6); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
     Simulation_2<> simulation(test::grid_motions(5, 4, 1, seed), {});
@@ -351,7 +349,7 @@ TEST(Nearest_neighbors, of_points_that_come_turn_and_go_are_those_of_all_pairs) 
 }
 
 TEST(Nearest_neighbors, of_tracks_are_those_of_all_pairs) {
-  for (unsigned seed = 0; seed < seeds(3); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const double fraction = seed % 2 == 0 ? 0 : 0x1p-10;
     const test::Tracks tracks = test::random_walks(8, seed, 0, fraction);
@@ -397,7 +395,7 @@ TEST(Nearest_neighbors, of_a_real_crowd_are_those_of_all_pairs) {
 
 // The simulation stops at events too: at irrational times.
 TEST(Nearest_neighbors, between_steps_are_those_of_queries) {
-  for (unsigned seed = 0; seed < seeds(2); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(2u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Simulation_2<> simulation(test::random_motions(40, 10, 1, seed), {});
     Nearest_neighbors nearest(simulation);

@@ -25,7 +25,6 @@ namespace {
 
 using test::expect_same;
 using test::number_of_short;
-using test::seeds;
 using test::Stepped_run;
 
 // The squared lengths of the ridges of points at a rational time, by CGAL's static triangulation of
@@ -96,7 +95,7 @@ std::set<Rational> times_of_meetings(const std::vector<Linear_motion_2>& motions
 TEST(Neighbor_lives, of_points_that_meet_are_those_of_the_places_at_many_times) {
   std::size_t short_ones = 0;
   std::size_t long_ones = 0;
-  for (unsigned seed = 0; seed < seeds(12); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(8u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::vector<Linear_motion_2> motions = motions_that_meet(seed);
     const double threshold = std::array{0.625, 4.0, 64.0}[seed % 3];
@@ -143,7 +142,7 @@ TEST(Neighbor_lives, of_points_that_meet_are_those_of_the_places_at_many_times) 
 }
 
 TEST(Neighbor_lives, of_points_that_meet_are_those_of_the_triangulation) {
-  for (unsigned seed = 0; seed < seeds(4); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::vector<Linear_motion_2> motions = motions_that_meet(seed);
     Simulation_2<> simulation(motions, {});

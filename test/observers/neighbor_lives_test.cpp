@@ -21,7 +21,6 @@ namespace {
 
 using test::expect_same;
 using test::number_of_short;
-using test::seeds;
 using test::Stepped_run;
 
 // Points 0 and 1 rest at (-1, 0) and (1, 0); 2 and 3, at (0, -h) and (0, h), come nearer to each
@@ -188,7 +187,7 @@ TEST(Neighbor_lives, are_cut_by_points_that_come_and_go) {
 }
 
 TEST(Neighbor_lives, count_the_points_of_each_flip) {
-  for (unsigned seed = 0; seed < seeds(3); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Simulation_2<> simulation(test::random_motions(30, 10, 1, seed), {});
     Neighbor_lives lives(simulation);

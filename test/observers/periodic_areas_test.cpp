@@ -31,7 +31,6 @@ using Kinetic = Kinetic_triangulation_2<Traits>;
 using Disc_traits = Periodic_disc_kinetic_traits_2;
 using Time = Algebraic_number;
 using test::Periodic_run;
-using test::times;
 
 Rational cross(const test::Static_kernel::Vector_2& a, const test::Static_kernel::Vector_2& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -126,7 +125,7 @@ Rational end_of(const Periodic_box_2& box, test::Random& random) {
 }
 
 TEST(Periodic_areas, are_those_of_all_images) {
-  for (unsigned seed = 0; seed < times(60); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(60u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random random(seed);
     const Periodic_box_2 box = test::random_box(random, 3 + static_cast<int>(seed % 4));
@@ -142,7 +141,7 @@ TEST(Periodic_areas, are_those_of_all_images) {
 
 TEST(Periodic_areas, of_discs_are_those_of_the_power_cells_of_all_images) {
   std::size_t hidden = 0;
-  for (unsigned seed = 0; seed < times(60); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(60u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random random(seed);
     const Periodic_box_2 box = test::random_box(random, 4 + static_cast<int>(seed % 4));
@@ -161,7 +160,7 @@ TEST(Periodic_areas, of_discs_are_those_of_the_power_cells_of_all_images) {
 
 // Also at times at which images coincide, and of points that coincide for a while.
 TEST(Periodic_areas, are_those_of_queries_at_degenerate_times) {
-  for (unsigned seed = 0; seed < times(60); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(60u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Periodic_run run(seed);
     auto& kinetic = run.kinetic();
@@ -322,7 +321,7 @@ void change(Copied_points& points, Random_motion& motion, double time) {
 
 TEST(Periodic_areas, within_a_cutoff_are_those_of_copies) {
   std::size_t cut = 0;
-  for (unsigned seed = 0; seed < times(20); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random_motion motion(seed);
     Copied_points points = random_points(seed, motion);
@@ -348,7 +347,7 @@ TEST(Periodic_areas, within_a_cutoff_are_those_of_copies) {
 }
 
 TEST(Periodic_mean_areas, are_those_of_copies) {
-  for (unsigned seed = 0; seed < times(6); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(6u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random_motion motion(seed);
     Copied_points points = random_points(seed, motion);
@@ -385,7 +384,7 @@ TEST(Periodic_mean_areas, are_those_of_copies) {
 
 // The mean of the area of the box, which is a polynomial in time.
 TEST(Periodic_mean_areas, have_the_sum_of_the_box) {
-  for (unsigned seed = 0; seed < times(10); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random random(seed);
     const Periodic_box_2 box = box_of(seed);

@@ -23,7 +23,6 @@
 namespace kinetri::periodic_closest_test {
 namespace {
 
-using test::seeds;
 using Points = Periodic_kinetic_traits_2;
 using Discs = Periodic_disc_kinetic_traits_2;
 
@@ -225,7 +224,7 @@ TEST(Periodic_closest, are_the_least_distances_of_all_edges_in_the_exact_order) 
   std::size_t number = 0;
   std::size_t own = 0;
   std::size_t several = 0;
-  for (unsigned seed = 0; seed < seeds(24); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(24u); ++seed) {
     SCOPED_TRACE(name_of(seed));
     std::mt19937 random(seed);
     const Periodic_box_2 box = random_box(random, seed);
@@ -308,7 +307,7 @@ void change(Observed_run<Traits>& run, std::mt19937& random) {
 
 template <class Traits>
 void expect_least_of_changing_runs(unsigned number, double radius) {
-  for (unsigned seed = 0; seed < seeds(number); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(number); ++seed) {
     SCOPED_TRACE(name_of(seed));
     std::mt19937 random(seed);
     const Periodic_box_2 box = random_box(random, seed);
@@ -342,7 +341,7 @@ TEST(Periodic_closest, of_discs_of_any_size_begins_with_the_closest_of_all_pairs
 TEST(Periodic_closest, of_discs_that_collide_begins_with_the_closest_of_all_pairs) {
   std::size_t contacts = 0;
   for (const auto response : {collide_elastically, log_contact, erase_both}) {
-    for (unsigned seed = 0; seed < seeds(4); ++seed) {
+    for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
       SCOPED_TRACE("seed " + std::to_string(seed));
       std::mt19937_64 random(seed);
       const Periodic_box_2 box({{12, 0}, {0, 0}, 0}, {{0, 12}, {seed % 2 == 0 ? 0 : 1.0, 0}, 0});

@@ -29,7 +29,6 @@ using Kinetic = Kinetic_delaunay_triangulation_2<Traits>;
 using Kind = Component_event_kind;
 using Time = Algebraic_number;
 using test::Periodic_run;
-using test::seeds;
 
 // ---- by definition ----
 
@@ -111,7 +110,7 @@ std::string text(const Numbers& numbers) {
 }
 
 TEST(Periodic_connectivity, is_that_of_a_search_over_all_edges) {
-  for (unsigned seed = 0; seed < seeds(100); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(100u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
     const unsigned most = 1 + seed % 7;
@@ -250,7 +249,7 @@ TEST(Periodic_components, are_those_of_all_pairs_of_images_at_all_times) {
   std::size_t connections = 0;
   std::array<std::size_t, component_event_kinds> kinds = {};
   std::size_t two_directions = 0;
-  for (unsigned seed = 0; seed < seeds(120); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(40u); ++seed) {
     Periodic_run run(seed);
     const double range = ranges[seed % ranges.size()];
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed) + ", range " +
@@ -313,13 +312,13 @@ TEST(Periodic_components, are_those_of_all_pairs_of_images_at_all_times) {
   EXPECT_GT(kinds[static_cast<std::size_t>(Kind::wrap)], 25U);
   EXPECT_GT(kinds[static_cast<std::size_t>(Kind::unwrap)], 25U);
   EXPECT_GT(two_directions, 8U);
-  EXPECT_GT(connections, 60U);
+  EXPECT_GT(connections, 40U);
 }
 
 // Points that turn, jump, come, go, and coincide with images of others for a while.
 TEST(Periodic_components, of_points_that_change_are_those_of_all_pairs_of_images) {
   std::size_t wrapping = 0;
-  for (unsigned seed = 0; seed < seeds(100); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(30u); ++seed) {
     Periodic_run run(seed);
     const double range = ranges[seed % ranges.size()];
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed) + ", range " +

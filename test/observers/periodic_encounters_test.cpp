@@ -21,7 +21,6 @@ namespace {
 using Traits = Periodic_kinetic_traits_2;
 using Kinetic = Kinetic_delaunay_triangulation_2<Traits>;
 using test::Periodic_run;
-using test::seeds;
 
 Kinetic in_square(double side, const std::vector<Linear_motion_2>& motions) {
   const Periodic_box_2 box({{side, 0}, {0, 0}, 0}, {{0, side}, {0, 0}, 0});
@@ -89,7 +88,7 @@ TEST(Periodic_encounters, are_those_of_all_pairs_of_images) {
   std::size_t own = 0;
   std::size_t touches = 0;
   std::size_t several = 0;
-  for (unsigned seed = 0; seed < seeds(120); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(40u); ++seed) {
     Periodic_run run(seed);
     const double range = ranges[seed % ranges.size()];
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed) + ", range " +
@@ -108,17 +107,17 @@ TEST(Periodic_encounters, are_those_of_all_pairs_of_images) {
       several += i > 0 && found[i].points == found[i - 1].points;
     }
   }
-  EXPECT_GT(number, 1500U);
-  EXPECT_GT(own, 80U);
+  EXPECT_GT(number, 800U);
+  EXPECT_GT(own, 40U);
   EXPECT_GT(touches, 25U);
-  EXPECT_GT(several, 250U);
+  EXPECT_GT(several, 150U);
 }
 
 // A radius that is no short binary64 number: its sums with the range are rounded.
 TEST(Periodic_encounters, of_discs_of_one_radius_are_those_of_all_pairs_of_images) {
   std::size_t number = 0;
   std::size_t overlaps = 0;
-  for (unsigned seed = 0; seed < seeds(60); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(30u); ++seed) {
     Periodic_run run(seed);
     const double range = ranges[seed % ranges.size()];
     const double radius = seed % 2 == 0 ? 0.5 : 0.1;
@@ -148,7 +147,7 @@ TEST(Periodic_encounters, of_discs_of_one_radius_are_those_of_all_pairs_of_image
 // Points that turn, jump, come, go, and coincide with images of others for a while.
 TEST(Periodic_encounters, of_points_that_change_are_those_of_all_pairs_of_images) {
   std::size_t hidden = 0;
-  for (unsigned seed = 0; seed < seeds(120); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(30u); ++seed) {
     Periodic_run run(seed);
     const double range = ranges[seed % ranges.size()];
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed) + ", range " +

@@ -23,7 +23,6 @@ using Traits = Periodic_kinetic_traits_2;
 using Kinetic = Kinetic_delaunay_triangulation_2<Traits>;
 using Time = Algebraic_number;
 using test::Periodic_run;
-using test::seeds;
 
 Rational squared_distance_at(const Linear_motion_2& p, const Image_motion_2& q, const Rational& t) {
   return CGAL::squared_distance(test::place_at(p, t), test::place_at(q, t));
@@ -91,7 +90,7 @@ TEST(Periodic_nearest, of_a_point_alone_is_its_own_image) {
 TEST(Periodic_nearest, are_those_of_all_images) {
   std::size_t number = 0;
   std::size_t own = 0;
-  for (unsigned seed = 0; seed < seeds(100); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(40u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed));
     Periodic_run run(seed);
     Kinetic& kinetic = run.kinetic();
@@ -135,7 +134,7 @@ TEST(Periodic_nearest, are_those_of_all_images) {
 
 // Points that turn, jump, come, go, and coincide with images of others for a while.
 TEST(Periodic_nearest, of_points_that_change_are_those_of_all_images) {
-  for (unsigned seed = 0; seed < seeds(100); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(50u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed));
     Periodic_run run(seed);
     Kinetic& kinetic = run.kinetic();

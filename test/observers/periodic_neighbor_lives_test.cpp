@@ -33,7 +33,6 @@ using Time = Algebraic_number;
 using test::expect_same;
 using test::number_of_short;
 using test::Periodic_run;
-using test::seeds;
 using test::Stepped_run;
 
 // One point: the box becomes narrower, and a diagonal of the rectangle is the third edge, since x y
@@ -84,7 +83,7 @@ TEST(Periodic_neighbor_lives, are_those_of_the_triangulation) {
   std::size_t short_ones = 0;
   std::size_t long_ones = 0;
   std::size_t own = 0;
-  for (unsigned seed = 0; seed < seeds(8); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(8u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed));
     Periodic_run run(seed);
     const double threshold = std::array{0.25, 1.0, 2.0}[seed / 2 % 3];
@@ -105,7 +104,7 @@ TEST(Periodic_neighbor_lives, are_those_of_the_triangulation) {
 // Points that turn, jump, come, go, and coincide with images of others for a while.
 TEST(Periodic_neighbor_lives, of_points_that_change_are_those_of_the_triangulation) {
   std::size_t ended_by_points = 0;
-  for (unsigned seed = 0; seed < seeds(8); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(8u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed));
     Periodic_run run(seed);
     Neighbor_lives lives(run.kinetic(), 1.0);
@@ -126,7 +125,7 @@ TEST(Periodic_neighbor_lives, of_points_that_change_are_those_of_the_triangulati
 
 TEST(Periodic_neighbor_lives, of_discs_are_those_of_the_triangulation) {
   std::size_t short_ones = 0;
-  for (unsigned seed = 0; seed < seeds(4); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(2u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random random(seed);
     const Periodic_box_2 box({{7, 0}, {}, 0}, {{1, 8}, {seed % 2 == 0 ? 0.0 : 1.0, 0.25}, 0});
@@ -146,7 +145,7 @@ TEST(Periodic_neighbor_lives, of_discs_are_those_of_the_triangulation) {
 }
 
 TEST(Periodic_neighbor_lives, of_discs_that_collide_are_those_of_the_triangulation) {
-  for (unsigned seed = 0; seed < seeds(3); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(1u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random random(seed);
     std::vector<Linear_motion_2> motions;
@@ -204,7 +203,7 @@ TEST(Periodic_neighbor_lives, are_those_of_all_images_at_many_times) {
   std::size_t seen = 0;
   std::size_t unseen = 0;
   std::size_t short_ones = 0;
-  for (unsigned seed = 0; seed < seeds(6); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random random(seed);
     const Periodic_box_2 box = test::random_box(random, 3 + static_cast<int>(seed % 3));
@@ -262,7 +261,7 @@ TEST(Periodic_neighbor_lives, are_those_of_all_images_at_many_times) {
 }
 
 TEST(Periodic_neighbor_lives, count_the_points_of_each_flip) {
-  for (unsigned seed = 0; seed < seeds(3); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Periodic_box_2 box({{10, 0}, {}, 0}, {{0, 10}, {2, 0}, 0});
     Kinetic kinetic(test::random_motions(8, 10, 1, seed), Time(), Traits(box));

@@ -49,7 +49,7 @@ TEST(Observers_of_a_periodic_simulation, tell_what_those_of_a_triangulation_tell
   std::size_t changes = 0;
   std::size_t merges = 0;
   std::size_t meetings = 0;
-  for (unsigned seed = 1; seed <= 6 * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(6u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const int columns = 2 + static_cast<int>(seed % 3);

@@ -28,7 +28,6 @@ using Kinetic = Kinetic_delaunay_triangulation_2<Traits>;
 using Time = Algebraic_number;
 using Edges = std::vector<Periodic_edge>;
 using test::Periodic_run;
-using test::seeds;
 
 // ---- the oracle ----
 
@@ -139,7 +138,7 @@ TEST(Periodic_spanning_tree, of_one_point_is_empty) {
 TEST(Periodic_spanning_tree, is_that_of_all_pairs_of_images) {
   std::size_t number = 0;
   std::size_t images = 0;
-  for (unsigned seed = 0; seed < seeds(60); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(20u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed));
     Periodic_run run(seed);
     Kinetic& kinetic = run.kinetic();
@@ -216,7 +215,7 @@ TEST(Periodic_spanning_tree, is_that_of_all_pairs_of_images) {
 // Points that turn, jump, come, go, and coincide with images of others for a while.
 TEST(Periodic_spanning_tree, of_points_that_change_is_that_of_all_pairs_of_images) {
   std::size_t hidden = 0;
-  for (unsigned seed = 0; seed < seeds(80); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(40u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed));
     Periodic_run run(seed);
     Kinetic& kinetic = run.kinetic();

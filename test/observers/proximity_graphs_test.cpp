@@ -15,8 +15,6 @@
 namespace kinetri::proximity_graphs_test {
 namespace {
 
-using test::seeds;
-
 // ---- the oracle: all triples, by the signs of polynomials just after the time ----
 
 // Of points with the same trajectory only the first counts; the others have an edge with it.
@@ -153,28 +151,28 @@ TEST(Proximity_graphs, a_point_in_the_lune_need_not_be_a_neighbor_of_an_end) {
 }
 
 TEST(Proximity_graphs, of_random_motions_are_those_of_all_triples) {
-  for (unsigned seed = 0; seed < seeds(4); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(2u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     run_and_check(test::random_motions(14, 10, 1, seed), 8);
   }
 }
 
 TEST(Proximity_graphs, of_degenerate_motions_are_those_of_all_triples) {
-  for (unsigned seed = 0; seed < seeds(15); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(8u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     run_and_check(test::grid_motions(9, 4, 1, seed), 8);
   }
 }
 
 TEST(Proximity_graphs, of_points_at_rest_on_a_grid_are_those_of_all_triples) {
-  for (unsigned seed = 0; seed < seeds(10); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     run_and_check(test::grid_motions(12, 5, 0, seed), 0);
   }
 }
 
 TEST(Proximity_graphs, of_accelerated_motions_are_those_of_all_triples) {
-  for (unsigned seed = 0; seed < seeds(3); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     run_and_check<Polynomial_kinetic_traits_2>(test::polynomial_grid_motions(7, 4, 2, 3, seed), 5);
   }
@@ -190,7 +188,7 @@ TEST(Proximity_graphs, join_points_that_coincide_for_a_while_with_the_first_of_t
 
 TEST(Proximity_graphs, of_points_of_which_some_coincide_are_those_of_all_triples) {
   std::size_t hidden = 0;
-  for (unsigned seed = 0; seed < seeds(15); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(15u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto motions = test::coincident_motions(3 + seed % 8, seed);
     hidden += Kinetic_triangulation_2<Linear_kinetic_traits_2>(motions).number_of_hidden_points();

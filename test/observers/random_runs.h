@@ -15,11 +15,6 @@
 
 namespace kinetri::test {
 
-/// So many, times the multiplier.
-inline unsigned seeds(unsigned number) {
-  return number * static_cast<unsigned>(multiplier());
-}
-
 /// Makes the simulation of the motions, again at each call.
 template <class Motion>
 auto run_of(const std::vector<Motion>& motions, const Simulation_options& options = {}) {

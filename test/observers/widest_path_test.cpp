@@ -19,7 +19,6 @@
 namespace kinetri::widest_path_test {
 namespace {
 
-using test::seeds;
 using Kinetic = Kinetic_triangulation_2<Linear_kinetic_traits_2>;
 using Places = std::vector<test::Static_point>;
 
@@ -82,7 +81,7 @@ void check_gaps_are_edges(const Kinetic& kinetic, const Widest_path& path) {
 // A disc a little wider than the way is enclosed; one as wide as the way is not.
 TEST(Widest_path, is_as_wide_as_the_widest_disc_that_can_go) {
   int compared = 0;
-  for (unsigned seed = 0; seed < seeds(60); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(60u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> place(0, 10);

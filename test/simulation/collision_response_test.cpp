@@ -95,7 +95,7 @@ Contact_response_2 of_equal_masses(const Contact_2& contact) {
 
 TEST(Elastic_collision, of_equal_masses_is_what_it_was_bit_for_bit) {
   Random_contacts random(1);
-  for (int i = 0; i < 10000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(10000); ++i) {
     Contact_2 contact = random.contact();
     if (i % 3 == 0) contact.velocity_a.x *= 0x1p1008;
     const double mass = std::abs(random.number(-500, 500)) + 0x1p-600;
@@ -116,7 +116,7 @@ TEST(Elastic_collision, conserves_momentum_and_energy_whatever_the_masses) {
   Random_contacts random(2);
   Real worst_momentum = 0;
   Real worst_energy = 0;
-  for (int i = 0; i < 10000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(10000); ++i) {
     Contact_2 contact = random.contact();
     contact.mass_a = std::abs(random.number(-20, 20)) + 0x1p-30;
     contact.mass_b = std::abs(random.number(-20, 20)) + 0x1p-30;
@@ -145,7 +145,7 @@ TEST(Elastic_collision, conserves_momentum_and_energy_whatever_the_masses) {
 
 TEST(Elastic_collision, of_growing_discs_parts_the_rims_as_fast_as_they_came) {
   Random_contacts random(3);
-  for (int i = 0; i < 10000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(10000); ++i) {
     Contact_2 contact = random.contact();
     contact.mass_a = std::abs(random.number(-4, 4)) + 0x1p-10;
     contact.mass_b = std::abs(random.number(-4, 4)) + 0x1p-10;

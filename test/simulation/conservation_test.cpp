@@ -27,14 +27,14 @@ Real squared_length(const Vector_2& v) {
   return Real(v.x) * v.x + Real(v.y) * v.y;
 }
 
-// A fifth of it where every step is checked by CGAL or a sanitizer.
+// A fifth of it where CGAL checks every step.
 std::uint64_t number_of_collisions() {
 #ifdef NDEBUG
-  constexpr std::uint64_t usual = 250'000;
+  constexpr std::uint64_t usual = 100'000;
 #else
-  constexpr std::uint64_t usual = 50'000;
+  constexpr std::uint64_t usual = 20'000;
 #endif
-  return usual * static_cast<std::uint64_t>(test::multiplier());
+  return test::cases<std::uint64_t>(usual);
 }
 
 /// Adds up how far the sums may have changed.

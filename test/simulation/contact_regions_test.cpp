@@ -33,7 +33,7 @@ using test::options_of;
 
 TEST(Contact_regions, reflect_points_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 15u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     const std::size_t n = 30 + 17 * (seed % 30);
     const double side = 10 * std::sqrt(static_cast<double>(n));
     ASSERT_EQ(difference_from_loop(gas(n, side, 0, 20, seed), in_square(side), {0.5, 2.0},
@@ -47,7 +47,7 @@ TEST(Contact_regions, reflect_points_as_the_loop_does) {
 // Of few and of many discs, of equal and of other masses, with and without a box.
 TEST(Contact_regions, collide_discs_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 30u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(8u); ++seed) {
     const std::size_t n = 30 + 17 * (seed % 30);
     const double side = 10 * std::sqrt(static_cast<double>(n));
     Simulation_options options;
@@ -75,7 +75,7 @@ TEST(Contact_regions, collide_discs_as_the_loop_does) {
 // undoing has left each contact where it was.
 TEST(Contact_regions, undo_contacts_that_come_too_early) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 7u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     const std::size_t n = 100 + seed % 99;
     const double side = 10 * std::sqrt(static_cast<double>(n));
     Simulation_options options = in_square(side);
@@ -94,7 +94,7 @@ TEST(Contact_regions, undo_contacts_that_come_too_early) {
 // Many contacts at one time, and discs that touch several.
 TEST(Contact_regions, collide_discs_on_a_grid_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 30u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(15u); ++seed) {
     const std::size_t n = 5 + seed % 40;
     Simulation_options options;
     options.box = Box_2{-1, -1, 20, 20};
@@ -111,7 +111,7 @@ TEST(Contact_regions, collide_discs_on_a_grid_as_the_loop_does) {
 
 TEST(Contact_regions, collide_accelerated_discs_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     const std::size_t n = 40 + 13 * (seed % 10);
     const double side = 10 * std::sqrt(static_cast<double>(n));
     std::vector<Polynomial_motion_2> motions;
@@ -138,7 +138,7 @@ TEST(Contact_regions, collide_accelerated_discs_as_the_loop_does) {
 // Discs of different radii, some of which grow or shrink, and discs of one radius.
 TEST(Contact_regions, collide_discs_of_any_size_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 30u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(8u); ++seed) {
     const std::size_t n = 30 + 17 * (seed % 30);
     const double side = 10 * std::sqrt(static_cast<double>(n));
     const double most = std::array{1.2, 2.5, 4.0}[seed % 3];
@@ -172,7 +172,7 @@ TEST(Contact_regions, collide_discs_of_any_size_as_the_loop_does) {
 // leave their centers in others.
 TEST(Contact_regions, collide_small_discs_with_large_ones_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(5u); ++seed) {
     const std::size_t n = 40 + 10 * (seed % 20);
     const double side = 10 * std::sqrt(static_cast<double>(n));
     std::mt19937_64 random(seed);
@@ -201,7 +201,7 @@ TEST(Contact_regions, collide_small_discs_with_large_ones_as_the_loop_does) {
 // Radii, places and velocities are small integers: many contacts at one time.
 TEST(Contact_regions, collide_discs_of_any_size_on_a_grid_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(20u); ++seed) {
     const std::size_t n = 5 + seed % 40;
     std::mt19937_64 random(seed);
     std::vector<Disc_motion_2> discs;
@@ -226,7 +226,7 @@ TEST(Contact_regions, collide_discs_of_any_size_on_a_grid_as_the_loop_does) {
 // Walls alone: discs overlap, and hide one another.
 TEST(Contact_regions, reflect_discs_that_hide_others_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 7u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(5u); ++seed) {
     const std::size_t n = 50 + 20 * (seed % 12);
     const double side = 10 * std::sqrt(static_cast<double>(n));
     std::mt19937_64 random(seed);
@@ -247,7 +247,7 @@ TEST(Contact_regions, reflect_discs_that_hide_others_as_the_loop_does) {
 // Discs that overlap, and that come, turn and go while regions are there.
 TEST(Contact_regions, follow_changes_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(5u); ++seed) {
     const std::size_t n = 60 + 11 * (seed % 20);
     const double side = 10 * std::sqrt(static_cast<double>(n));
     Simulation_options options = in_square(side);
@@ -301,7 +301,7 @@ TEST(Contact_regions, leave_other_responses_to_the_loop) {
 // Both discs vanish at a contact, and no window is tried; or the lighter one, and the window is
 // cut.
 TEST(Contact_regions, leave_discs_that_vanish_to_the_loop) {
-  for (unsigned seed = 0; seed < 6u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     const std::size_t n = 30 + 17 * (seed % 30);
     const double side = 10 * std::sqrt(static_cast<double>(n));
     Simulation_options options;

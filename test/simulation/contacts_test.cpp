@@ -32,7 +32,7 @@ TEST_P(Discs_in_a_box, never_come_nearer_than_their_diameter) {
   const double radius = GetParam();
   for (const Collision_response& response :
        {Collision_response(swap_velocities), Collision_response(collide_elastically)}) {
-    for (unsigned seed = 0; seed < 4u * static_cast<unsigned>(test::multiplier()); ++seed) {
+    for (unsigned seed = 0; seed < test::cases(2u); ++seed) {
       Simulation_options options = discs(test::box_of(30), radius, response);
       options.rim_touches = seed % 2 == 0;
       Simulation simulation(test::discs_in_a_box(30, 0.2, seed), options);
@@ -72,7 +72,7 @@ std::optional<Algebraic_number> contact_time(const Linear_motion_2& p, const Lin
 
 TEST(Logged_contacts, are_all_contacts_of_all_pairs) {
   std::size_t contacts = 0;
-  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(20u); ++seed) {
     // So dense that many overlap a third one when they come into contact.
     const double diameter = 6;
     const auto motions = test::random_motions(20, 60, 5, seed);

@@ -36,7 +36,7 @@ Disc_motion_2 disc(double x, double y, double radius, double growth = 0) {
 }
 
 TEST(Equal_discs, that_overlap_are_found_by_walking_along_edges) {
-  for (unsigned seed = 1; seed <= 5u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(5u); ++seed) {
     const test::Geometry_part<> part(test::random_motions(40, 10, 1, seed), of_radius(1), 0.5);
     const Pairs expected = part.overlaps_at(Rational(1, 2));
     const Linear_kinetic_traits_2 exact = part.setup.traits().exact();
@@ -55,7 +55,7 @@ TEST(Equal_discs, that_overlap_are_found_by_walking_along_edges) {
 }
 
 TEST(Discs, that_overlap_are_found_by_their_boxes_and_their_places) {
-  for (unsigned seed = 1; seed <= 5u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(5u); ++seed) {
     SCOPED_TRACE(seed);
     const Discs part(random_discs(40, seed), {}, 0.5);
     const Pairs expected = part.overlaps_at(Rational(1, 2));

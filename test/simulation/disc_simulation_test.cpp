@@ -310,7 +310,7 @@ TEST(Discs_of_any_size, go_on_from_a_snapshot) {
 // pair touches at most once.
 TEST(Discs_of_any_size, have_the_first_contacts_of_all_pairs) {
   std::size_t contacts = 0;
-  for (unsigned seed = 0; seed < 5u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(5u); ++seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> exponent(-10, 0);
     std::vector<Disc_motion_2> motions;

@@ -56,7 +56,7 @@ void expect_failures(const Check& check) {
   std::int64_t allocations = 0;
   for (Failure failure = Failure::elsewhere; failure != Failure::none; ++allocations) {
     // Few at first, since these are of all kinds.
-    if (allocations > 100) allocations += 80 / test::multiplier();
+    if (allocations > 100) allocations += 240 / test::multiplier();
     failure = check(allocations);
     failures += failure == Failure::in_window ? 1 : 0;
     if (testing::Test::HasFatalFailure()) return;

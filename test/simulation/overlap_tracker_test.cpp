@@ -80,7 +80,7 @@ void expect_entries(const Any_part& part, const Pairs& pairs) {
 }
 
 TEST(Overlap_tracker, of_equal_discs_finds_all_overlaps_and_watches_what_they_ask_for) {
-  for (unsigned seed = 1; seed <= 5u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(5u); ++seed) {
     SCOPED_TRACE(seed);
     Part part(test::random_motions(30, 10, 1, seed), passing(0.9));
     part.tracker.find_all();
@@ -92,7 +92,7 @@ TEST(Overlap_tracker, of_equal_discs_finds_all_overlaps_and_watches_what_they_as
 }
 
 TEST(Overlap_tracker, of_discs_finds_all_overlaps_and_watches_what_they_ask_for) {
-  for (unsigned seed = 1; seed <= 5u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(5u); ++seed) {
     SCOPED_TRACE(seed);
     Discs part(random_discs(30, seed), passing(0));
     part.tracker.find_all();
@@ -222,7 +222,7 @@ TEST_F(Contact, with_another_one_of_its_time_is_noted_and_goes_behind_that) {
 }
 
 TEST(Points, with_other_motions_have_their_overlaps_and_pairs_anew) {
-  for (unsigned seed = 1; seed <= 4u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(4u); ++seed) {
     SCOPED_TRACE(seed);
     Discs part(random_discs(20, seed), passing(0));
     part.tracker.find_all();

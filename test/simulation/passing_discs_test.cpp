@@ -48,7 +48,7 @@ TEST(Passing_discs, on_a_grid_are_known_after_each_step) {
 // pure.
 TEST(Passing_discs, are_for_one_thread) {
   detail::Region_counters sum;
-  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     const std::size_t n = 30 + 17 * (seed % 30);
     const double side = 10 * std::sqrt(static_cast<double>(n));
     Simulation_options options;

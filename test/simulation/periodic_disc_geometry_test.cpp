@@ -71,7 +71,7 @@ TEST(Short_vectors, know_all_images_that_are_near) {
     return disc(x, number());
   };
   std::size_t images = 0;
-  for (int run = 0; run < 200 * test::multiplier(); ++run) {
+  for (int run = 0; run < test::cases(200); ++run) {
     const Periodic_box_2 box = random_box(random);
     const detail::Short_vectors<Traits> vectors(Traits(box), 0);
     const Disc_motion_2 origin = disc(0, 0);
@@ -113,7 +113,7 @@ TEST(Short_vectors, know_all_images_that_are_near) {
 
 TEST(Periodic_discs, that_overlap_are_found_by_their_boxes_and_their_places) {
   const Rational time(1, 2);
-  for (unsigned seed = 1; seed <= 8U * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(4U); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
     // Some are larger than the box.
@@ -196,7 +196,7 @@ TEST(Periodic_discs, are_found_by_the_owners_of_positions_in_a_disc) {
 TEST(Periodic_discs, have_the_neighbors_that_see_them) {
   std::mt19937_64 random(3);
   std::size_t links = 0;
-  for (int run = 0; run < 20 * test::multiplier(); ++run) {
+  for (int run = 0; run < test::cases(20); ++run) {
     const Periodic_box_2 box({{8, 0}, {0, 0}}, {{3, 8}, {0, 0}});
     std::vector<Disc_motion_2> discs;
     for (int i = 0; i < 12; ++i) {

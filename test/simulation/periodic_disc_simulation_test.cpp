@@ -167,30 +167,30 @@ void compare(unsigned seed, bool overlap, bool grow, int runs, double most_time,
 
 TEST(Periodic_discs, have_the_contacts_of_all_pairs_of_images) {
   Totals totals;
-  compare(1, false, false, 3 * test::multiplier(), 30, 40, totals);
-  EXPECT_GT(totals.contacts, 300U);
+  compare(1, false, false, test::cases(2), 30, 40, totals);
+  EXPECT_GT(totals.contacts, 200U);
   EXPECT_GT(totals.own_images, 3U);
 }
 
 TEST(Periodic_discs, that_grow_have_the_contacts_of_all_pairs_of_images) {
   Totals totals;
-  compare(2, false, true, 3 * test::multiplier(), 16, 40, totals);
+  compare(2, false, true, test::cases(2), 16, 40, totals);
   EXPECT_GT(totals.contacts, 300U);
   EXPECT_GT(totals.own_images, 5U);
 }
 
 TEST(Periodic_discs, that_overlap_have_the_contacts_of_all_pairs_of_images) {
   Totals totals;
-  compare(3, true, false, 3 * test::multiplier(), 8, 80, totals);
+  compare(3, true, false, test::cases(2), 8, 80, totals);
   EXPECT_GT(totals.contacts, 300U);
-  EXPECT_GT(totals.hidden, 200U);
+  EXPECT_GT(totals.hidden, 40U);
 }
 
 TEST(Periodic_discs, that_overlap_and_grow_have_the_contacts_of_all_pairs_of_images) {
   Totals totals;
-  compare(4, true, true, 3 * test::multiplier(), 8, 80, totals);
+  compare(4, true, true, test::cases(2), 8, 80, totals);
   EXPECT_GT(totals.contacts, 300U);
-  EXPECT_GT(totals.hidden, 200U);
+  EXPECT_GT(totals.hidden, 150U);
 }
 
 // ---- changes ----
@@ -243,7 +243,7 @@ TEST(Periodic_discs, have_these_contacts_after_changes) {
     }
   };
   for (const Named_box& named : boxes()) {
-    for (int run = 0; run < 4 * test::multiplier(); ++run) {
+    for (int run = 0; run < test::cases(4); ++run) {
       const bool is_whole = run % 2 == 0;
       Simulation simulation({}, responding(run % 4 < 2 ? log_contact : erase_both), 0,
                             Traits(named.box));

@@ -59,7 +59,7 @@ TEST(Periodic_simulation, has_the_contacts_of_all_pairs_of_images) {
   std::mt19937_64 random(1);
   Totals totals;
   std::size_t refused = 0;
-  const int runs = 12 * test::multiplier();
+  const int runs = test::cases(3);
   for (const Named_box& named : boxes()) {
     for (int run = 0; run < runs;) {
       const bool are_whole = run % 2 == 0;
@@ -91,7 +91,7 @@ TEST(Periodic_simulation, has_the_contacts_of_all_pairs_of_images) {
 TEST(Periodic_simulation, lets_discs_pass_as_the_oracle_does) {
   std::mt19937_64 random(2);
   Totals totals;
-  const int runs = 6 * test::multiplier();
+  const int runs = test::cases(3);
   for (const Named_box& named : boxes()) {
     for (int run = 0; run < runs; ++run) {
       const Motions motions = random_discs(random, 2 + random() % 4, run % 2 == 0, 2);
@@ -107,7 +107,7 @@ TEST(Periodic_simulation, lets_discs_pass_as_the_oracle_does) {
   }
   std::printf("%zu contacts of discs that pass; %zu runs ended at an own image\n", totals.contacts,
               totals.own_images);
-  EXPECT_GT(totals.contacts, 200U);
+  EXPECT_GT(totals.contacts, 150U);
 }
 
 // After every change a new oracle begins with the motions that there are.
@@ -115,7 +115,7 @@ TEST(Periodic_simulation, has_these_contacts_after_changes) {
   std::mt19937_64 random(3);
   std::size_t contacts = 0;
   for (const Named_box& named : boxes()) {
-    for (int run = 0; run < 4 * test::multiplier(); ++run) {
+    for (int run = 0; run < test::cases(4); ++run) {
       const Simulation_options options = discs(0.5, collide_elastically);
       Simulation simulation(random_discs(random, 4, false, 2), options, 0,
                             Periodic_kinetic_traits_2(named.box));

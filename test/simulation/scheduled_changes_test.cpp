@@ -191,7 +191,7 @@ TEST(Scheduled_changes, may_be_scheduled_by_an_observer) {
 // The same changes, once scheduled at the start and once made when the time has come, among walls
 // and discs: the same events.
 TEST(Scheduled_changes, are_those_made_when_the_time_has_come) {
-  for (unsigned seed = 0; seed < 15u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(5u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> place(-4, 30);

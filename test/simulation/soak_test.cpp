@@ -19,12 +19,12 @@
 namespace kinetri::soak_test {
 namespace {
 
-// A fifth of it where every step is checked by CGAL or a sanitizer.
+// A fifth of it where CGAL checks every step.
 int number_of_operations() {
 #ifdef NDEBUG
-  return 250'000 * test::multiplier();
+  return test::cases(100'000);
 #else
-  return 50'000 * test::multiplier();
+  return test::cases(20'000);
 #endif
 }
 

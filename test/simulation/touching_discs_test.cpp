@@ -107,8 +107,8 @@ class Touching : public testing::TestWithParam<Case> {};
 TEST_P(Touching, discs_have_the_contacts_of_all_pairs) {
   const auto& [response, has_box, grow, change] = GetParam();
   test::All_pairs_totals totals;
-  constexpr int seeds = 12;
-  for (int seed = 1; seed <= seeds * test::multiplier(); ++seed) {
+  constexpr int seeds = 4;
+  for (int seed = 1; seed <= test::cases(seeds); ++seed) {
     Grid_source source(static_cast<unsigned>(seed));
     Simulation_options options;
     options.response = response_of(response);

@@ -107,7 +107,7 @@ TEST(Track_simulation, of_two_that_go_the_same_way_may_be_refused_when_they_do) 
 }
 
 TEST(Track_simulation, is_right_at_every_instant) {
-  for (unsigned seed = 0; seed < 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto simulation = simulation_of(test::random_walks(12, seed), 0);
     ASSERT_EQ(test::audited_run(*simulation, 25, Audit_level::reference), "");

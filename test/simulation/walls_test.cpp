@@ -105,7 +105,7 @@ TEST(Walls, keep_points_inside_through_many_bounces) {
   for (const Linear_motion_2& m : motions) {
     speeds.push_back({std::abs(m.velocity.x), std::abs(m.velocity.y)});
   }
-  const std::uint64_t bounces = 100'000u * static_cast<std::uint64_t>(test::multiplier());
+  const std::uint64_t bounces = test::cases<std::uint64_t>(25000u);
   std::uint64_t exact_in_first_half = 0;
   while (count(simulation, Event_kind::wall) < bounces) {
     simulation.step();
@@ -130,7 +130,7 @@ TEST(Walls, keep_points_inside_through_many_bounces) {
 }
 
 TEST(Walls, stay_right_on_coarse_grids) {
-  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(20u); ++seed) {
     const auto motions = test::grid_motions(1 + seed % 7, 4, 2, seed);
     SCOPED_TRACE("seed " + std::to_string(seed) + '\n' + test::describe(motions));
     Simulation simulation(motions, in_box({0, 0, 3, 3}));

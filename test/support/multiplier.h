@@ -19,8 +19,10 @@ inline int multiplier() {
 
 /// So many random cases, times the multiplier; and divided by KINETRI_TEST_DIVISOR, for tests of
 /// which some of the cases are run a second time in another way.
-inline int cases(int number) {
-  return number * multiplier() / at_least_one("KINETRI_TEST_DIVISOR");
+template <class Integer>
+Integer cases(Integer number) {
+  return number * static_cast<Integer>(multiplier()) /
+         static_cast<Integer>(at_least_one("KINETRI_TEST_DIVISOR"));
 }
 
 }  // namespace kinetri::test

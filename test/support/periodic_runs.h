@@ -25,10 +25,6 @@ namespace kinetri::test {
 
 __extension__ using Wide = __int128;
 
-inline unsigned times(unsigned number) {
-  return number * static_cast<unsigned>(multiplier());
-}
-
 inline Periodic_box_2 square(double side) {
   return {{{side, 0}, {0, 0}, 0}, {{0, side}, {0, 0}, 0}};
 }

@@ -24,11 +24,6 @@
 
 namespace kinetri::test {
 
-/// `count` random cases, times the environment variable KINETRI_TEST_MULTIPLIER.
-inline unsigned long scaled_count(unsigned long count) {
-  return count * static_cast<unsigned long>(multiplier());
-}
-
 /// Random numbers that do not depend on the standard library, as its distributions do.
 class Random {
  public:

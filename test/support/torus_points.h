@@ -178,10 +178,6 @@ inline std::set<std::tuple<Point_id, Point_id, Offset>> edge_names(const Torus& 
   return result;
 }
 
-inline unsigned times(unsigned number) {
-  return number * static_cast<unsigned>(test::multiplier());
-}
-
 }  // namespace kinetri::test::torus
 
 #endif  // KINETRI_TEST_SUPPORT_TORUS_POINTS_H

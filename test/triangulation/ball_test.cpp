@@ -66,7 +66,7 @@ class Balls : public testing::Test {
 
 TEST_F(Balls, contain_the_exact_results_of_operations) {
   int tight = 0;
-  for (seed = 0; seed < 400u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (seed = 0; seed < test::cases(400u); ++seed) {
     SCOPED_TRACE(seed);
     random.seed(seed);
     for (int i = 0; i < 50; ++i) {
@@ -92,7 +92,7 @@ TEST_F(Balls, contain_the_exact_results_of_operations) {
 
 TEST_F(Balls, say_only_what_is_certain) {
   std::array<int, 4> certain = {};
-  for (seed = 0; seed < 400u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (seed = 0; seed < test::cases(400u); ++seed) {
     SCOPED_TRACE(seed);
     random.seed(seed);
     for (int i = 0; i < 50; ++i) {
@@ -183,7 +183,7 @@ TEST(Ball, of_a_place_contains_it) {
     std::uniform_int_distribution<int> exponent(-spread / 2, spread / 2);
     return random() % 4 == 0 ? 0 : std::ldexp(unit(random), exponent(random));
   };
-  for (int i = 0; i < 2000 * test::multiplier(); ++i) {
+  for (int i = 0; i < test::cases(2000); ++i) {
     SCOPED_TRACE(i);
     const int spread = i % 2 == 0 ? 4 : 200;
     const auto vector = [&] { return Vector_2{number(spread), number(spread)}; };

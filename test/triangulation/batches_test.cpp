@@ -50,7 +50,7 @@ void expect_same_as_new(Kinetic_delaunay& kinetic) {
 class Batches : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(Batches, of_turns_are_as_a_new_triangulation) {
-  for (unsigned seed = 1; seed <= 3u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(2u); ++seed) {
     Kinetic_delaunay kinetic(test::random_motions(120, 100, 5, seed));
     test::Event_recorder recorder(kinetic);
     std::mt19937_64 random(seed);
@@ -81,7 +81,7 @@ TEST_P(Batches, of_turns_are_as_a_new_triangulation) {
 }
 
 TEST_P(Batches, of_jumps_are_as_a_new_triangulation) {
-  for (unsigned seed = 1; seed <= 3u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(1u); ++seed) {
     Kinetic_delaunay kinetic(test::random_motions(120, 100, 5, seed));
     test::Event_recorder recorder(kinetic);
     kinetic.advance_to(0.5);
@@ -103,7 +103,7 @@ TEST_P(Batches, of_jumps_are_as_a_new_triangulation) {
 }
 
 TEST_P(Batches, on_a_lattice_are_delaunay) {
-  for (unsigned seed = 1; seed <= 5u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(2u); ++seed) {
     Kinetic_delaunay kinetic(test::grid_motions(48, 7, 2, seed));
     std::vector<Linear_motion_2> others = test::grid_motions(48, 7, 2, seed + 50);
     const std::vector<Point_id> ids = some_ids(48, GetParam());

@@ -14,7 +14,7 @@ void expect_same_run(const std::vector<Linear_motion_2>& motions, const Algebrai
 }
 
 TEST(Brute_force, random_points_change_in_the_same_way) {
-  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(7u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::size_t n = 3 + seed % 6;
     expect_same_run(test::random_motions(n, 10, 5, seed), Algebraic_number());
@@ -53,10 +53,7 @@ class Brute_force_on_grids : public testing::TestWithParam<std::tuple<int, int, 
 
 TEST_P(Brute_force_on_grids, degenerate_points_change_in_the_same_way) {
   const auto [points, size, speed] = GetParam();
-  const unsigned cases = (points <= 4   ? 150u
-                          : points == 5 ? 60u
-                                        : 15u) *
-                         static_cast<unsigned>(test::multiplier());
+  const unsigned cases = test::cases(points <= 4 ? 150u : points == 5 ? 60u : 15u);
   for (unsigned seed = 0; seed < cases; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_same_run(test::grid_motions(static_cast<std::size_t>(points), size, speed, seed),

@@ -140,7 +140,7 @@ int compare(const std::vector<Motion>& motions, const Algebraic_number& start,
 
 TEST(Certification, fails_when_the_determinants_say_so) {
   int failures = 0;
-  for (unsigned seed = 1; seed <= 4u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(4u); ++seed) {
     SCOPED_TRACE(seed);
     failures += compare<Linear_kinetic_traits_2>(test::random_motions(12, 10, 2, seed), 0.0, 0.0);
     failures += compare<Linear_kinetic_traits_2>(test::grid_motions(12, 4, 2, seed), 0.0, 0.0);

@@ -206,7 +206,7 @@ TEST_P(Mixed_operations_on_grids, leave_the_triangulation_right) {
   const auto [points, size, speed] = GetParam();
   int refused = 0;
   std::uint64_t rebuilds = 0;
-  for (unsigned seed = 0; seed < 25u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(7u); ++seed) {
     Mixed_operations run(static_cast<std::size_t>(points), size, speed, seed);
     ASSERT_EQ(run.problem(60), "") << "seed " << seed;
     ASSERT_FALSE(HasFailure()) << "seed " << seed;

@@ -20,7 +20,7 @@ const std::vector<Linear_motion_2> one_flip = {
     resting(0, 0), resting(2, 0), resting(2, 2), {{0, 3}, {0, -1}}};
 
 TEST(Event_loop, has_the_edges_of_static_points_after_each_time) {
-  for (unsigned seed = 1; seed <= 6u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(3u); ++seed) {
     SCOPED_TRACE(seed);
     const auto motions =
         seed % 2 == 0 ? test::grid_motions(7, 3, 1, seed) : test::random_motions(8, 10, 3, seed);
@@ -111,7 +111,7 @@ TEST(Event_loop, takes_points_that_meet_out_and_puts_them_back) {
 }
 
 TEST(Event_loop, that_runs_backwards_comes_by_the_same_edges) {
-  for (unsigned seed = 1; seed <= 4u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(4u); ++seed) {
     const auto motions =
         seed % 2 == 0 ? test::grid_motions(7, 3, 1, seed) : test::random_motions(8, 10, 3, seed);
     Part part(motions);

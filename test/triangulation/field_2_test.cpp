@@ -135,7 +135,7 @@ Vector_2 some_place(std::mt19937_64& random, int size) {
 TEST(Kinetic_field_2, values_in_triangles_agree_with_a_search_of_all_of_them_in_exact_arithmetic) {
   std::size_t inside = 0;
   std::size_t outside = 0;
-  for (unsigned seed = 0; seed < 8u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(8u); ++seed) {
     const int size = 6;
     Triangulation kdt(test::grid_motions(14, size, 2, seed));
     const Field field = random_field(kdt, 2, seed);
@@ -469,7 +469,7 @@ TEST(Kinetic_field_2, coincident_points_are_like_one_point_with_the_mean) {
   const Grid_2 grid = {{-0.5, 2.75}, {0.125, -0.25}, 25, 14};
   std::size_t coincident = 0;
   std::size_t inside = 0;
-  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(20u); ++seed) {
     Triangulation kdt(test::coincident_motions(4 + seed % 9, seed));
     const Field field = random_field(kdt, 1, seed);
     for (const Rational& t : {Rational(0), Rational(1, 4), Rational(1)}) {

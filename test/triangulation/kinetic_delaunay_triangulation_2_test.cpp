@@ -221,7 +221,7 @@ TEST_P(Audited_run, of_random_points_equals_the_static_triangulation_between_all
 INSTANTIATE_TEST_SUITE_P(Sizes, Audited_run, testing::Values(4, 6, 10, 20, 40, 100, 250));
 
 TEST(Kinetic_delaunay_triangulation_2, of_many_seeds_passes_audits_from_time_to_time) {
-  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(20u); ++seed) {
     SCOPED_TRACE(seed);
     Kinetic_delaunay kinetic(test::random_motions(10 + seed % 20, 40, 5, seed));
     for (const double t : {0.5, 1.0, 3.0}) {

@@ -21,7 +21,7 @@
 namespace kinetri::kinetic_regular_triangulation_2_test {
 namespace {
 
-using test::multiplier;
+using test::cases;
 
 using Kinetic = Kinetic_regular_triangulation_2<>;
 
@@ -75,7 +75,7 @@ std::vector<Disc_motion_2> random_discs(std::mt19937_64& random, std::size_t poi
 TEST(Kinetic_regular_triangulation, of_random_discs_is_that_of_CGAL_after_each_event) {
   std::mt19937_64 random(1);
   std::uint64_t hidden_events = 0;
-  for (int run = 0; run < 15 * multiplier(); ++run) {
+  for (int run = 0; run < cases(8); ++run) {
     const auto discs = random_discs(random, 30, 0, 2.5, 0.2, 0);
     SCOPED_TRACE("run " + std::to_string(run));
     Kinetic kinetic(discs);
@@ -85,12 +85,12 @@ TEST(Kinetic_regular_triangulation, of_random_discs_is_that_of_CGAL_after_each_e
                      kinetic.counters().events[static_cast<std::size_t>(Event_kind::reveal)];
     EXPECT_EQ(kinetic.counters().reconstructions, 0u);
   }
-  EXPECT_GT(hidden_events, 100u);
+  EXPECT_GT(hidden_events, 80u);
 }
 
 TEST(Kinetic_regular_triangulation, of_few_points_with_any_weights_is_that_of_CGAL) {
   std::mt19937_64 random(2);
-  for (int run = 0; run < 150 * multiplier(); ++run) {
+  for (int run = 0; run < cases(50); ++run) {
     const auto discs = random_discs(random, static_cast<std::size_t>(1 + run % 9), 0, 3, 1, 4);
     SCOPED_TRACE("run " + std::to_string(run) + "\n" + text(discs));
     Kinetic kinetic(discs);
@@ -101,7 +101,7 @@ TEST(Kinetic_regular_triangulation, of_few_points_with_any_weights_is_that_of_CG
 
 TEST(Kinetic_regular_triangulation, of_discs_on_a_lattice_is_that_of_CGAL) {
   std::mt19937_64 random(3);
-  for (int run = 0; run < 150 * multiplier(); ++run) {
+  for (int run = 0; run < cases(80); ++run) {
     const double step = run % 2 == 0 ? 1 : 2;
     const auto discs = random_discs(random, static_cast<std::size_t>(1 + run % 9), step, 4, 1, 4);
     SCOPED_TRACE("run " + std::to_string(run) + "\n" + text(discs));
@@ -114,7 +114,7 @@ TEST(Kinetic_regular_triangulation, of_discs_on_a_lattice_is_that_of_CGAL) {
 // Centers that accelerate, and some that do not.
 TEST(Kinetic_regular_triangulation, of_accelerated_discs_is_that_of_CGAL) {
   std::mt19937_64 random(7);
-  for (int run = 0; run < 20 * multiplier(); ++run) {
+  for (int run = 0; run < cases(8); ++run) {
     SCOPED_TRACE("run " + std::to_string(run));
     const auto straight =
         random_discs(random, static_cast<std::size_t>(3 + run % 8), run % 2, 3, 1, 2);
@@ -144,7 +144,7 @@ TEST(Kinetic_regular_triangulation, of_a_disc_that_grows_for_ever_comes_to_an_en
 
 TEST(Kinetic_regular_triangulation, of_any_discs_comes_to_an_end_of_its_events) {
   std::mt19937_64 random(8);
-  for (int run = 0; run < 100 * multiplier(); ++run) {
+  for (int run = 0; run < cases(100); ++run) {
     const auto discs =
         random_discs(random, static_cast<std::size_t>(2 + run % 6), run % 3, 3, 1, 3);
     SCOPED_TRACE("run " + std::to_string(run) + "\n" + text(discs));
@@ -166,7 +166,7 @@ std::vector<Disc_motion_2> discs_of(const std::vector<Linear_motion_2>& motions,
 // The Delaunay triangulation and the regular one of discs of one size, changed in the same way.
 TEST(Kinetic_regular_triangulation, of_equal_discs_has_the_events_of_the_Delaunay_triangulation) {
   std::mt19937_64 random(4);
-  for (int run = 0; run < 20 * multiplier(); ++run) {
+  for (int run = 0; run < cases(20); ++run) {
     SCOPED_TRACE("run " + std::to_string(run));
     // Mostly degenerate: points on a lattice, which meet.
     const auto motions = run % 4 == 0 ? test::random_motions(40, 6, 1, static_cast<unsigned>(run))
@@ -344,7 +344,7 @@ class Changing_discs {
 };
 
 TEST(Kinetic_regular_triangulation, stays_that_of_CGAL_through_changes_of_all_kinds) {
-  for (int run = 0; run < 30 * multiplier(); ++run) {
+  for (int run = 0; run < cases(8); ++run) {
     SCOPED_TRACE("seed " + std::to_string(run));
     ASSERT_EQ(Changing_discs(static_cast<std::uint64_t>(run), run % 2).problem(60), "");
   }
@@ -396,7 +396,7 @@ TEST(Kinetic_regular_triangulation, gives_a_hidden_point_the_motion_of_one_that_
 // One weight that all have becomes another while points jump, one after the other: then some would
 // hide others.
 TEST(Kinetic_regular_triangulation, takes_another_weight_of_all_while_points_jump) {
-  for (unsigned seed = 0; seed < static_cast<unsigned>(100 * multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < cases(100u); ++seed) {
     std::mt19937 random(seed);
     const auto number = [&](unsigned most) { return static_cast<double>(random() % (most + 1)); };
     std::vector<Disc_motion_2> before;
@@ -425,7 +425,7 @@ TEST(Kinetic_regular_triangulation, takes_another_weight_of_all_while_points_jum
 
 TEST(Kinetic_regular_triangulation, goes_on_from_a_snapshot_as_it_would_have) {
   std::mt19937_64 random(5);
-  for (int run = 0; run < 10 * multiplier(); ++run) {
+  for (int run = 0; run < cases(10); ++run) {
     SCOPED_TRACE("run " + std::to_string(run));
     Kinetic kinetic(random_discs(random, 12, run % 2, 4, 1, 4));
     kinetic.advance_to(Algebraic_number(1));
@@ -473,7 +473,7 @@ TEST(Kinetic_regular_triangulation, reveals_a_point_at_the_least_hull_edge_that_
 
 TEST(Kinetic_regular_triangulation, has_the_same_events_without_filters) {
   std::mt19937_64 random(6);
-  for (int run = 0; run < 15 * multiplier(); ++run) {
+  for (int run = 0; run < cases(15); ++run) {
     SCOPED_TRACE("run " + std::to_string(run));
     const auto discs = random_discs(random, 12, run % 2, 3, 1, run % 3 == 0 ? 3 : 0);
     Kinetic filtered(discs);

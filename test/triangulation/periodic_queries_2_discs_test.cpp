@@ -25,7 +25,6 @@
 namespace kinetri::periodic_queries_2_discs_test {
 namespace {
 
-using test::times;
 using Traits = Periodic_disc_kinetic_traits_2;
 using Kinetic = Kinetic_regular_triangulation_2<Traits>;
 using Queries = Periodic_queries_2<Traits>;
@@ -372,7 +371,7 @@ std::vector<Disc_motion_2> random_discs(std::mt19937& random, std::size_t number
 
 TEST(Periodic_queries_2_of_discs, are_those_of_an_oracle_at_rational_times) {
   Seen seen;
-  for (unsigned seed = 0; seed < times(60); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(30u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const auto box = test::random_periodic_box(
@@ -401,7 +400,7 @@ TEST(Periodic_queries_2_of_discs, are_those_of_an_oracle_at_rational_times) {
   EXPECT_GT(seen.hidden, 60U);
   EXPECT_GT(seen.empty, 60U);
   EXPECT_GT(seen.without_area, 0U);
-  EXPECT_GT(seen.outside, 10U);
+  EXPECT_GT(seen.outside, 5U);
   for (const std::size_t number : seen.locations) EXPECT_GT(number, 20U);
 }
 

@@ -20,7 +20,6 @@ namespace {
 
 using test::kinetic_in_box;
 using test::text;
-using test::times;
 using Kinetic = test::Kinetic_in_box;
 using Time = Algebraic_number;
 
@@ -29,7 +28,7 @@ using Time = Algebraic_number;
 TEST(Periodic_queries_2, are_those_about_copies_in_the_plane) {
   constexpr int cells = 3;
   int irrational = 0;
-  for (unsigned seed = 1; seed <= times(2); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(2u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random_choices random(seed);
     const Periodic_box_2 box = {{{16, 0}, {1, 0}, 0},

@@ -34,7 +34,6 @@ using test::Random;
 using test::random_box;
 using test::random_motions;
 using test::square;
-using test::times;
 using Traits = Periodic_disc_kinetic_traits_2;
 using Kinetic = Kinetic_regular_triangulation_2<Traits>;
 using Time = Algebraic_number;
@@ -97,7 +96,7 @@ TEST(Periodic_regular_triangulation_2, is_that_of_brute_force_after_each_event) 
   std::uint64_t revealed = 0;
   std::size_t alone = 0;
   std::size_t skipped = 0;
-  for (unsigned seed = 1; seed <= times(120); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(60u); ++seed) {
     Random random(seed);
     const int range = std::array{2, 3, 5}[seed % 3];
     const Periodic_box_2 box = random_box(random, range);
@@ -123,18 +122,18 @@ TEST(Periodic_regular_triangulation_2, is_that_of_brute_force_after_each_event) 
     revealed += number_of(kinetic, Event_kind::reveal);
     kinetic.remove_observer(log);
   }
-  EXPECT_GT(instants, 250u);
+  EXPECT_GT(instants, 200u);
   EXPECT_LE(skipped, instants / 50);
-  EXPECT_GT(groups, 50u);
-  EXPECT_GT(hidden, 25u);
-  EXPECT_GT(revealed, 25u);
+  EXPECT_GT(groups, 30u);
+  EXPECT_GT(hidden, 5u);
+  EXPECT_GT(revealed, 15u);
   EXPECT_GT(alone, 5u);
 }
 
 TEST(Periodic_regular_triangulation_2, is_that_of_a_start_at_the_same_time) {
   std::size_t events = 0;
   std::size_t hidden = 0;
-  for (unsigned seed = 1; seed <= times(6); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(6u); ++seed) {
     Random random(seed);
     const Periodic_box_2 box = {{{40, 0}, {0, 0}, 0}, {{3, 30}, {20, 0}, 0}};
     auto discs = random_discs(random, 60, 30, Weights::growing);
@@ -163,7 +162,7 @@ TEST(Periodic_regular_triangulation_2, is_that_of_copies_in_the_plane) {
   constexpr std::size_t middle = copies_of_each / 2;
   std::size_t events = 0;
   std::size_t hidden = 0;
-  for (unsigned seed = 1; seed <= times(3); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(3u); ++seed) {
     Random random(seed);
     const double shear = random(0, 1);
     const Periodic_box_2 box = {{{16, 0}, {1, 0}, 0}, {{0, 16}, {shear, random(0, 1) * 1.0}, 0}};
@@ -222,7 +221,7 @@ TEST(Periodic_regular_triangulation_2, is_that_of_copies_in_the_plane) {
 
 // The Delaunay triangulation and the regular one of discs of one size have the same events.
 TEST(Periodic_regular_triangulation_2, of_equal_discs_is_the_Delaunay_triangulation) {
-  for (unsigned seed = 1; seed <= times(12); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(12u); ++seed) {
     Random random(seed);
     const int range = std::array{2, 9}[seed % 2];
     const Periodic_box_2 box = random_box(random, range);
@@ -248,7 +247,7 @@ TEST(Periodic_regular_triangulation_2, of_equal_discs_is_the_Delaunay_triangulat
 
 TEST(Periodic_regular_triangulation_2, goes_back_and_forth) {
   std::size_t undone = 0;
-  for (unsigned seed = 1; seed <= times(20); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(20u); ++seed) {
     Random random(seed);
     const int range = std::array{2, 4, 30}[seed % 3];
     Periodic_box_2 box = random_box(random, range);
@@ -295,7 +294,7 @@ TEST(Periodic_regular_triangulation_2, goes_on_from_a_snapshot) {
 
 TEST(Periodic_regular_triangulation_2, follows_discs_that_turn_grow_jump_come_and_go) {
   std::size_t most_hidden = 0;
-  for (unsigned seed = 1; seed <= times(15); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(8u); ++seed) {
     Random random(seed);
     const int range = std::array{2, 3, 9}[seed % 3];
     const Periodic_box_2 box =
@@ -415,7 +414,7 @@ TEST(Periodic_regular_triangulation_2, changes_a_few_of_many_discs_without_a_rec
 // ---- steps ----
 
 TEST(Periodic_regular_triangulation_2, follows_discs_that_are_moved_step_by_step) {
-  for (unsigned seed = 1; seed <= times(6); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(3u); ++seed) {
     Random random(seed);
     const int n = std::array{1, 5, 300}[seed % 3];
     const bool are_equal = random(0, 1) == 0;
@@ -450,7 +449,7 @@ TEST(Periodic_regular_triangulation_2, follows_discs_that_are_moved_step_by_step
 // A large disc has so many triangles that a hidden point whose triangle is flipped away is far from
 // the one that is looked at first.
 TEST(Periodic_regular_triangulation_2, finds_hidden_points_among_the_many_triangles_of_a_disc) {
-  for (unsigned seed = 1; seed <= times(2); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(1u); ++seed) {
     Random random(seed);
     std::vector<Disc_motion_2> discs = {{{{0, 0}, {0, 0}, 0}, 12, 0, 0}};
     for (int i = 0; i < 400; ++i) {
@@ -553,7 +552,7 @@ TEST(Periodic_regular_triangulation_2, hides_discs_that_are_images_of_others) {
 TEST(Periodic_regular_triangulation_2, finds_discs_that_coincide_with_hidden_ones_at_a_vertex) {
   const Periodic_box_2 box = {{{1, 0}, {0, 0}, 0}, {{0, 1}, {1, 0}, 0}};
   Random random(5);
-  for (unsigned run = 0; run < times(40); ++run) {
+  for (unsigned run = 0; run < test::cases(40u); ++run) {
     std::vector<Disc_motion_2> discs;
     for (int i = 0; i < 2; ++i) {
       const double x = random(0, 7) / 8.0;

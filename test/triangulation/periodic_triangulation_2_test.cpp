@@ -39,7 +39,6 @@ using test::Random;
 using test::random_box;
 using test::random_motions;
 using test::square;
-using test::times;
 using Traits = Periodic_kinetic_traits_2;
 using Kinetic = Kinetic_delaunay_triangulation_2<Traits>;
 using Time = Algebraic_number;
@@ -52,7 +51,7 @@ TEST(Periodic_triangulation_2, is_that_of_brute_force_after_each_event) {
   std::size_t instants = 0;
   std::size_t groups = 0;
   std::size_t skipped = 0;
-  for (unsigned seed = 1; seed <= times(24); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(12u); ++seed) {
     Random random(seed);
     const int range = std::array{2, 4, 9}[seed % 3];
     const Periodic_box_2 box = random_box(random, range);
@@ -74,13 +73,13 @@ TEST(Periodic_triangulation_2, is_that_of_brute_force_after_each_event) {
     }
   }
   EXPECT_GT(instants, 100u);
-  EXPECT_GT(groups, 20u);
+  EXPECT_GT(groups, 8u);
   EXPECT_LE(skipped, instants / 50);
 }
 
 TEST(Periodic_triangulation_2, is_that_of_a_start_at_the_same_time) {
   std::size_t events = 0;
-  for (unsigned seed = 1; seed <= times(6); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(6u); ++seed) {
     Random random(seed);
     const Periodic_box_2 box = {{{40, 0}, {0, 0}, 0}, {{3, 30}, {20, 0}, 0}};
     const auto motions = random_motions(random, 40, 30);
@@ -102,7 +101,7 @@ TEST(Periodic_triangulation_2, is_that_of_a_start_at_the_same_time) {
 TEST(Periodic_triangulation_2, is_that_of_copies_in_the_plane) {
   constexpr int cells = 3;
   std::size_t events = 0;
-  for (unsigned seed = 1; seed <= times(3); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(3u); ++seed) {
     Random random(seed);
     const double shear = random(0, 1);
     const Periodic_box_2 box = {{{16, 0}, {1, 0}, 0}, {{0, 16}, {shear, random(0, 1) * 1.0}, 0}};
@@ -169,7 +168,7 @@ TEST(Periodic_triangulation_2, is_that_of_cgal_at_many_times_in_a_square) {
     motions.push_back({{x, y}, {vx, std::ldexp(random(-1024, 1024), -10)}, 0});
   }
   Kinetic kinetic = kinetic_of(square(1), motions);
-  for (unsigned k = 0; k < times(10); ++k) {
+  for (unsigned k = 0; k < test::cases(10u); ++k) {
     const double time = k / 16.0;
     kinetic.advance_to(Time(time));
     std::map<Periodic::Point, test::Image> images;
@@ -204,7 +203,7 @@ TEST(Periodic_triangulation_2, is_that_of_cgal_at_many_times_in_a_square) {
 
 TEST(Periodic_triangulation_2, goes_back_and_forth) {
   std::size_t undone = 0;
-  for (unsigned seed = 1; seed <= times(10); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(10u); ++seed) {
     Random random(seed);
     const int range = std::array{2, 4, 30}[seed % 3];
     Periodic_box_2 box = random_box(random, range);
@@ -247,7 +246,7 @@ TEST(Periodic_triangulation_2, goes_on_from_a_snapshot) {
 // ---- changes of points ----
 
 TEST(Periodic_triangulation_2, follows_points_that_turn_jump_come_and_go) {
-  for (unsigned seed = 1; seed <= times(8); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(8u); ++seed) {
     Random random(seed);
     const int range = std::array{3, 9, 30}[seed % 3];
     const Periodic_box_2 box = {{{12, 1}, {1, 0}, 0}, {{-2, 11}, {2, 1}, 0}};
@@ -299,7 +298,7 @@ TEST(Periodic_triangulation_2, follows_points_that_turn_jump_come_and_go) {
 // ---- steps ----
 
 TEST(Periodic_triangulation_2, follows_points_that_are_moved_step_by_step) {
-  for (unsigned seed = 1; seed <= times(12); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(7u); ++seed) {
     Random random(seed);
     const int n = std::array{1, 2, 3, 5, 12, 40, 300}[seed % 7];
     const Periodic_box_2 box = {{{12, 1}, {1, 0}, 0}, {{-2, 11}, {2, 1}, 0}};

@@ -148,7 +148,7 @@ struct Grid {
 };
 
 unsigned number_of_cases(const Grid& grid) {
-  return (grid.points < 6 ? 12u : 6u) * static_cast<unsigned>(test::multiplier());
+  return test::cases(grid.points < 6 ? 12u : 4u);
 }
 
 // Random numbers and motions on a grid.

@@ -21,7 +21,7 @@ void expect_same_run(const std::vector<Polynomial_motion_2>& motions) {
 }
 
 TEST(Polynomial_motion, random_points_change_in_the_same_way_as_by_brute_force) {
-  for (unsigned seed = 0; seed < 6u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(6u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_same_run(test::random_polynomial_motions(3 + seed % 4, 10, 5, seed));
     if (HasFatalFailure()) return;
@@ -33,7 +33,7 @@ class Polynomial_motion_on_grids : public testing::TestWithParam<std::tuple<int,
 
 TEST_P(Polynomial_motion_on_grids, changes_in_the_same_way_as_by_brute_force) {
   const auto [points, size, speed, degree] = GetParam();
-  const unsigned cases = (points <= 4 ? 60u : 12u) * static_cast<unsigned>(test::multiplier());
+  const unsigned cases = test::cases(points <= 4 ? 30u : 6u);
   for (unsigned seed = 0; seed < cases; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_same_run(

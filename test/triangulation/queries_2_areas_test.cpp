@@ -72,7 +72,7 @@ void ask_along(const std::vector<Linear_motion_2>& motions, int instants) {
 }
 
 TEST(Areas, on_grids_are_those_of_the_exact_cells) {
-  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(12u); ++seed) {
     SCOPED_TRACE(seed);
     ask_along(test::grid_motions(seed % 8, 3, 1, seed), 3);
     if (HasFatalFailure()) return;
@@ -80,7 +80,7 @@ TEST(Areas, on_grids_are_those_of_the_exact_cells) {
 }
 
 TEST(Areas, of_random_points_are_those_of_the_exact_cells) {
-  for (unsigned seed = 0; seed < 6u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(6u); ++seed) {
     SCOPED_TRACE(seed);
     ask_along(test::random_motions(12, 6, 3, seed), 2);
     if (HasFatalFailure()) return;
@@ -156,7 +156,7 @@ TEST(Areas, of_points_far_away_and_of_nearly_flat_triangles_are_those_of_the_exa
 // Most cells are in the box: their areas are summed over triangles, of which many are nearly flat
 // in half of the cases. Positions are binary64 numbers at time 0 only.
 TEST(Areas, of_cells_in_a_convex_polygon_are_those_of_the_exact_cells) {
-  for (unsigned seed = 0; seed < 8u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(0, 4);

@@ -166,7 +166,7 @@ std::size_t ask_along(Kinetic& kinetic, unsigned seed) {
 
 TEST(Queries_of_coincident_points, on_a_tiny_grid_are_answered_as_by_a_look_at_everything) {
   std::size_t hidden = 0;
-  for (unsigned seed = 0; seed < 40u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(14u); ++seed) {
     const auto motions = test::coincident_motions(2 + seed % 9, seed);
     SCOPED_TRACE(testing::Message() << "seed " << seed << '\n' << test::describe(motions));
     Kinetic_delaunay kinetic(motions);
@@ -179,7 +179,7 @@ TEST(Queries_of_coincident_points, on_a_tiny_grid_are_answered_as_by_a_look_at_e
 // Equal weights are given as weights, or as radii.
 TEST(Queries_of_coincident_points, with_weights_are_answered_as_by_a_look_at_everything) {
   std::size_t hidden = 0;
-  for (unsigned seed = 0; seed < 30u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     const auto motions = test::coincident_motions(2 + seed % 8, seed + 1000);
     SCOPED_TRACE(testing::Message() << "seed " << seed << '\n' << test::describe(motions));
     std::vector<Disc_motion_2> discs;
@@ -199,7 +199,7 @@ TEST(Queries_of_coincident_points, with_weights_are_answered_as_by_a_look_at_eve
 // first points.
 TEST(Queries_of_coincident_points, that_join_and_part_are_answered_as_by_a_look_at_everything) {
   std::size_t hidden = 0;
-  for (unsigned seed = 0; seed < 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
     Kinetic_delaunay kinetic(test::coincident_motions(8, seed));

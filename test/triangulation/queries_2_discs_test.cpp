@@ -183,7 +183,7 @@ int ask_discs(const Discs& discs, int instants, unsigned seed, Shapes& shapes) {
 TEST(Queries_of_discs, on_lattices_are_answered_as_by_a_look_at_everything) {
   Shapes shapes;
   int events = 0;
-  for (unsigned seed = 0; seed < 30u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(20u); ++seed) {
     std::mt19937_64 random(seed);
     const Range range = {.step = 1,
                          .side = 1.0 + seed % 4,
@@ -201,7 +201,7 @@ TEST(Queries_of_discs, on_lattices_are_answered_as_by_a_look_at_everything) {
 // are segments or single positions, and rays or lines where all points are on a line.
 TEST(Queries_of_discs, whose_cells_have_no_area_are_answered_as_by_a_look_at_everything) {
   Shapes shapes;
-  for (unsigned seed = 0; seed < 40u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(40u); ++seed) {
     std::mt19937_64 random(seed);
     const auto below = [&](unsigned limit) { return static_cast<double>(random() % limit); };
     const double cx = below(4);
@@ -230,7 +230,7 @@ TEST(Queries_of_discs, whose_cells_have_no_area_are_answered_as_by_a_look_at_eve
 
 TEST(Queries_of_discs, at_random_places_are_answered_as_by_a_look_at_everything) {
   Shapes shapes;
-  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(12u); ++seed) {
     std::mt19937_64 random(seed);
     const Range range = {.radius = 3, .growth = 0.5, .weight = seed % 2 == 0 ? 4.0 : 0.0};
     ask_discs(random_discs(random, 1 + seed % 9, range), 4, seed, shapes);
@@ -241,7 +241,7 @@ TEST(Queries_of_discs, at_random_places_are_answered_as_by_a_look_at_everything)
 
 TEST(Queries_of_discs, of_fifty_discs_are_answered_as_by_a_look_at_everything) {
   Shapes shapes;
-  for (unsigned seed = 0; seed < 2u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(2u); ++seed) {
     std::mt19937_64 random(seed);
     const Range range = {.step = seed % 2 == 0 ? 1.0 : 0.0, .radius = 3, .growth = 0.5};
     ask_all(Kinetic(random_discs(random, 50, range)), 0.0, 0, random, shapes);
@@ -252,7 +252,7 @@ TEST(Queries_of_discs, of_fifty_discs_are_answered_as_by_a_look_at_everything) {
 // On a line for ever, and on one at t = 1 only.
 TEST(Queries_of_discs, on_a_line_are_answered_as_by_a_look_at_everything) {
   Shapes shapes;
-  for (unsigned seed = 0; seed < 24u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(24u); ++seed) {
     std::mt19937_64 random(seed);
     const Range range = {.step = 1, .side = 4, .speed = 1, .radius = 2, .growth = 1, .weight = 2};
     Discs discs;
@@ -271,7 +271,7 @@ TEST(Queries_of_discs, on_a_line_are_answered_as_by_a_look_at_everything) {
 
 TEST(Queries_of_discs, in_one_place_are_answered_as_by_a_look_at_everything) {
   Shapes shapes;
-  for (unsigned seed = 0; seed < 30u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(15u); ++seed) {
     std::mt19937_64 random(seed);
     const Range range = {
         .step = 1, .side = 2, .speed = seed % 3 == 0 ? 1.0 : 0.0, .radius = 3, .growth = 1};
@@ -282,7 +282,7 @@ TEST(Queries_of_discs, in_one_place_are_answered_as_by_a_look_at_everything) {
 
 TEST(Queries_of_discs, that_accelerate_are_answered_as_by_a_look_at_everything) {
   Shapes shapes;
-  for (unsigned seed = 0; seed < 8u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(8u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
     const auto centers = test::polynomial_grid_motions(2 + seed % 5, 4, 1, 2, seed);
@@ -426,7 +426,7 @@ TEST(Queries_of_discs, a_cell_that_goes_to_infinity_is_empty_there) {
 
 // Cells at irrational times, between events, are those at a rational time very near.
 TEST(Queries_of_discs, at_an_irrational_time_are_answered_as_right_beside_it) {
-  for (unsigned seed = 0; seed < 5u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(5u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
     Kinetic kinetic(random_discs(random, 12, {.radius = 3, .growth = 0.25}));

@@ -52,7 +52,7 @@ TEST(Nearest, on_a_lattice_are_the_smallest_ids) {
 }
 
 TEST(Nearest, of_random_points_at_any_time_are_those_of_all_pairs) {
-  for (unsigned seed = 0; seed < 8u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     SCOPED_TRACE(seed);
     Kinetic_delaunay kinetic(test::random_motions(40, 30, 4, seed));
     const double time = 0.1 * (seed % 8);

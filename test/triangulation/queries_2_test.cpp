@@ -52,7 +52,7 @@ class Queries_on_grids : public testing::TestWithParam<std::tuple<int, int, int>
 
 TEST_P(Queries_on_grids, are_answered_as_by_a_look_at_everything) {
   const auto [points, size, speed] = GetParam();
-  const int cases = (points <= 4 ? 15 : points <= 7 ? 5 : 3) * test::multiplier();
+  const int cases = test::cases(points <= 4 ? 15 : points <= 7 ? 5 : 3);
   int events = 0;
   for (int seed = 0; seed < cases; ++seed) {
     events += ask_along(test::grid_motions(static_cast<std::size_t>(points), size, speed,
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Queries_on_grids,
 
 // On lines, so that nothing is ever two-dimensional, or all of it is flat once.
 TEST(Queries, of_points_on_a_line_are_answered_as_by_a_look_at_everything) {
-  for (unsigned seed = 0; seed < 25u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(25u); ++seed) {
     auto motions = test::grid_motions(2 + seed % 5, seed % 4 == 3 ? 30 : 4, 2, seed);
     std::set<std::pair<double, double>> seen;
     std::erase_if(motions, [&](Linear_motion_2& m) {
@@ -97,7 +97,7 @@ TEST(Queries, of_points_on_a_line_are_answered_as_by_a_look_at_everything) {
 }
 
 TEST(Queries, of_random_points_are_answered_as_by_a_look_at_everything) {
-  for (unsigned seed = 0; seed < 4u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     ask_along(test::random_motions(5 + 4 * (seed % 4), 6, 3, seed), 4, seed);
     if (HasFatalFailure()) return;
   }

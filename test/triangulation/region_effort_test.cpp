@@ -22,7 +22,7 @@ namespace {
 TEST(Region_effort, bounds_what_windows_take) {
   std::uint64_t windows = 0;
   std::uint64_t loops = 0;
-  for (unsigned seed = 1; seed <= 200u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(200u); ++seed) {
     std::mt19937_64 random(seed);
     const double share = seed % 2 == 0 ? 1.0 / 16 : 0.25;
     const double advance = 1000;

@@ -86,7 +86,7 @@ TEST(Region_division, has_numbers_for_the_flips_of_each_node) {
 
 TEST(Regions, run_random_points_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 30u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     const std::size_t n = 30 + 13 * (seed % 60);
     const std::size_t regions = 1 + seed * 7 % 64;
     const double events = seed % 4 == 0 ? 0.02 : 0.2 * (seed % 4) * (seed % 5 + 1);
@@ -105,7 +105,7 @@ TEST(Regions, run_random_points_as_the_loop_does) {
 // Long windows and many small regions: flips come too early, and some never come.
 TEST(Regions, undo_flips_that_come_too_early) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 200u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(50u); ++seed) {
     const std::size_t n = 30 + seed * 37 % 300;
     const auto motions =
         seed % 3 == 2 ? test::grid_motions(n, 60, 50, seed) : test::random_motions(n, 100, 5, seed);
@@ -126,7 +126,7 @@ TEST(Regions, undo_flips_that_come_too_early) {
 
 TEST(Regions, run_points_on_a_grid_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 100u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(30u); ++seed) {
     const std::size_t n = 5 + seed % 60;
     ASSERT_EQ(difference_from_loop(test::grid_motions(n, 4 + static_cast<int>(seed % 40), 3, seed),
                                    {1.0, Rational(7, 3), 6.0},
@@ -140,8 +140,9 @@ TEST(Regions, run_points_on_a_grid_as_the_loop_does) {
 // Points that leave a corner, and points that come together: many come to the hull and leave it.
 TEST(Regions, change_the_hull_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    const auto motions = test::random_motions(20 + 9 * seed, 10, seed % 2 == 0 ? 20 : 5, seed);
+  for (unsigned seed = 0; seed < test::cases(8u); ++seed) {
+    const auto motions =
+        test::random_motions(20 + 9 * (seed % 20), 10, seed % 2 == 0 ? 20 : 5, seed);
     ASSERT_EQ(difference_from_loop(motions, {0.125, 0.75, 2.0}, options_of(1 + seed % 12, 1), sum),
               "")
         << "seed " << seed;
@@ -151,7 +152,7 @@ TEST(Regions, change_the_hull_as_the_loop_does) {
 
 TEST(Regions, run_polynomial_motions_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 6u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     const std::size_t n = 40 + 10 * (seed % 12);
     const auto motions = seed % 3 == 2 ? test::polynomial_grid_motions(n, 30, 4, 3, seed)
                                        : test::random_polynomial_motions(n, 100, 5, seed);
@@ -204,7 +205,7 @@ TEST(Regions, put_times_in_order_that_bounds_do_not_tell_apart) {
 TEST(Regions, put_times_in_order_across_slices) {
   constexpr double fast = std::uint64_t{1} << 38;
   Region_counters sum;
-  for (unsigned seed = 0; seed < 4u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     std::mt19937_64 random(seed);
     const auto whole = [&](int least, int greatest) {
       return static_cast<double>(std::uniform_int_distribution<int>(least, greatest)(random));
@@ -242,7 +243,7 @@ TEST(Regions, keep_their_division_while_points_change) {
   Region_counters sum;
   // More threads than this machine may have.
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
-  for (unsigned seed = 0; seed < 6u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     std::mt19937_64 random(seed);
     const auto motions = test::random_motions(150 + 20 * (seed % 12), 100, 5, seed);
     auto others = test::random_motions(400, 100, 5, seed + 100);
@@ -287,7 +288,7 @@ TEST(Regions, turn_many_points_at_once) {
   // More threads than this machine may have.
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
   Region_counters sum;
-  for (unsigned seed = 0; seed < 12u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     std::mt19937_64 random(seed);
     const std::size_t n = 200 + 100 * (seed % 8);
     const auto motions = test::random_motions(n, 10 * std::sqrt(static_cast<double>(n)), 5, seed);
@@ -394,12 +395,12 @@ TEST(Regions, go_on_from_a_snapshot) {
 
 // So many points that advance_to takes regions.
 TEST(Regions, are_taken_with_several_threads_and_many_points) {
-  const auto motions = test::random_motions(200'000, 4500, 5, 4);
+  const auto motions = test::random_motions(50'000, 2250, 5, 4);
   Kinetic_delaunay plain(motions);
   Kinetic_delaunay kinetic(motions);
   kinetic.set_threads(2);
   const std::size_t events = plain.advance_to(2.0);
-  EXPECT_GT(events, 400'000u);
+  EXPECT_GT(events, 100'000u);
   EXPECT_EQ(kinetic.advance_to(2.0), events);
   EXPECT_EQ(difference_of_states(plain, kinetic), "");
   EXPECT_NE(plain.counters().rechecks, kinetic.counters().rechecks);  // by regions there are others

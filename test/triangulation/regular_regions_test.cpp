@@ -44,7 +44,7 @@ std::vector<Basic_disc_motion_2<Motion>> discs_of(const std::vector<Motion>& mot
 // Some hide others, some touch none.
 TEST(Regular_regions, run_random_discs_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     const std::size_t n = 30 + 13 * (seed % 40);
     const double radius = std::array{1.0, 8.0, 30.0}[seed % 3];
     const double side = 10 * std::sqrt(static_cast<double>(n));
@@ -64,7 +64,7 @@ TEST(Regular_regions, run_random_discs_as_the_loop_does) {
 // Places, velocities and radii are small integers, so that much happens at one time.
 TEST(Regular_regions, run_discs_on_a_grid_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 30u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(15u); ++seed) {
     const std::size_t n = 5 + seed % 60;
     const auto motions = test::grid_motions(n, 4 + static_cast<int>(seed % 40), 3, seed);
     const auto discs = discs_of(motions, 3, seed % 3, true, seed);
@@ -78,7 +78,7 @@ TEST(Regular_regions, run_discs_on_a_grid_as_the_loop_does) {
 
 TEST(Regular_regions, run_accelerated_discs_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 6u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
     const std::size_t n = 40 + 10 * (seed % 12);
     const auto motions = seed % 3 == 2 ? test::polynomial_grid_motions(n, 30, 4, 3, seed)
                                        : test::random_polynomial_motions(n, 100, 5, seed);
@@ -94,7 +94,7 @@ TEST(Regular_regions, run_accelerated_discs_as_the_loop_does) {
 // Equal weights, of which the points know: the Delaunay triangulation.
 TEST(Regular_regions, run_equal_discs_as_the_loop_does) {
   Region_counters sum;
-  for (unsigned seed = 0; seed < 8u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(8u); ++seed) {
     const std::size_t n = 40 + 50 * (seed % 8);
     const auto motions = seed % 2 == 0 ? test::random_motions(n, 100, 5, seed)
                                        : test::grid_motions(n / 8, 30, 3, seed);
@@ -113,7 +113,7 @@ TEST(Regular_regions, keep_their_division_while_discs_change) {
   using Kinetic = Kinetic_triangulation_2<Disc_kinetic_traits_2>;
   Region_counters sum;
   std::size_t hidden = 0;
-  for (unsigned seed = 0; seed < 6u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
     std::mt19937_64 random(seed);
     const auto discs =
         discs_of(test::random_motions(150 + 20 * (seed % 12), 100, 5, seed), 12, 0.5, false, seed);

@@ -93,7 +93,7 @@ void expect_audited_way_back(const Motions& motions) {
 }
 
 TEST(Reverse, at_degenerate_instants_leaves_delaunay_triangulations) {
-  for (unsigned seed = 0; seed < 60u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(15u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_audited_way_back<test::Kinetic_delaunay>(
         test::grid_motions(2 + seed % 7, 3 + static_cast<int>(seed % 3), 1, seed));

@@ -47,7 +47,7 @@ std::vector<Failure> take_failures(Part& part, const Algebraic_number* until = n
 // On a grid many edges fail at one time.
 TEST(Schedule, has_the_failures_of_all_edges_in_order) {
   std::size_t at_one_time = 0;
-  for (unsigned seed = 1; seed <= 8u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(8u); ++seed) {
     SCOPED_TRACE(seed);
     Part part(seed % 2 == 0 ? test::grid_motions(24, 5, 1, seed)
                             : test::random_motions(24, 10, 1, seed));

@@ -71,7 +71,7 @@ class Random {
 };
 
 TEST(Set_positions, of_small_steps_is_the_triangulation_of_the_new_positions) {
-  for (unsigned seed = 0; seed < 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(7u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const std::size_t n = seed % 4 == 0 ? 300 : 40;
@@ -94,7 +94,7 @@ TEST(Set_positions, of_small_steps_is_the_triangulation_of_the_new_positions) {
 
 // Many cocircular, collinear and coinciding points.
 TEST(Set_positions, on_a_grid_is_the_triangulation_of_the_new_positions) {
-  for (unsigned seed = 0; seed < 60u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(20u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const int size = seed % 2 == 0 ? 40 : 8;
@@ -117,7 +117,7 @@ TEST(Set_positions, on_a_grid_is_the_triangulation_of_the_new_positions) {
 }
 
 TEST(Set_positions, may_move_points_across_the_others_and_the_hull) {
-  for (unsigned seed = 0; seed < 30u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Places places(80);
@@ -155,8 +155,7 @@ template <class Kinetic>
 void check_runs(unsigned runs, std::size_t most_points) {
   std::size_t hidden = 0;
   std::size_t refused = 0;
-  runs *= static_cast<unsigned>(test::multiplier());
-  for (unsigned seed = 0; seed < runs; ++seed) {
+  for (unsigned seed = 0; seed < test::cases(runs); ++seed) {
     test::Random_choices random(seed);
     const bool is_grid = seed % 2 == 0;
     test::Position_run<Kinetic, test::Random_choices> run(
@@ -183,7 +182,7 @@ TEST(Set_positions, of_every_kind_of_points_that_accelerate) {
 
 // The triangulation goes on as a new one does.
 TEST(Set_positions, may_be_followed_by_motion_and_other_changes) {
-  for (unsigned seed = 0; seed < 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(10u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Places places(50);

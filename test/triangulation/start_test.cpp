@@ -44,7 +44,7 @@ std::vector<Linear_motion_2> near_lattice(int side, double epoch, unsigned seed)
 class Start : public testing::TestWithParam<double> {};
 
 TEST_P(Start, of_points_near_a_lattice_is_delaunay) {
-  for (unsigned seed = 1; seed <= 20u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(7u); ++seed) {
     for (const int side : {4, 5, 9}) {
       const Kinetic_delaunay kinetic(near_lattice(side, GetParam(), seed), Algebraic_number(0.0));
       ASSERT_EQ(test::audit_problem(kinetic, Audit_level::reference), "")
@@ -56,7 +56,7 @@ TEST_P(Start, of_points_near_a_lattice_is_delaunay) {
 TEST_P(Start, of_points_near_a_lattice_at_an_irrational_time_is_delaunay) {
   const Polynomial two({-2, 0, 1});
   const Algebraic_number start = first_root_after(two, Algebraic_number(0.0))->value;
-  for (unsigned seed = 1; seed <= 5u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(5u); ++seed) {
     const Kinetic_delaunay kinetic(near_lattice(5, GetParam() + std::sqrt(2.0), seed), start);
     ASSERT_EQ(test::audit_problem(kinetic, Audit_level::reference), "") << "seed " << seed;
   }

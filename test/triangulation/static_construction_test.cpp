@@ -39,7 +39,7 @@ std::set<Edge_ids> built_edges(const std::vector<Motion>& motions, const Algebra
 // Fewer points than 16 are inserted by CGAL, more are made from rounded places; on a grid most are
 // cocircular, or come together.
 TEST(Static_construction, has_the_edges_of_static_points_just_after_the_time) {
-  for (unsigned seed = 1; seed <= 3u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(3u); ++seed) {
     for (const std::size_t n : {1u, 2u, 3u, 9u, 18u}) {
       SCOPED_TRACE(testing::Message() << n << " points, seed " << seed);
       const auto at_random = test::random_motions(n, 10, 2, seed);

@@ -153,7 +153,7 @@ void expect_those_of_all_at_once(const Places& places, std::size_t cells) {
 }
 
 TEST(Static_delaunay_by_cells, has_the_triangles_of_all_places) {
-  for (unsigned seed = 1; seed <= 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(4u); ++seed) {
     for (const std::size_t cells : {1u, 2u, 3u, 7u, 16u}) {
       SCOPED_TRACE(std::to_string(cells) + " cells, seed " + std::to_string(seed));
       expect_those_of_all_at_once(uniform(4000 + seed, seed), cells);
@@ -165,7 +165,7 @@ TEST(Static_delaunay_by_cells, has_the_triangles_of_all_places) {
 // Either there is none, or it is right: mostly half of the places are on the border.
 TEST(Static_delaunay_by_cells, of_few_places_is_right_or_empty) {
   std::size_t made = 0;
-  for (unsigned seed = 1; seed <= 2000u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(1000u); ++seed) {
     const Places places = uniform(1 + seed % 300, seed);
     const Static_delaunay found = static_delaunay_by_cells(places, 1 + seed % 7);
     if (found.faces.empty()) continue;
@@ -187,7 +187,7 @@ TEST(Static_delaunay_by_cells, of_a_lattice_is_right_or_empty) {
     ASSERT_EQ(found.faces.size(), 2 * places.size() - 2);
     ASSERT_TRUE(is_delaunay(places, found));
   };
-  for (unsigned seed = 1; seed <= 3000u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(750u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const int side = 12 + static_cast<int>(seed % 20);
     check(of_lattice(side, 100 + seed % 900, seed), 1 + seed % 5);

@@ -28,7 +28,7 @@ Edge_ids ids(const Part::Edge_with_mirror& edge) {
 }
 
 TEST(Topology, has_a_vertex_for_each_point_and_the_edges_of_static_points) {
-  for (unsigned seed = 1; seed <= 10u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(10u); ++seed) {
     const auto motions = test::grid_motions(9, 4, 2, seed);
     const Part part(motions, 0.5);
     EXPECT_EQ(part.topology.number_of_vertices(), motions.size());
@@ -121,7 +121,7 @@ TEST(Hull, turns_counterclockwise) {
 }
 
 TEST(Vertex, taken_out_leaves_the_triangulation_of_the_others_and_comes_back) {
-  for (unsigned seed = 1; seed <= 3u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(2u); ++seed) {
     const auto motions = test::random_motions(9, 10, 1, seed);
     for (Point_id id = 0; id < 9; ++id) {
       Part part(motions);

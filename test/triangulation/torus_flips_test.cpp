@@ -27,7 +27,6 @@ using test::torus::Random;
 using test::torus::random_box;
 using test::torus::random_points;
 using test::torus::reference;
-using test::torus::times;
 using test::torus::Torus;
 using test::torus::torus_of;
 using test::torus::Vertex_handle;
@@ -50,7 +49,7 @@ bool is_flippable(const Torus& torus, const Edge& edge) {
 }
 
 TEST(Torus_triangulation, is_the_same_after_a_flip_forth_and_back) {
-  for (unsigned seed = 1; seed <= times(100); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(100u); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     Torus torus = torus_of(box, random_points(random, box, 1 + seed % 6));
@@ -68,7 +67,7 @@ TEST(Torus_triangulation, is_the_same_after_a_flip_forth_and_back) {
 }
 
 TEST(Torus_triangulation, keeps_the_outer_edges_of_a_flip_where_it_says) {
-  for (unsigned seed = 1; seed <= times(100); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(100u); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     Torus torus = torus_of(box, random_points(random, box, 1 + seed % 6));
@@ -92,7 +91,7 @@ TEST(Torus_triangulation, keeps_the_outer_edges_of_a_flip_where_it_says) {
 TEST(Torus_triangulation, becomes_delaunay_after_random_flips) {
   int flips = 0;
   int with_one_edge_on_both_sides = 0;
-  for (unsigned seed = 1; seed <= times(200); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(100u); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     const std::vector<Point> points = random_points(random, box, 1 + seed % 6);

@@ -33,7 +33,6 @@ using test::torus::Random;
 using test::torus::random_box;
 using test::torus::random_points;
 using test::torus::reference;
-using test::torus::times;
 using test::torus::Torus;
 using test::torus::torus_of;
 using test::torus::Traits;
@@ -66,7 +65,7 @@ TEST(Torus_triangulation, of_one_point_has_three_loops) {
 }
 
 TEST(Torus_triangulation, of_one_point_is_that_of_a_reduced_basis) {
-  for (unsigned seed = 1; seed <= times(300); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(300u); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     const std::vector<Point> points = {Point(0, {random(-9, 9), random(-9, 9)})};
@@ -98,7 +97,7 @@ TEST(Torus_triangulation, begins_with_any_vectors_that_span_the_lattice) {
 }
 
 TEST(Torus_triangulation, of_random_points_is_delaunay_in_any_order_of_insertion) {
-  for (unsigned seed = 1; seed <= times(400); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(140u); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     std::vector<Point> points = random_points(random, box, 1 + seed % 6);
@@ -117,7 +116,7 @@ TEST(Torus_triangulation, of_random_points_is_delaunay_in_any_order_of_insertion
 
 TEST(Torus_triangulation, remains_delaunay_when_points_come_and_go) {
   int removals = 0;
-  for (unsigned seed = 1; seed <= times(100); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(40u); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     const std::vector<Point> all = random_points(random, box, 6);
@@ -141,12 +140,12 @@ TEST(Torus_triangulation, remains_delaunay_when_points_come_and_go) {
       ASSERT_EQ(faces_of(torus), reference(box, points)) << "seed " << seed << ", step " << step;
     }
   }
-  EXPECT_GT(removals, 500);
+  EXPECT_GT(removals, 300);
 }
 
 TEST(Torus_triangulation, has_only_faces_that_turn_left_after_an_insertion_without_flips) {
   std::map<Torus::Locate_type, int> found;
-  for (unsigned seed = 1; seed <= times(100); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(100u); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     const std::vector<Point> points = random_points(random, box, 2 + seed % 5);
@@ -165,7 +164,7 @@ TEST(Torus_triangulation, has_only_faces_that_turn_left_after_an_insertion_witho
 }
 
 TEST(Torus_triangulation, of_many_points_does_not_depend_on_the_others_that_have_been_there) {
-  for (unsigned seed = 1; seed <= times(2); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(2u); ++seed) {
     Random random(seed);
     const Box box{{100'000, 3}, {70'000, 90'001}};
     std::vector<Point> points;

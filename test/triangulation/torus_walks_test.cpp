@@ -30,7 +30,6 @@ using test::torus::Point;
 using test::torus::Random;
 using test::torus::random_box;
 using test::torus::random_points;
-using test::torus::times;
 using test::torus::Torus;
 using test::torus::torus_of;
 using test::torus::Traits;
@@ -86,7 +85,7 @@ TEST(Torus_triangulation, follows_edges_by_their_indices) {
 // The walk in which each corner is once, and each face is to the left of the one before.
 TEST(Torus_triangulation, walks_around_vertices_counterclockwise) {
   int with_loops = 0;
-  for (unsigned seed = 1; seed <= times(100); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(100u); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     const Torus torus = torus_of(box, random_points(random, box, 1 + seed % 6));
@@ -111,7 +110,7 @@ TEST(Torus_triangulation, walks_around_vertices_counterclockwise) {
 
 TEST(Torus_triangulation, locates_each_image_of_a_position_from_each_face) {
   std::map<Torus::Locate_type, int> found;
-  for (unsigned seed = 1; seed <= times(60); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(60u); ++seed) {
     Random random(seed);
     const Box box = random_box(random);
     const Torus torus = torus_of(box, random_points(random, box, 1 + seed % 6));

@@ -90,7 +90,7 @@ TEST_P(Snapshots_on_grids, go_on_as_the_original) {
   const auto [points, size, speed] = GetParam();
   std::set<int> dimensions;
   int irrational = 0;
-  for (unsigned seed = 0; seed < 15u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(15u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
     Kinetic_delaunay original(
@@ -232,7 +232,7 @@ TEST(Forged_snapshots, with_numbers_or_points_that_cannot_be_are_refused) {
 
 // Other motions are those of another state, which is as good.
 TEST(Forged_snapshots, with_other_motions_are_those_of_these) {
-  for (unsigned seed = 0; seed < 100u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(100u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
     const auto motions = test::grid_motions(3 + seed % 7, 4, 1, seed);

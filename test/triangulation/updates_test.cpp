@@ -35,7 +35,7 @@ Edge_set renumbered(const Edge_set& edges, Point_id id) {
 }
 
 TEST(Flip, at_its_time_leaves_the_edges_just_after_it) {
-  for (unsigned seed = 1; seed <= 6u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(2u); ++seed) {
     const auto motions = test::random_motions(9, 10, 2, seed);
     Part part(motions);
     auto& schedule = part.schedule;
@@ -54,7 +54,7 @@ TEST(Flip, at_its_time_leaves_the_edges_just_after_it) {
 }
 
 TEST(Point, taken_out_and_put_in_leaves_the_edges_of_all) {
-  for (unsigned seed = 1; seed <= 2u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(1u); ++seed) {
     const auto motions = test::random_motions(9, 10, 2, seed);
     for (Point_id id = 0; id < 9; ++id) {
       SCOPED_TRACE(id);
@@ -104,7 +104,7 @@ TEST(Point, put_in_beyond_the_hull_leaves_entries_that_are_due) {
 }
 
 TEST(Reconstruction, with_other_motions_leaves_the_edges_of_those) {
-  for (unsigned seed = 1; seed <= 4u * static_cast<unsigned>(test::multiplier()); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(4u); ++seed) {
     Part part(test::random_motions(8, 10, 2, seed));
     auto motions = test::grid_motions(9, 4, 2, seed);
     Edge_set edges = part.edges();

@@ -510,12 +510,12 @@ def main():
     what, kinetri, verify, folder = sys.argv[1:]
     case = Case(kinetri, verify, folder)
     if what == "true":
-        check_true(case, 3 * TIMES)
+        check_true(case, 2 * TIMES)
         check_instants(case)
         check_circle(case)
         check_resumed(case)
     elif what == "lies":
-        check_lies(case, 4 * TIMES)
+        check_lies(case, 2 * TIMES)
         check_false_logs(case)
     elif what == "second":
         check_second(case, 4)

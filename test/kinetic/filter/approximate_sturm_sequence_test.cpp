@@ -44,7 +44,7 @@ Rational within(Random& random, double value, double error) {
 
 TEST(Approximate_number, contains_the_exact_number_in_every_rounding_mode) {
   Random random(41);
-  const unsigned long rounds = test::scaled_count(20000);
+  const unsigned long rounds = test::cases(20000ul);
   for (unsigned long round = 0; round < rounds; ++round) {
     const auto error_of = [&](double value) {
       return std::abs(std::ldexp(value, -static_cast<int>(random.integer(1, 60))));
@@ -109,7 +109,7 @@ Polynomial times_denominator(const std::vector<Rational>& coefficients) {
 template <std::size_t M>
 void expect_exact_changes(unsigned seed) {
   Random random(seed);
-  const unsigned long rounds = test::scaled_count(6000);
+  const unsigned long rounds = test::cases(6000ul);
   unsigned long known = 0;
   for (unsigned long round = 0; round < rounds; ++round) {
     const std::array<double, M> c = random_coefficients<M>(random);
@@ -156,7 +156,7 @@ TEST(Approximate_sturm_sequence, counts_the_roots_of_every_polynomial_within_the
 // two roots close together, or none. Halving would go on until the halves are as small as that.
 TEST(First_failure, is_decided_near_touches) {
   Random random(45);
-  const unsigned long rounds = test::scaled_count(2000);
+  const unsigned long rounds = test::cases(2000ul);
   const double error = 0x1p-46;
   unsigned long decided = 0;
   unsigned long failures = 0;

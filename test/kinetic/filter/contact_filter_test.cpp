@@ -76,7 +76,7 @@ TEST_P(Contact_filter, never_contradicts_exact_arithmetic) {
   int signs = 0;
   int apart = 0;
   int overlapping = 0;
-  const int cases = 4000 * test::multiplier();
+  const int cases = test::cases(2000);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe({m.begin(), m.begin() + 2}); });
@@ -143,7 +143,7 @@ TEST_P(Contact_filter, of_signs_at_an_instant_never_contradicts_exact_arithmetic
   test::Certificates source(272);
   int decided = 0;
   int surrounded = 0;
-  const int cases = test::cases(1500);
+  const int cases = test::cases(750);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe({m.begin(), m.end()}); });

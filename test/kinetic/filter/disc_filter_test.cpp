@@ -70,10 +70,10 @@ void expect_true_circles(int flavor, int cases) {
 }
 
 TEST_P(Disc_filter, of_power_circles_never_contradicts_exact_arithmetic) {
-  expect_true_circles<Disc_motion_2>(GetParam(), test::cases(250));
+  expect_true_circles<Disc_motion_2>(GetParam(), test::cases(125));
 }
 TEST_P(Disc_filter, of_power_circles_of_curves_never_contradicts_exact_arithmetic) {
-  expect_true_circles<Polynomial_disc_motion_2>(GetParam(), test::cases(100));
+  expect_true_circles<Polynomial_disc_motion_2>(GetParam(), test::cases(50));
 }
 
 // As near to a root of `p` in the bracket, at whose ends the signs differ, as two numbers are.
@@ -178,10 +178,10 @@ void expect_true_signs(int flavor, int cases) {
 }
 
 TEST_P(Disc_filter, of_signs_never_contradicts_exact_arithmetic) {
-  expect_true_signs<Disc_motion_2>(GetParam(), test::cases(1500));
+  expect_true_signs<Disc_motion_2>(GetParam(), test::cases(750));
 }
 TEST_P(Disc_filter, of_signs_of_curves_never_contradicts_exact_arithmetic) {
-  expect_true_signs<Polynomial_disc_motion_2>(GetParam(), test::cases(600));
+  expect_true_signs<Polynomial_disc_motion_2>(GetParam(), test::cases(300));
 }
 
 // Whether what the filter says is true of the certificate whose exact failure is given. Returns
@@ -270,10 +270,10 @@ void expect_true_contacts(int flavor, int cases) {
 }
 
 TEST_P(Disc_filter, of_contacts_never_contradicts_exact_arithmetic) {
-  expect_true_contacts<Disc_motion_2>(GetParam(), 2000 * test::multiplier());
+  expect_true_contacts<Disc_motion_2>(GetParam(), test::cases(1000));
 }
 TEST_P(Disc_filter, of_contacts_of_curves_never_contradicts_exact_arithmetic) {
-  expect_true_contacts<Polynomial_disc_motion_2>(GetParam(), 600 * test::multiplier());
+  expect_true_contacts<Polynomial_disc_motion_2>(GetParam(), test::cases(600));
 }
 
 INSTANTIATE_TEST_SUITE_P(Flavors, Disc_filter, testing::Range(0, test::Certificates::flavors),

@@ -221,27 +221,27 @@ void expect_most_decided(const Counts& counts, int share, int share_after_root) 
 }
 
 TEST_P(Distance_filter, of_ranges_never_contradicts_exact_arithmetic) {
-  const Counts counts = expect_true_ranges<Linear_motion_2>(GetParam(), test::cases(2000));
+  const Counts counts = expect_true_ranges<Linear_motion_2>(GetParam(), test::cases(1000));
   if (GetParam() == 0) expect_most_decided(counts, 99, 99);
 }
 TEST_P(Distance_filter, of_ranges_of_curves_never_contradicts_exact_arithmetic) {
-  const Counts counts = expect_true_ranges<Polynomial_motion_2>(GetParam(), test::cases(500));
+  const Counts counts = expect_true_ranges<Polynomial_motion_2>(GetParam(), test::cases(250));
   if (GetParam() == 0) expect_most_decided(counts, 95, 60);
 }
 TEST_P(Distance_filter, of_ranges_of_discs_never_contradicts_exact_arithmetic) {
-  const Counts counts = expect_true_ranges<Disc_motion_2>(GetParam(), test::cases(1600));
+  const Counts counts = expect_true_ranges<Disc_motion_2>(GetParam(), test::cases(800));
   if (GetParam() == 0) expect_most_decided(counts, 85, 60);
 }
 TEST_P(Distance_filter, of_ranges_of_curved_discs_never_contradicts_exact_arithmetic) {
-  expect_true_ranges<Polynomial_disc_motion_2>(GetParam(), test::cases(400));
+  expect_true_ranges<Polynomial_disc_motion_2>(GetParam(), test::cases(200));
 }
 
 TEST_P(Distance_filter, of_comparisons_never_contradicts_exact_arithmetic) {
-  const Counts counts = expect_true_comparisons<Linear_motion_2>(GetParam(), test::cases(2000));
+  const Counts counts = expect_true_comparisons<Linear_motion_2>(GetParam(), test::cases(1000));
   if (GetParam() == 0) expect_most_decided(counts, 98, 95);
 }
 TEST_P(Distance_filter, of_comparisons_of_curves_never_contradicts_exact_arithmetic) {
-  const Counts counts = expect_true_comparisons<Polynomial_motion_2>(GetParam(), test::cases(500));
+  const Counts counts = expect_true_comparisons<Polynomial_motion_2>(GetParam(), test::cases(250));
   if (GetParam() == 0) expect_most_decided(counts, 95, 60);
 }
 TEST_P(Distance_filter, of_comparisons_of_discs_is_about_centers) {

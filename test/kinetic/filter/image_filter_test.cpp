@@ -53,7 +53,7 @@ TEST_P(Image_filter, never_contradicts_exact_arithmetic) {
   int undecided = 0;
   int decided_distances = 0;
   int undecided_distances = 0;
-  const int cases = test::cases(1200);
+  const int cases = test::cases(600);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe(m); });
@@ -156,7 +156,7 @@ TEST_P(Image_filter, of_several_certificates_never_contradicts_exact_arithmetic)
   test::Images source(52);
   test::Decided_after_flips counts;
   int decided = 0;
-  const int cases = test::cases(700);
+  const int cases = test::cases(350);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe(m); });
@@ -321,7 +321,7 @@ void expect_true_contacts(const Motion& p, const Motion& q, double diameter, con
 TEST_P(Image_filter, of_contacts_never_contradicts_exact_arithmetic) {
   test::Images source(54);
   Decided_contacts decided;
-  const int cases = 1200 * test::multiplier();
+  const int cases = test::cases(600);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe(m); });
@@ -402,7 +402,7 @@ TEST_P(Image_filter, of_discs_never_contradicts_exact_arithmetic) {
   test::Decided decided;
   test::Decided_after_flips counts;
   int pairs = 0;
-  const int cases = test::cases(500);
+  const int cases = test::cases(250);
   for (int i = 0; i < cases; ++i) {
     const auto centers = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe(centers); });
@@ -469,7 +469,7 @@ TEST_P(Image_filter, of_discs_never_contradicts_exact_arithmetic) {
 TEST_P(Image_filter, of_contacts_of_discs_never_contradicts_exact_arithmetic) {
   test::Images source(58);
   Decided_contacts decided;
-  const int cases = test::cases(1200);
+  const int cases = test::cases(300);
   for (int i = 0; i < cases; ++i) {
     const auto centers = source.next(GetParam());
     SCOPED_TRACE(test::describe(centers));

@@ -28,7 +28,7 @@ TEST_P(Linear_filter, never_contradicts_exact_arithmetic) {
   constexpr unsigned seed = 314;
   test::Certificates source(seed);
   test::Decided decided;
-  const int cases = test::cases(1500);
+  const int cases = test::cases(750);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe({m.begin(), m.end()}); });
@@ -53,7 +53,7 @@ TEST_P(Linear_filter, two_at_once_never_contradict_exact_arithmetic) {
   constexpr unsigned seed = 316;
   test::Certificates source(seed);
   int decided = 0;
-  const int cases = test::cases(1500);
+  const int cases = test::cases(750);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
     const auto n = source.next(GetParam());

@@ -59,7 +59,7 @@ TEST_P(Polynomial_filter, never_contradicts_exact_arithmetic) {
 
 TEST_P(Polynomial_filter, two_at_once_never_contradict_exact_arithmetic) {
   int decided = 0;
-  const int cases = test::cases(300);
+  const int cases = test::cases(150);
   for (int i = 0; i < cases; ++i) {
     const Motions m = next();
     const Motions n = next();
@@ -99,7 +99,7 @@ void expect_sign(Sign sign, const Polynomial& p, const Double_interval& interval
 }
 
 TEST_P(Polynomial_filter, has_right_signs_at_instants) {
-  const int cases = test::cases(1000);
+  const int cases = test::cases(500);
   int certain = 0;
   for (int i = 0; i < cases; ++i) {
     const int mode = test::rounding_mode(i);
@@ -182,7 +182,7 @@ bool expect_contact(const Filter_result& result, const Polynomial& distance, dou
 }
 
 TEST_P(Polynomial_filter, never_contradicts_exact_contacts) {
-  const int cases = 1000 * test::multiplier();
+  const int cases = test::cases(250);
   int decided = 0;
   int signs = 0;
   int apart = 0;
