@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triangulation/wrapping.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -20,13 +22,17 @@ double scalar_product(const Vector_2& a, const Vector_2& b) {
 
 Wrapping::Wrapping(const Periodic_box_2& box, double time)
     : first_(rounded_place(box.first(), time)), second_(rounded_place(box.second(), time)) {
+  const double greatest =
+      std::max({std::abs(first_.x), std::abs(first_.y), std::abs(second_.x), std::abs(second_.y)});
+  scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(greatest), -1000, 1000));
+  for (double* number : {&first_.x, &first_.y, &second_.x, &second_.y}) *number *= scale_;
   reduce();
   area_ = cross(first_, second_);
 }
 
 Vector_2 Wrapping::heights() const {
-  return {area_ / std::sqrt(scalar_product(second_, second_)),
-          area_ / std::sqrt(scalar_product(first_, first_))};
+  return {area_ / std::sqrt(scalar_product(second_, second_)) / scale_,
+          area_ / std::sqrt(scalar_product(first_, first_)) / scale_};
 }
 
 std::optional<Lattice_offset_2> Wrapping::moved(const Lattice_offset_2& offset,

@@ -16,9 +16,9 @@
 
 namespace kinetri::detail {
 
-/// The box at one time with two vectors of the lattice that are nearly as short as possible. If
-/// numbers overflow, or the box has lost its area by rounding, images are the positions themselves.
-/// All functions throw Periodic_box_error if an offset is 2^31 or more.
+/// The box at one time with two vectors of the lattice that are nearly as short as possible. If the
+/// box has lost its area by rounding, images are the positions themselves. All functions throw
+/// Periodic_box_error if an offset is 2^31 or more.
 class Wrapping {
  public:
   /// An image in the parallelogram of the two short vectors, up to rounding.
@@ -31,8 +31,8 @@ class Wrapping {
 
   /// The position that is so many of the two vectors from the origin.
   Vector_2 position(const Vector_2& multiples) const {
-    return {multiples.x * first_.x + multiples.y * second_.x,
-            multiples.x * first_.y + multiples.y * second_.y};
+    return {(multiples.x * first_.x + multiples.y * second_.x) / scale_,
+            (multiples.x * first_.y + multiples.y * second_.y) / scale_};
   }
   /// How wide the parallelogram is across each of its vectors: what one more of the vector adds to
   /// the distance from the other one. Not positive, or not a number, if the box has no area.
@@ -47,6 +47,7 @@ class Wrapping {
   /// The place that image() has, of a position any number of vectors away.
   Vector_2 place_of_image(const Vector_2& position) const {
     const Vector_2 there = multiples(position);
+    if (!std::isfinite(there.x) || !std::isfinite(there.y)) return {};
     return {there.x - std::floor(there.x), there.y - std::floor(there.y)};
   }
   /// The image of the position of a point.
@@ -57,15 +58,19 @@ class Wrapping {
  private:
   static double cross(const Vector_2& a, const Vector_2& b) { return a.x * b.y - a.y * b.x; }
 
-  // The vector in multiples of the two.
+  // The vector in multiples of the two; not finite if these are too many for binary64.
   Vector_2 multiples(const Vector_2& vector) const {
-    const Vector_2 result = {cross(vector, second_) / area_, cross(first_, vector) / area_};
-    return area_ > 0 && std::isfinite(result.x) && std::isfinite(result.y) ? result : Vector_2{};
+    if (!(area_ > 0)) return {};
+    const Vector_2 scaled = {scale_ * vector.x, scale_ * vector.y};
+    return {cross(scaled, second_) / area_, cross(first_, scaled) / area_};
   }
   // That many vectors back.
   Lattice_offset_2 offset(const Vector_2& whole, Point_id id) const;
   void reduce();
 
+  // A power of two, times which the two vectors are kept, so that their products neither overflow
+  // nor underflow.
+  double scale_ = 1;
   Vector_2 first_;
   Vector_2 second_;
   double area_ = 0;

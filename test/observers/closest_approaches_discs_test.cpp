@@ -283,7 +283,7 @@ TEST(Closest_discs, begin_with_the_closest_of_all_pairs) {
   for (const auto& [least_radius, greatest_radius, until, first_radius] :
        {Case{0x1p-12, 0x1p-2, 0.125}, Case{0x1p-20, 0.5, 4}, Case{0.125, 2, 20}, Case{2, 8, 20},
         Case{0x1p-18, 4, 1}, Case{0x1p-6, 0.25, 10, 15}}) {
-    for (unsigned seed = 0; seed < test::cases(4u); ++seed) {
+    for (unsigned seed = 0; seed < test::cases(12u); ++seed) {
       SCOPED_TRACE("radii up to " + std::to_string(std::max(greatest_radius, first_radius)) +
                    ", seed " + std::to_string(seed));
       Discs discs = random_discs(30, seed, least_radius, greatest_radius);

@@ -203,7 +203,7 @@ TEST(Periodic_neighbor_lives, are_those_of_all_images_at_many_times) {
   std::size_t seen = 0;
   std::size_t unseen = 0;
   std::size_t short_ones = 0;
-  for (unsigned seed = 0; seed < test::cases(3u); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(6u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random random(seed);
     const Periodic_box_2 box = test::random_box(random, 3 + static_cast<int>(seed % 3));

@@ -73,7 +73,7 @@ TEST(Periodic_triangulation_2, is_that_of_brute_force_after_each_event) {
     }
   }
   EXPECT_GT(instants, 100u);
-  EXPECT_GT(groups, 8u);
+  EXPECT_GT(groups, 5u);
   EXPECT_LE(skipped, instants / 50);
 }
 
@@ -484,11 +484,16 @@ TEST(Periodic_triangulation_2, ends_before_its_box_loses_its_area) {
 }
 
 TEST(Periodic_triangulation_2, refuses_positions_beyond_2_to_the_31_boxes) {
-  EXPECT_EQ(test::message_of<Periodic_box_error>([] {
-              kinetic_of(square(1), {{{0, 0}, {0, 0}, 0}, {{1e10, 0}, {0, 0}, 0}});
-            }),
-            "point 1 is 2^31 or more lattice vectors away from the periodic box, or from other "
-            "points; give the position of an image that is closer");
+  // The area of some of these boxes, and the number of boxes, are out of the range of binary64.
+  for (const auto& [side, x] :
+       {std::pair(1.0, 1e10), {1e-170, 1.0}, {1e-300, 1e300}, {1e200, 1e300}}) {
+    EXPECT_EQ(test::message_of<Periodic_box_error>([side = side, x = x] {
+                kinetic_of(square(side), {{{0, 0}, {0, 0}, 0}, {{x, 0}, {0, 0}, 0}});
+              }),
+              "point 1 is 2^31 or more lattice vectors away from the periodic box, or from other "
+              "points; give the position of an image that is closer")
+        << side;
+  }
   Kinetic kinetic = kinetic_of(square(1), {{{0, 0}, {0, 0}, 0}, {{1e9 + 0.25, 0.25}, {0, 0}, 0}});
   EXPECT_EQ(audit(kinetic), "");
   EXPECT_THROW(kinetic.insert({{1e10, 0}, {0, 0}, 0}), Periodic_box_error);
