@@ -7,7 +7,9 @@ const MOST_PAIRS = 200000;
 
 /** What a recording without encounters gets, so that the viewer can show those that are measured. */
 function noPairs() {
-  return {range: 0, inAll: 0, count: 0, a: new Uint32Array(0), b: new Uint32Array(0), begin: [], end: []};
+  return {
+    range: 0, inAll: 0, count: 0, a: new Uint32Array(0), b: new Uint32Array(0), x: null, y: null, begin: [], end: [],
+  };
 }
 
 /** The pairs of points whose distance, or the gap between whose discs, is at most the range; if that is 0, none. */
