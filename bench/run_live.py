@@ -92,12 +92,14 @@ def main():
             print(f"{options.points} points, a step of 1/60 with {events:.0f} events: {advance:.2f} ms; positions "
                   f"{positions:.2f} ms; edges {edges:.2f} ms")
             text = write_points(options.program, 1000, points)
-            ratios = []
+            module, program = [], []
             for _ in range(options.repeat):
-                module = window.evaluate(RUN.replace("TEXT", text).replace("UNTIL", "20"))
-                subprocess.run([options.program, "simulate", points, "--until", "20", "--stats", stats, "--quiet"], check=True)
-                ratios.append(module / 1000 / json.loads(stats.read_text(encoding="utf-8"))["seconds"]["run"])
-            print(f"1000 points until 20: the module takes {statistics.median(ratios):.2f} of the program's time")
+                module.append(window.evaluate(RUN.replace("TEXT", text).replace("UNTIL", "300")) / 1000)
+                subprocess.run([options.program, "simulate", points, "--until", "300", "--threads", "1", "--stats", stats,
+                                "--quiet"], check=True)
+                program.append(json.loads(stats.read_text(encoding="utf-8"))["seconds"]["run"])
+            ratio = statistics.median(module) / statistics.median(program)
+            print(f"1000 points until 300: the module takes {ratio:.2f} of the program's time")
 
 
 if __name__ == "__main__":
