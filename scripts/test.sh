@@ -19,14 +19,14 @@ exit code is 0 if none failed.
                    and UndefinedBehaviorSanitizer; or tsan, the tests of what several threads do,
                    with ThreadSanitizer (CMakePresets.json)
   --compiler CXX   with another compiler, e.g. clang++, in a directory of its own
-  --browser        installs chromium, for the tests of the viewer page, and Doxygen; without this
+  --browser        installs chromium-headless-shell, for the tests of pages, and Doxygen; without this
                    option their tests run only if these are installed
   --python         likewise installs what the Python package and its tests need
   --video          likewise for the program kinetri-video
 
 Other options are those of ctest, for example -R REGEX for the tests whose names match, or -LE slow
-for those without the label slow. The labels are slow, install, threads, and recompile for what compiles
-the library once more, without optimization and with CGAL's own checks.
+for those without the label slow. The labels are slow, install, threads, and recompile for those that need
+a second build of the library, without optimization and with CGAL's own checks.
 
 KINETRI_TEST_MULTIPLIER=N makes the randomized tests N times as long.
 EOF

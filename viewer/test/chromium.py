@@ -25,7 +25,7 @@ class Chromium(Browser):
 
     @staticmethod
     def executable():
-        """The one without a window is chosen, which starts and opens a page in a fraction of the time."""
+        """chromium-headless-shell if it is there: it has no window, and opens pages in half the time."""
         return os.environ.get("KINETRI_CHROMIUM") or shutil.which("chromium-headless-shell") or shutil.which("chromium")
 
     def start(self):
