@@ -4,8 +4,8 @@
 // recording.
 'use strict';
 
-/** The encounters of the recording: {range, inAll, count, a, b, x, y, begin, end}, (x, y) the offsets of the
- * second points in a periodic box, else null; null if it has none. */
+/** The encounters of the recording, {range, inAll, count, a, b, x, y, begin, end}, or null if it has none. In a
+ * periodic box (x, y) are the offsets of the second points; else x and y are null. */
 function readEncounters(recording, json, ids) {
   if (json === undefined) return null;
   const {points} = recording;
@@ -101,7 +101,8 @@ class Encounters {
     for (let point = parent.length - 1; point >= 0; --point) size[point] = size[parent[point]];
   }
 
-  /** The points within range of a point, ascending; in a periodic box one for each image. */
+  /** The points within range of a point, ascending; in a periodic box each once for each image in range, and the
+   * point itself too. */
   partners(point) {
     const {a, b} = this.recording.encounters;
     const result = [];

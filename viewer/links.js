@@ -10,7 +10,7 @@ const THINNEST_LINK = 0.02;  // pixels; what is thinner is a share of a pixel's 
 const FAINTEST_LINK = 0.4;
 
 /** Between points that are within range of each other. In a crowd they are thinner and fainter, so that
- * what is between and behind them is seen. What leaves a periodic box is fainter, as edges are. */
+ * what is between and behind them is seen. Links that leave a periodic box are fainter. */
 function drawLinks(painter, view) {
   const {encounters, colors, images, recording: {encounters: {a, b}}} = view.viewer;
   const width = 1.6 * view.detail.lineWidth();

@@ -132,7 +132,8 @@ class View {
     this.addLink(batch, this.viewer.recording.edgeA[edge], this.viewer.recording.edgeB[edge], shade);
   }
 
-  /** Adds the line from a point to the image of another one that is off the other one by SHIFT. */
+  /** Adds the line from point a to the image of point b that is SHIFT away from b; if SHIFT is not zero, also the
+   * one from the corresponding image of a to b. */
   addLink(batch, a, b, shade = 0) {
     const {sx, sy} = this;
     const {x, y} = SHIFT;
@@ -148,14 +149,14 @@ class View {
     else this.setShiftOf(edgeA[edge], edgeB[edge], edgeX[edge], edgeY[edge]);
   }
 
-  /** The same of two points within range of each other. */
+  /** Sets SHIFT likewise for an encounter, that is for two points within range of each other. */
   setShiftOfEncounter(encounter) {
     const {recording: {encounters: {a, b, x, y}}} = this.viewer;
     if (x === null) SHIFT.x = SHIFT.y = 0;
     else this.setShiftOf(a[encounter], b[encounter], x[encounter], y[encounter]);
   }
 
-  /** The same of an image with this offset against the first point. */
+  /** Sets SHIFT likewise for two points and the offset of the second against the first. */
   setShiftOf(from, to, x, y) {
     this.viewer.images.shift(from, to, x, y, SHIFT);
     SHIFT.x *= this.camera.scale;

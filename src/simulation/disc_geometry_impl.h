@@ -304,11 +304,17 @@ auto Simulation_types<Traits>::Disc_geometry::overlapping_points(Point_id id,
                                                                  const Traits& traits) const
     -> std::vector<Disc> {
   std::vector<Disc> result;
+  const auto touches = [&](const Disc& other) {
+    if (!may_touch(id, other, traits, current_time())) return false;
+    // A filter that is always unsure, as beyond the range of binary64, would accept all images.
+    if constexpr (is_periodic) return may_touch(id, other, traits.exact(), current_time());
+    return true;
+  };
   const auto add_neighbors = [&](const Disc& of) {
     for_each_neighbor(id_of(of), [&](const Disc& neighbor) {
       const Disc other = beyond(of, neighbor);
       if (other != itself(id) && std::ranges::find(result, other) == result.end() &&
-          may_touch(id, other, traits, current_time())) {
+          touches(other)) {
         result.push_back(other);
       }
     });

@@ -18,13 +18,18 @@ double scalar_product(const Vector_2& a, const Vector_2& b) {
   return a.x * b.x + a.y * b.y;
 }
 
+// That of the greater coordinate in base 2; of the zero vector 0.
+int exponent_of(const Vector_2& vector) {
+  const double greater = std::max(std::abs(vector.x), std::abs(vector.y));
+  return greater > 0 ? std::ilogb(greater) : 0;
+}
+
 }  // namespace
 
 Wrapping::Wrapping(const Periodic_box_2& box, double time)
     : first_(rounded_place(box.first(), time)), second_(rounded_place(box.second(), time)) {
-  const double greatest =
-      std::max({std::abs(first_.x), std::abs(first_.y), std::abs(second_.x), std::abs(second_.y)});
-  scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(greatest), -1000, 1000));
+  const int exponent = (exponent_of(first_) + exponent_of(second_)) / 2;
+  scale_ = std::ldexp(1.0, -std::clamp(exponent, -1000, 1000));
   for (double* number : {&first_.x, &first_.y, &second_.x, &second_.y}) *number *= scale_;
   reduce();
   area_ = cross(first_, second_);

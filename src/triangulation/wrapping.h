@@ -16,9 +16,9 @@
 
 namespace kinetri::detail {
 
-/// The box at one time with two vectors of the lattice that are nearly as short as possible. If the
-/// box has lost its area by rounding, images are the positions themselves. All functions throw
-/// Periodic_box_error if an offset is 2^31 or more.
+/// The box at one time with two vectors of the lattice that are nearly as short as possible. If
+/// rounding leaves the box no area, images are the positions themselves. `image` and `nearest`
+/// throw Periodic_box_error if an offset is 2^31 or more.
 class Wrapping {
  public:
   /// An image in the parallelogram of the two short vectors, up to rounding.
@@ -58,7 +58,8 @@ class Wrapping {
  private:
   static double cross(const Vector_2& a, const Vector_2& b) { return a.x * b.y - a.y * b.x; }
 
-  // The vector in multiples of the two; not finite if these are too many for binary64.
+  // The vector in multiples of the two; not finite if these are too many for binary64, and zero if
+  // the box has no area.
   Vector_2 multiples(const Vector_2& vector) const {
     if (!(area_ > 0)) return {};
     const Vector_2 scaled = {scale_ * vector.x, scale_ * vector.y};
@@ -68,8 +69,8 @@ class Wrapping {
   Lattice_offset_2 offset(const Vector_2& whole, Point_id id) const;
   void reduce();
 
-  // A power of two, times which the two vectors are kept, so that their products neither overflow
-  // nor underflow.
+  // The two vectors are kept times this power of two, so that the product of their lengths is in
+  // the range of binary64.
   double scale_ = 1;
   Vector_2 first_;
   Vector_2 second_;

@@ -346,6 +346,19 @@ class Periodic_contacts(Program_in_box):
                 self.run_program(run + more)
                 self.assertEqual([self.read(name) for name in names], expected, more)
 
+    def test_boxes_out_of_the_range_of_filters(self):
+        """Squares of coordinates overflow or underflow there, and filters are unsure of all images."""
+        for scale in ("1e-300", "1e300"):
+            places = ((0, 0, 1, 0), (0.1, 0.2, -1, 2), (0.5, 0.7, 0, 1))
+            points = "x,y,vx,vy\n" + "".join(",".join(repr(n * float(scale)) for n in row) + "\n" for row in places)
+            run = (f"simulate p.csv --until 1 --periodic {scale},{scale} --radius {0.01 * float(scale)!r} --collisions elastic "
+                   "--quiet --verify --events e.csv")
+            self.run_program(run, points)
+            expected = self.read("e.csv")
+            self.assertGreater(expected.count("\n"), 20)
+            self.run_program(run + " --exact-only")
+            self.assertEqual(self.read("e.csv"), expected)
+
     def test_what_a_run_says(self):
         done = self.run_program("simulate p.csv --until 1 --periodic 4,4 --collisions log --radius 0.25 --stats s.json",
                                 self.jittered_discs(random.Random(1), 4))

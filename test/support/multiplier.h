@@ -17,8 +17,8 @@ inline int multiplier() {
   return at_least_one("KINETRI_TEST_MULTIPLIER");
 }
 
-/// So many random cases, times the multiplier; and divided by KINETRI_TEST_DIVISOR, for tests of
-/// which some of the cases are run a second time in another way.
+/// `number` random cases, times the multiplier. KINETRI_TEST_DIVISOR divides them, for tests that
+/// are run a second time in another way, with a part of the cases.
 template <class Integer>
 Integer cases(Integer number) {
   return number * static_cast<Integer>(multiplier()) /

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -485,14 +486,20 @@ TEST(Periodic_triangulation_2, ends_before_its_box_loses_its_area) {
 
 TEST(Periodic_triangulation_2, refuses_positions_beyond_2_to_the_31_boxes) {
   // The area of some of these boxes, and the number of boxes, are out of the range of binary64.
-  for (const auto& [side, x] :
-       {std::pair(1.0, 1e10), {1e-170, 1.0}, {1e-300, 1e300}, {1e200, 1e300}}) {
-    EXPECT_EQ(test::message_of<Periodic_box_error>([side = side, x = x] {
-                kinetic_of(square(side), {{{0, 0}, {0, 0}, 0}, {{x, 0}, {0, 0}, 0}});
+  for (const auto& [width, height, tilt, x] :
+       std::vector<std::array<double, 4>>{{1, 1, 0, 1e10},
+                                          {1e-170, 1e-170, 0, 1},
+                                          {1e-300, 1e-300, 0, 1e300},
+                                          {1e200, 1e200, 0, 1e300},
+                                          {1e-300, 1e300, 0, 1},
+                                          {10, 10, 1e300, 1}}) {
+    const Periodic_box_2 box = {{{width, 0}, {0, 0}, 0}, {{tilt, height}, {0, 0}, 0}};
+    EXPECT_EQ(test::message_of<Periodic_box_error>([&box, x = x] {
+                kinetic_of(box, {{{0, 0}, {0, 0}, 0}, {{x, 1}, {0, 0}, 0}});
               }),
               "point 1 is 2^31 or more lattice vectors away from the periodic box, or from other "
               "points; give the position of an image that is closer")
-        << side;
+        << width << ' ' << tilt;
   }
   Kinetic kinetic = kinetic_of(square(1), {{{0, 0}, {0, 0}, 0}, {{1e9 + 0.25, 0.25}, {0, 0}, 0}});
   EXPECT_EQ(audit(kinetic), "");

@@ -20,8 +20,8 @@ namespace kinetri::app {
 /// Whether the page has all encounters of the run.
 bool has_encounters(const Viewer_page& page);
 
-/// The pairs of points that are within range at a time, by the encounters of the page; in a
-/// periodic box of images.
+/// The pairs of points, in a periodic box of images, that are within range at a time by the
+/// encounters of the page.
 std::vector<Periodic_edge> encounters_at(const Viewer_page& page, double time);
 
 /// The quantities by which the points of the run can be colored, `none` among them.

@@ -72,10 +72,10 @@ std::vector<int> levels_of_links(const Camera& camera, const std::vector<Link>& 
 
 }  // namespace
 
-// Draws the links. Dense ones are thinner and fainter, so that what is behind them is seen; those
-// that leave a periodic box are fainter, as edges are.
+// Draws the links. Dense ones are thinner and fainter, so that what is behind them is seen. Links
+// that leave a periodic box are fainter.
 void draw_links(Svg_drawing& drawing, const Scene& scene) {
-  // Of a level the links that leave the box, and the others.
+  // By level; first the links that leave the box, then the others.
   std::array<std::array<std::vector<Segment>, 2>, link_levels> by_level;
   const double width = 1.6 * scene.detail.line_width();
   std::vector<Link> links;

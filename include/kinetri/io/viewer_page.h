@@ -21,9 +21,9 @@
 //   thinned       null, or {"events": number of events of the run} if some are left out (Recording)
 //   wave          null, or {"height": h, "width": w}: the page begins with the wave. Its height is
 //                 h exp(-d^2 / (2 w^2)), d the distance in y to the mean of the moving points
-//   encounters    absent, or the encounters: {range, in_all, count, ids, begin, end}: ids: base64
-//                 of the ids, two an encounter, in a periodic box with offsets as edges of events
-//                 have them; begin and end: base64 of binary64, the first and
+//   encounters    absent, or the encounters: {range, in_all, count, ids, begin, end}, in a periodic
+//                 box also offsets: ids: base64 of the ids, two an encounter; offsets: those of the
+//                 second points, as in events; begin and end: base64 of binary64, the first and
 //                 the last number among the times of the encounter (begin > end if no number is);
 //                 in_all: the number of encounters, count: that of those in the page, which is 0
 //                 if there are too many
