@@ -130,7 +130,7 @@ std::string problem(const std::vector<Linear_motion_2>& motions, unsigned seed) 
 }
 
 TEST(One_answer, whatever_the_way) {
-  const unsigned runs = test::cases(40u);
+  const unsigned runs = test::cases(100u);
   for (unsigned seed = 0; seed < runs; ++seed) {
     const auto motions = grid_that_turns(seed);
     ASSERT_EQ(problem(motions, seed), "") << "seed " << seed << '\n' << test::describe(motions);
@@ -166,7 +166,7 @@ std::set<Point_id> visible_in(const Kinetic_regular& kinetic) {
 TEST(One_answer, of_discs_whatever_the_way) {
   int compared = 0;
   int hidden = 0;
-  const unsigned runs = test::cases(40u);
+  const unsigned runs = test::cases(100u);
   for (unsigned seed = 0; seed < runs; ++seed) {
     const auto discs = with_weights(grid_that_turns(seed), seed);
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -193,8 +193,8 @@ TEST(One_answer, of_discs_whatever_the_way) {
     for (Disc_motion_2& d : back) d = mirrored(d);
     ASSERT_EQ(edges_of(kinetic), edges_of(Kinetic_regular(back, Algebraic_number(0.0))));
   }
-  EXPECT_GT(compared, 300);
-  EXPECT_GT(hidden, 50);
+  EXPECT_GT(compared, 500);
+  EXPECT_GT(hidden, 100);
 }
 
 // ---- lattices ----

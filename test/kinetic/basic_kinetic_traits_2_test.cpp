@@ -296,7 +296,7 @@ TEST_P(Rounded_failure_times, are_those_of_the_exact_roots) {
   const Linear_kinetic_traits_2 traits;
   test::Certificates source(99);
   int compared = 0;
-  for (int i = 0; i < test::cases(750); ++i) {
+  for (int i = 0; i < test::cases(1500); ++i) {
     const auto m = source.next(GetParam());
     const test::On_failure trace([&] { return test::describe({m.begin(), m.end()}); });
     const Algebraic_number t(source.time(GetParam()));
@@ -333,7 +333,7 @@ TEST_P(Rounded_failure_times, are_those_of_the_exact_roots) {
     if (HasFailure()) return;
   }
   if (GetParam() == 0) {
-    EXPECT_GT(compared, test::cases(40));
+    EXPECT_GT(compared, test::cases(80));
   }
 }
 

@@ -249,7 +249,7 @@ TEST(Periodic_components, are_those_of_all_pairs_of_images_at_all_times) {
   std::size_t connections = 0;
   std::array<std::size_t, component_event_kinds> kinds = {};
   std::size_t two_directions = 0;
-  for (unsigned seed = 0; seed < test::cases(40u); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(120u); ++seed) {
     Periodic_run run(seed);
     const double range = ranges[seed % ranges.size()];
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed) + ", range " +
@@ -312,13 +312,13 @@ TEST(Periodic_components, are_those_of_all_pairs_of_images_at_all_times) {
   EXPECT_GT(kinds[static_cast<std::size_t>(Kind::wrap)], 25U);
   EXPECT_GT(kinds[static_cast<std::size_t>(Kind::unwrap)], 25U);
   EXPECT_GT(two_directions, 8U);
-  EXPECT_GT(connections, 40U);
+  EXPECT_GT(connections, 60U);
 }
 
 // Points that turn, jump, come, go, and coincide with images of others for a while.
 TEST(Periodic_components, of_points_that_change_are_those_of_all_pairs_of_images) {
   std::size_t wrapping = 0;
-  for (unsigned seed = 0; seed < test::cases(30u); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(100u); ++seed) {
     Periodic_run run(seed);
     const double range = ranges[seed % ranges.size()];
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed) + ", range " +

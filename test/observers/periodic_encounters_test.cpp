@@ -88,7 +88,7 @@ TEST(Periodic_encounters, are_those_of_all_pairs_of_images) {
   std::size_t own = 0;
   std::size_t touches = 0;
   std::size_t several = 0;
-  for (unsigned seed = 0; seed < test::cases(40u); ++seed) {
+  for (unsigned seed = 0; seed < test::cases(120u); ++seed) {
     Periodic_run run(seed);
     const double range = ranges[seed % ranges.size()];
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + Periodic_run::name(seed) + ", range " +
@@ -107,10 +107,10 @@ TEST(Periodic_encounters, are_those_of_all_pairs_of_images) {
       several += i > 0 && found[i].points == found[i - 1].points;
     }
   }
-  EXPECT_GT(number, 800U);
-  EXPECT_GT(own, 40U);
+  EXPECT_GT(number, 1500U);
+  EXPECT_GT(own, 80U);
   EXPECT_GT(touches, 25U);
-  EXPECT_GT(several, 150U);
+  EXPECT_GT(several, 250U);
 }
 
 // A radius that is no short binary64 number: its sums with the range are rounded.

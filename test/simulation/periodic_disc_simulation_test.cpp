@@ -167,30 +167,30 @@ void compare(unsigned seed, bool overlap, bool grow, int runs, double most_time,
 
 TEST(Periodic_discs, have_the_contacts_of_all_pairs_of_images) {
   Totals totals;
-  compare(1, false, false, test::cases(2), 30, 40, totals);
-  EXPECT_GT(totals.contacts, 200U);
+  compare(1, false, false, test::cases(3), 30, 40, totals);
+  EXPECT_GT(totals.contacts, 300U);
   EXPECT_GT(totals.own_images, 3U);
 }
 
 TEST(Periodic_discs, that_grow_have_the_contacts_of_all_pairs_of_images) {
   Totals totals;
-  compare(2, false, true, test::cases(2), 16, 40, totals);
-  EXPECT_GT(totals.contacts, 200U);
+  compare(2, false, true, test::cases(3), 16, 40, totals);
+  EXPECT_GT(totals.contacts, 300U);
   EXPECT_GT(totals.own_images, 5U);
 }
 
 TEST(Periodic_discs, that_overlap_have_the_contacts_of_all_pairs_of_images) {
   Totals totals;
-  compare(3, true, false, test::cases(2), 8, 80, totals);
+  compare(3, true, false, test::cases(3), 8, 80, totals);
   EXPECT_GT(totals.contacts, 300U);
-  EXPECT_GT(totals.hidden, 40U);
+  EXPECT_GT(totals.hidden, 200U);
 }
 
 TEST(Periodic_discs, that_overlap_and_grow_have_the_contacts_of_all_pairs_of_images) {
   Totals totals;
-  compare(4, true, true, test::cases(2), 8, 80, totals);
+  compare(4, true, true, test::cases(3), 8, 80, totals);
   EXPECT_GT(totals.contacts, 300U);
-  EXPECT_GT(totals.hidden, 150U);
+  EXPECT_GT(totals.hidden, 200U);
 }
 
 // ---- changes ----

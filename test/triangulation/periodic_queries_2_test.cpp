@@ -217,7 +217,7 @@ std::vector<Linear_motion_2> random_motions(test::Random_choices& random, int nu
 TEST(Periodic_queries_2, are_those_of_an_oracle_at_rational_times) {
   Seen seen;
   int irrational = 0;
-  for (unsigned seed = 1; seed <= test::cases(12u); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(24u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random_choices random(seed);
     const int range = std::array{2, 3, 5}[seed % 3];
@@ -255,10 +255,10 @@ TEST(Periodic_queries_2, are_those_of_an_oracle_at_rational_times) {
       if (kinetic.step(end) == 0) break;
     }
   }
-  EXPECT_GT(seen.sides_without_length, 20);
-  EXPECT_GT(seen.coincidences, 5);
+  EXPECT_GT(seen.sides_without_length, 50);
+  EXPECT_GT(seen.coincidences, 10);
   EXPECT_GT(irrational, 5);
-  for (const int number : seen.locations) EXPECT_GT(number, 30);
+  for (const int number : seen.locations) EXPECT_GT(number, 50);
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST(Periodic_regular_triangulation_2, is_that_of_brute_force_after_each_event) 
   std::uint64_t revealed = 0;
   std::size_t alone = 0;
   std::size_t skipped = 0;
-  for (unsigned seed = 1; seed <= test::cases(60u); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(120u); ++seed) {
     Random random(seed);
     const int range = std::array{2, 3, 5}[seed % 3];
     const Periodic_box_2 box = random_box(random, range);
@@ -122,11 +122,11 @@ TEST(Periodic_regular_triangulation_2, is_that_of_brute_force_after_each_event) 
     revealed += number_of(kinetic, Event_kind::reveal);
     kinetic.remove_observer(log);
   }
-  EXPECT_GT(instants, 200u);
+  EXPECT_GT(instants, 250u);
   EXPECT_LE(skipped, instants / 50);
-  EXPECT_GT(groups, 30u);
-  EXPECT_GT(hidden, 5u);
-  EXPECT_GT(revealed, 15u);
+  EXPECT_GT(groups, 50u);
+  EXPECT_GT(hidden, 25u);
+  EXPECT_GT(revealed, 25u);
   EXPECT_GT(alone, 5u);
 }
 

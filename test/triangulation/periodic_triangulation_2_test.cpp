@@ -52,7 +52,7 @@ TEST(Periodic_triangulation_2, is_that_of_brute_force_after_each_event) {
   std::size_t instants = 0;
   std::size_t groups = 0;
   std::size_t skipped = 0;
-  for (unsigned seed = 1; seed <= test::cases(12u); ++seed) {
+  for (unsigned seed = 1; seed <= test::cases(24u); ++seed) {
     Random random(seed);
     const int range = std::array{2, 4, 9}[seed % 3];
     const Periodic_box_2 box = random_box(random, range);
@@ -74,7 +74,7 @@ TEST(Periodic_triangulation_2, is_that_of_brute_force_after_each_event) {
     }
   }
   EXPECT_GT(instants, 100u);
-  EXPECT_GT(groups, 5u);
+  EXPECT_GT(groups, 20u);
   EXPECT_LE(skipped, instants / 50);
 }
 

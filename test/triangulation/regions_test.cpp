@@ -395,12 +395,12 @@ TEST(Regions, go_on_from_a_snapshot) {
 
 // So many points that advance_to takes regions.
 TEST(Regions, are_taken_with_several_threads_and_many_points) {
-  const auto motions = test::random_motions(50'000, 2250, 5, 4);
+  const auto motions = test::random_motions(200'000, 4500, 5, 4);
   Kinetic_delaunay plain(motions);
   Kinetic_delaunay kinetic(motions);
   kinetic.set_threads(2);
   const std::size_t events = plain.advance_to(2.0);
-  EXPECT_GT(events, 100'000u);
+  EXPECT_GT(events, 400'000u);
   EXPECT_EQ(kinetic.advance_to(2.0), events);
   EXPECT_EQ(difference_of_states(plain, kinetic), "");
   EXPECT_NE(plain.counters().rechecks, kinetic.counters().rechecks);  // by regions there are others
