@@ -234,17 +234,20 @@ class Certified_triangulation : protected Surface {
     }
     const auto sign_of = [&](const Polynomial& p) { return sign_just_after(p, now_); };
     while (t[0].id != absent && t[2].id != infinite) {
-      const auto [a, b, c, point] = courses({t[0], t[1], t[2], v});
-      if (sign_of(orientation(*a, *b, *c)) <= 0) refute("a triangle does not turn left");
+      const Course& a = course(t[0]);
+      const Course& b = course(t[1]);
+      const Course& c = course(t[2]);
+      const Course& point = course(v);
+      if (sign_of(orientation(a, b, c)) <= 0) refute("a triangle does not turn left");
       const auto is_beyond = [&](std::size_t i) {
-        return sign_of(orientation(course(t[i]), course(t[(i + 1) % 3]), *point)) < 0;
+        return sign_of(orientation(course(t[i]), course(t[(i + 1) % 3]), point)) < 0;
       };
       std::size_t side = 0;
       while (side < 3 && !is_beyond(side)) ++side;
       if (side == 3) return t;
       const Image& end = t[(side + 1) % 3];
       const Image next = apex(end, t[side]);
-      if (next.id != infinite && sign_of(outside(*a, *b, *c, course(next))) <= 0) {
+      if (next.id != infinite && sign_of(outside(a, b, c, course(next))) <= 0) {
         refute(name(edge(end, t[side])) + " has to be flipped");
       }
       t = {end, t[side], next};

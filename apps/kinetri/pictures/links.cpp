@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <ranges>
 #include <vector>
 
 #include "pictures/scene.h"
@@ -48,10 +47,12 @@ std::vector<int> levels_of_links(const Camera& camera, const std::vector<Link>& 
                                  double width) {
   std::vector<double> ink(static_cast<std::size_t>(std::ceil(camera.width() / link_field) *
                                                    std::ceil(camera.height() / link_field)));
-  for (const Segment& part : std::views::join(links)) {
-    const double length = std::hypot(part.to.x - part.from.x, part.to.y - part.from.y);
-    walk_fields(camera, part,
-                [&](std::size_t field, double share) { ink[field] += width * length * share; });
+  for (const Link& link : links) {
+    for (const Segment& part : link) {
+      const double length = std::hypot(part.to.x - part.from.x, part.to.y - part.from.y);
+      walk_fields(camera, part,
+                  [&](std::size_t field, double share) { ink[field] += width * length * share; });
+    }
   }
   std::vector<int> result;
   for (const Link& link : links) {
