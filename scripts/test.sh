@@ -25,8 +25,9 @@ exit code is 0 if none failed.
   --video          likewise for the program kinetri-video
 
 Other options are those of ctest, for example -R REGEX for the tests whose names match, or -LE slow
-for those without the label slow. The labels are slow, install, threads, and recompile for those that need
-a second build of the library, without optimization and with CGAL's own checks.
+for those without the label slow. The labels are slow, install, threads, and release for those that take long
+and are of use before a release: a second build of the library, without optimization and with CGAL's own
+checks; the programs built alone; packages; pages in Firefox.
 
 KINETRI_TEST_MULTIPLIER=N makes the randomized tests N times as long.
 EOF

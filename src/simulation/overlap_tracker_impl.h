@@ -390,10 +390,14 @@ void Simulation_types<Traits>::Overlap_tracker::let_pass(Point_id a, const Disc&
 
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::end_passes(Point_id id) {
-  if (std::ranges::none_of(records_.overlaps(id), &Disc_overlap::passes)) return;
-  const std::vector<Disc_overlap> known = records_.overlaps(id);
-  for (const Disc_overlap& overlap : known) {
-    if (overlap.passes && !is_passing(id, overlap.disc)) end_overlap(id, overlap.disc);
+  // A pair of images of one disc is in two of its records, which end together.
+  for (std::size_t i = 0; i < records_.overlaps(id).size();) {
+    const auto [other, passes, is_edge] = records_.overlaps(id)[i];
+    if (passes && !is_passing(id, other)) {
+      end_overlap(id, other);
+    } else {
+      ++i;
+    }
   }
 }
 

@@ -47,6 +47,9 @@ WITHOUT_CASE = {
     "it would take a file of many gigabytes": [
         "<file>:<line>: there are too many points; expected at most 4294967294"],
 }
+if "KINETRI_SANITIZED" in os.environ:
+    WITHOUT_CASE["UndefinedBehaviorSanitizer opens files itself"] = [
+        "/tmp: no temporary file can be made: <reason>; expected a directory in which files can be created"]
 
 
 # ---- the list ----
@@ -197,6 +200,8 @@ class Messages(unittest.TestCase):
         self.assertGreater(len(all_rows), 100)
         seen = set()
         for case in itertools.chain(input_messages.cases(), run_messages.cases(), render_messages.cases()):
+            if case.limit_files and "KINETRI_SANITIZED" in os.environ:
+                continue
             with self.subTest(case.arguments, **case.values):
                 seen.add(self.check(case, all_rows))
         without = {message for messages in WITHOUT_CASE.values() for message in messages}

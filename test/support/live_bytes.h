@@ -58,6 +58,14 @@ void* operator new(std::size_t size) {
   kinetri::test::count_allocation();
   return kinetri::test::counted(std::malloc(size));
 }
+// As the standard library's, which sanitizers replace.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  try {
+    return operator new(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
 void* operator new(std::size_t size, std::align_val_t alignment) {
   const auto a = static_cast<std::size_t>(alignment);
   return kinetri::test::counted(std::aligned_alloc(a, (size + a - 1) / a * a));
