@@ -11,8 +11,8 @@ usage() {
 usage: scripts/test.sh [--preset PRESET] [--compiler CXX] [--browser] [--python] [--video]
                        [CTEST_OPTION...]
 
-Installs what is missing (with apt-get, as root), builds everything, and runs every test: about 45 minutes
-of processor time, half an hour on two cores. The last line reads "N passed, N failed"; the
+Installs what is missing (with apt-get, as root), builds everything, and runs every test: about an hour of
+processor time, 35 minutes on two cores. The last line reads "N passed, N failed"; the
 exit code is 0 if none failed.
 
   --preset PRESET  test, the default; dev, with CGAL's own checks; asan-ubsan, with AddressSanitizer
@@ -60,7 +60,7 @@ done
 build_dir="$kinetri_root/build/$preset${compiler:+-${compiler##*/}}" targets=()
 if [[ $preset == tsan ]]; then targets=(kinetri_threads_test) options+=(-L '^threads$'); fi
 if ((${#options[@]} == 0)); then
-  kinetri_say "To build everything and run every test takes about 45 minutes of processor time, half an hour" \
+  kinetri_say "To build everything and run every test takes about an hour of processor time, 35 minutes" \
     "on two cores; with sanitizers longer. -R REGEX runs some of the tests, -LE slow the fast ones."
 fi
 for purpose in "${packages[@]}"; do kinetri_setup "$purpose"; done
