@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "kinetri/impl/base/check.h"
 #include "simulation/contact_schedule_impl.h"
 #include "simulation/overlap_tracker.h"
 
@@ -347,7 +348,9 @@ void Simulation_types<Traits>::Overlap_tracker::start_pass(Point_id a, const Dis
 template <class Traits>
 void Simulation_types<Traits>::Overlap_tracker::end_overlap(Point_id a, const Disc& b) {
   const Disc other = b;  // it may be in the record
-  const bool is_edge = records_.find_overlap(pair_from(a, other))->is_edge;
+  const Disc_overlap* known = records_.find_overlap(pair_from(a, other));
+  KINETRI_ASSERT(known != nullptr, "an overlap that is not recorded cannot end");
+  const bool is_edge = known->is_edge;
   records_.forget_overlap(a, other);
   for_each_pair_beside(a, other, is_edge, [this](const Pair& pair) { unwatch(pair); });
 }
