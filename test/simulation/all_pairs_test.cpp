@@ -167,15 +167,15 @@ class All_pairs : public testing::TestWithParam<Case> {
 };
 
 TEST_P(All_pairs, of_linear_points_have_the_same_contacts) {
-  run<Linear_kinetic_traits_2>(14, 5, 1);
+  run<Linear_kinetic_traits_2>(14, 5, 3);
 }
 
 TEST_P(All_pairs, of_accelerated_points_have_the_same_contacts) {
-  run<Polynomial_kinetic_traits_2>(9, 3, 2);
+  run<Polynomial_kinetic_traits_2>(9, 3, 3);
 }
 
 TEST_P(All_pairs, of_discs_of_any_size_have_the_same_contacts) {
-  run<Disc_kinetic_traits_2>(14, 5, 1);
+  run<Disc_kinetic_traits_2>(14, 5, 3);
 }
 
 TEST_P(All_pairs, of_accelerated_discs_of_any_size_have_the_same_contacts) {
