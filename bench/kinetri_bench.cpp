@@ -29,6 +29,7 @@ struct Mode {
 const std::string batches_mode = "batches";
 const std::string discs_mode = "discs";
 const std::string contacts_mode = "contacts";
+const std::string periodic_contacts_mode = "periodic-contacts";
 const std::string lines_mode = "lines";
 const std::string threads_mode = "threads";
 
@@ -62,6 +63,9 @@ const std::map<std::string, Mode> modes = {
     {"frames", {measure_frames, "frame rates above which the kinetic triangulation is faster"}},
     {"lattice-row",
      {measure_lattice_row, "time per event of a lattice in which one row moves, against uniform"}},
+    {"periodic-regions", {measure_periodic_regions, "the run of regions in a periodic box"}},
+    {periodic_contacts_mode,
+     {measure_periodic_contacts, "the run of contacts in a periodic box", 4}},
     {"periodic", {measure_periodic, "time per event in a periodic box, against the plane", 1}},
 #ifdef KINETRI_WITH_VORO
     {"periodic-steps",
@@ -92,12 +96,15 @@ int main(int argc, char** argv) {
   std::string mode;
   for (const auto& [mode_name, m] : modes) {
     CLI::App& command = *program.add_subcommand(mode_name, m.description);
-    const bool are_discs = mode_name == discs_mode || mode_name == contacts_mode;
+    const bool may_differ = mode_name == discs_mode || mode_name == contacts_mode;
+    const bool are_discs = may_differ || mode_name == periodic_contacts_mode;
     if (are_discs) {
       command
           .add_option("--area-fraction", setup.area_fraction,
                       "share of the plane that the discs cover (0.3)")
           ->check(CLI::Range(1e-6, most_area_fraction));
+    }
+    if (may_differ) {
       command
           .add_option("--sizes", setup.size_ratio,
                       "greatest radius over the least, of discs at random places (equal discs on a "
@@ -122,15 +129,16 @@ int main(int argc, char** argv) {
                         "time to advance to (" + std::to_string(std::lround(m.until)) + ")")
             ->check(CLI::PositiveNumber);
     command.add_option("--seed", setup.options.seed, "seed of the random numbers (1)");
-    command.callback([&, until, points, usual_points, chosen = mode_name, usual = m.until] {
-      mode = chosen;
-      if (points->count() == 0) setup.options.points = std::stoul(usual_points);
-      if (until->count() == 0) setup.until = usual;
-      if (mode == discs_mode || mode == contacts_mode) {
-        setup.scenario = Scenario::lattice_jitter;
-        setup.options.jitter = discs_jitter;
-      }
-    });
+    command.callback(
+        [&, until, points, usual_points, are_discs, chosen = mode_name, usual = m.until] {
+          mode = chosen;
+          if (points->count() == 0) setup.options.points = std::stoul(usual_points);
+          if (until->count() == 0) setup.until = usual;
+          if (are_discs) {
+            setup.scenario = Scenario::lattice_jitter;
+            setup.options.jitter = discs_jitter;
+          }
+        });
   }
   CLI11_PARSE(program, argc, argv);
   try {

@@ -210,13 +210,17 @@ json measure_lattice_row(const Setup& setup) {
   return {{"seconds_per_event", of_lattice}, {"event_over_event", ratio(of_lattice, of_scenario)}};
 }
 
-json measure_periodic(const Setup& setup) {
-  const std::vector<Linear_motion_2> motions = setup.motions();
+Periodic_box_2 periodic_square(const std::vector<Linear_motion_2>& motions) {
   double side = 0;
   for (const Linear_motion_2& m : motions) {
     side = std::max({side, m.position.x, m.position.y});
   }
-  const Periodic_kinetic_traits_2 box({{{side, 0}, {0, 0}, 0}, {{0, side}, {0, 0}, 0}});
+  return {{{side, 0}, {0, 0}, 0}, {{0, side}, {0, 0}, 0}};
+}
+
+json measure_periodic(const Setup& setup) {
+  const std::vector<Linear_motion_2> motions = setup.motions();
+  const Periodic_kinetic_traits_2 box(periodic_square(motions));
   const auto run = [&](const auto& traits) {
     using Traits = std::remove_cvref_t<decltype(traits)>;
     const Stopwatch start;

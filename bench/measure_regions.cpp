@@ -75,6 +75,25 @@ json measure_regions(const Setup& setup) {
   return measure_runs(setup, [&] { return Kinetic(motions); });
 }
 
+json measure_periodic_regions(const Setup& setup) {
+  using In_box = Kinetic_triangulation_2<Periodic_kinetic_traits_2>;
+  const std::vector<Linear_motion_2> motions = setup.motions();
+  const Periodic_kinetic_traits_2 traits(periodic_square(motions));
+  return measure_runs(setup, [&] { return In_box(motions, Algebraic_number(), traits); });
+}
+
+json measure_periodic_contacts(const Setup& setup) {
+  const Bench_discs discs = equal_discs(setup);
+  Simulation_options options;
+  options.response = collide_elastically;
+  options.radius = discs.radii.front();
+  const Vector_2 size = {discs.box.xmax - discs.box.xmin, discs.box.ymax - discs.box.ymin};
+  const Periodic_kinetic_traits_2 traits({{{size.x, 0}, {0, 0}, 0}, {{0, size.y}, {0, 0}, 0}});
+  return measure_runs(setup, [&] {
+    return Simulation_2<Periodic_kinetic_traits_2>(discs.motions, options, 0, traits);
+  });
+}
+
 json measure_contacts(const Setup& setup) {
   Simulation_options options;
   options.response = collide_elastically;

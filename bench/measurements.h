@@ -14,6 +14,7 @@
 #include <optional>
 #include <vector>
 
+#include "kinetri/kinetic/periodic_box_2.h"
 #include "kinetri/simulation/scenarios.h"
 #include "uncertified_kinetic_delaunay.h"
 
@@ -93,6 +94,15 @@ nlohmann::json measure_paper_table(const Setup& setup);
 /// A square lattice of about as many points, in which one row moves by one spacing: all its events
 /// are simultaneous. And the setup's own scenario, run to time 1, to compare with.
 nlohmann::json measure_lattice_row(const Setup& setup);
+
+/// The smallest square with the points, as a periodic box at rest.
+Periodic_box_2 periodic_square(const std::vector<Linear_motion_2>& motions);
+
+/// As measure_regions, in a periodic square.
+nlohmann::json measure_periodic_regions(const Setup& setup);
+
+/// As measure_contacts, of equal discs in a periodic box.
+nlohmann::json measure_periodic_contacts(const Setup& setup);
 
 /// In a periodic box, the smallest square with the points, and in the plane: seconds of an event,
 /// and of the start for each point.

@@ -388,8 +388,7 @@ class MovingPoints(RunAnswers):
 
         The results are the same for any number, up to 1024. Several threads are used if there are about 50 000
         points or more, of which at most one in 1000 is hidden, many events are due, and `collisions` is neither
-        a function nor "log" nor "remove". Copies, and objects that are loaded or restored, begin with 0. In a
-        periodic box it is 1, and can be no more.
+        a function nor "log" nor "remove". Copies, and objects that are loaded or restored, begin with 0.
         """
         return self._engine.threads()
 
@@ -1324,7 +1323,7 @@ class KineticDelaunay(MovingPoints):
         A periodic box; or what `Box` takes as its first argument: two lengths, two lattice vectors, a box of freud, a
         cell or an Atoms of ASE. Points may be, and go, anywhere: only their positions modulo the lattice matter. There
         is no hull, and n points have 3n edges and 2n triangles, from one point on. What is not possible in a
-        periodic box raises a PreconditionError that says so: acceleration, several threads, hulls, walkable areas,
+        periodic box raises a PreconditionError that says so: acceleration, hulls, walkable areas,
         proximity graphs, `spanning_tree`, `certificates`, pages.
 
     Raises

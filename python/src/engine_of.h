@@ -148,7 +148,6 @@ class Engine_of final : public Engine {
   }
   std::size_t threads() const override { return threads_; }
   void set_threads(std::size_t most) override {
-    if (is_periodic && most > 1) refuse_in_box("several threads");
     threads_ = most;
     core_->set_threads(most);
   }
@@ -316,7 +315,7 @@ class Engine_of final : public Engine {
   }
 
   const std::unique_ptr<Core<Traits>> core_;
-  std::size_t threads_ = is_periodic ? 1 : 0;
+  std::size_t threads_ = 0;
 };
 
 // ---- the present ----

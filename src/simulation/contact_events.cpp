@@ -30,10 +30,15 @@ template struct Contact_runs<Linear_kinetic_traits_2>;
 template struct Contact_runs<Polynomial_kinetic_traits_2>;
 template struct Contact_runs<Disc_kinetic_traits_2>;
 template struct Contact_runs<Polynomial_disc_kinetic_traits_2>;
+template struct Contact_runs<Periodic_kinetic_traits_2>;
+template struct Contact_runs<Periodic_disc_kinetic_traits_2>;
 template class Region_run<Linear_kinetic_traits_2, Contact_events<Linear_kinetic_traits_2>>;
 template class Region_run<Polynomial_kinetic_traits_2, Contact_events<Polynomial_kinetic_traits_2>>;
 template class Region_run<Disc_kinetic_traits_2, Contact_events<Disc_kinetic_traits_2>>;
 template class Region_run<Polynomial_disc_kinetic_traits_2,
                           Contact_events<Polynomial_disc_kinetic_traits_2>>;
+template class Region_run<Periodic_kinetic_traits_2, Contact_events<Periodic_kinetic_traits_2>>;
+template class Region_run<Periodic_disc_kinetic_traits_2,
+                          Contact_events<Periodic_disc_kinetic_traits_2>>;
 
 }  // namespace kinetri::detail

@@ -165,6 +165,7 @@ class Contact_events {
   using Point_2 = typename Types::Point_2;
   using Velocity_change = typename Log::Velocity_change;
   using Change = typename Types::Change;
+  using Pair = typename Watch::Pair;
 
   // Of one process. Vectors are members to reuse their memory.
   struct alignas(64) State {
@@ -191,6 +192,7 @@ class Contact_events {
   template <class Function>
   void take_all(Process& process, Points points, const Function& function);
 
+  bool has_each_face_once(Point_id id) const;
   bool is_blocked(Process& process, const Candidate& candidate);
   bool is_point_blocked(Point_id id, const Double_interval& bounds) const {
     return id < blocked_from_.size() && blocked_from_[id] <= bounds.upper;
@@ -200,18 +202,20 @@ class Contact_events {
                     const Exact& exact);
 
   bool set_points(Velocity_change& change, std::span<const Change> changes, Moment& moment);
-  bool certify(Process& process, const Velocity_change& change, const Moment& moment);
+  bool certify(Process& process, const Entry& contact, Points changed, const Moment& moment);
   void record(Process& process, Candidate&& candidate);
   template <class Function>
   void for_each_face_around(Points points, const Function& function) const;
   std::span<const Edge_with_mirror> edges_around(State& state, Points points) const;
+
+  static bool is_finite(const Pair& edge) { return detail::ids_of(edge)[1] != no_point; }
 
   static constexpr double never = std::numeric_limits<double>::infinity();
 
   Core& core_;
   Topology<Traits>& topology_;
   const Certification<Traits>& certification_;
-  Contact_records& records_;
+  typename Simulation_types<Traits>::Contact_records& records_;
   Contact_schedule<Traits>& schedule_;
   Watch watch_;
   Edges& edges_;

@@ -89,18 +89,35 @@ auto Contact_events<Traits>::candidate(Process& process, const Entry& entry) -> 
   const Time& time = part(process).time(part(process).top());
   Candidate result = {entry, {{}, time.interval(), time}, std::make_unique<Velocity_change>()};
   result.change->points = Watch::points(entry);
+  if constexpr (Types::is_periodic) result.change->offset = entry.offset;
   return result;
 }
 
 template <class Traits>
 bool Contact_events<Traits>::may_execute(Process& process, Candidate& candidate) {
   const Points points = candidate.points();
-  if (std::ranges::any_of(points, [this](Point_id id) { return topology_.is_hidden(id); })) {
+  if (std::ranges::any_of(points, [this](Point_id id) { return topology_.is_hidden(id); }) ||
+      !std::ranges::all_of(points, [this](Point_id id) { return has_each_face_once(id); })) {
     return false;
   }
   const auto is_owned = [&](Point_id id) { return edges_.owns_star(process, id); };
   return process.is_root ||
          (std::ranges::all_of(points, is_owned) && !is_blocked(process, candidate));
+}
+
+// Whether the faces at a point are different, and so are their edges: in a periodic box with few
+// points the point may be twice in a face, or on both sides of an edge.
+template <class Traits>
+bool Contact_events<Traits>::has_each_face_once(Point_id id) const {
+  bool result = true;
+  if constexpr (Types::is_periodic) {
+    const Vertex_handle v = topology_.vertex(id);
+    for_each_face_at(topology_.triangulation(), v, [&](Face_handle face, int i) {
+      result =
+          result && face->vertex(Triangulation::ccw(i)) != v && !face->neighbor(i)->has_vertex(v);
+    });
+  }
+  return result;
 }
 
 template <class Traits>
@@ -160,15 +177,17 @@ bool Contact_events<Traits>::blocks(const Process& process, const typename Edges
   if (is_point_blocked(neighbor->vertex(j)->point().id(), bounds)) return true;
   if (!watch_.has_pairs()) return false;
   const auto exact = [&]() -> const Time& { return process.edges->time(process.edges->top()); };
-  return waits_before(records_.pair_event(Types::ids_of(flip.edge.here)), process, bounds, exact);
+  return waits_before(records_.pair_event(topology_.name_of(flip.edge.here)), process, bounds,
+                      exact);
 }
 
 template <class Traits>
 bool Contact_events<Traits>::keeps(const Edge_with_mirror& edge, Moment& moment) {
   if (!watch_.keep_edges()) return false;
-  const auto [a, b] = Types::ids_of(edge.here);
+  const Pair pair = topology_.name_of(edge.here);
+  const auto [a, b] = detail::ids_of(pair);
   return a != no_point && b != no_point && (log_.has_changed(a) || log_.has_changed(b)) &&
-         watch_.do_meet(a, b, log_.time(moment));
+         watch_.do_meet(pair, log_.time(moment));
 }
 
 // ---- a contact ----
@@ -187,7 +206,8 @@ bool Contact_events<Traits>::execute(Process& process, Candidate& candidate) {
   if (changes.empty()) return false;
   const Velocity_change& change = *candidate.change;  // remains valid in the log
   try {
-    if (set_points(*candidate.change, changes, moment) && certify(process, change, moment)) {
+    if (set_points(*candidate.change, changes, moment) &&
+        certify(process, candidate.entry, change.changed_points(), moment)) {
       record(process, std::move(candidate));
       return true;
     }
@@ -206,12 +226,12 @@ bool Contact_events<Traits>::set_points(Velocity_change& change, std::span<const
                                         Moment& moment) {
   using Instantaneous = typename Types::Instantaneous_traits;
   std::optional<Instantaneous> instant;
-  const auto is_left_turn = [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
+  const auto is_left_turn = [&](const auto& p, const auto& q, const auto& r) {
     if (!instant) {
       instant.emplace(
           certification_.traits().instantaneous_traits({*moment.exact, Time_side::after}));
     }
-    return instant->orientation_2_object()(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
+    return instant->orientation_2_object()(p, q, r) == CGAL::LEFT_TURN;
   };
   for (std::size_t k = 0; k < changes.size(); ++k) {
     const Point_id id = changes[k].point;
@@ -234,12 +254,11 @@ bool Contact_events<Traits>::set_points(Velocity_change& change, std::span<const
 // Computes the certificates of changed points, in the vectors of the process. Returns false if one
 // fails at once, or if discs overlap that have not just touched.
 template <class Traits>
-bool Contact_events<Traits>::certify(Process& process, const Velocity_change& change,
+bool Contact_events<Traits>::certify(Process& process, const Entry& contact, Points changed,
                                      const Moment& moment) {
   State& state = of(process);
   state.edge_certificates.clear();
   state.contact_certificates.clear();
-  const Points changed = change.changed_points();
   bool fails_now = false;
   const auto look_at = [&](const Certificate& known) {
     fails_now = fails_now || (known.kind == Certificate::Kind::fails &&
@@ -251,7 +270,7 @@ bool Contact_events<Traits>::certify(Process& process, const Velocity_change& ch
                            look_at(known);
                            state.edge_certificates.emplace_back(edge, kind, std::move(known));
                          });
-  if (fails_now || !watch_.certify(change.points, changed, *moment.exact, state.certificates,
+  if (fails_now || !watch_.certify(contact, changed, *moment.exact, state.certificates,
                                    state.contact_certificates))
     return false;
   for (const auto& [entry, known] : state.contact_certificates) look_at(known);
@@ -278,8 +297,7 @@ void Contact_events<Traits>::record(Process& process, Candidate&& candidate) {
   // Entries leave the queue before the motions change: the others are compared by the old motions.
   log_.set_motions(change, false);
   take_all(process, changed, [&](const Entry& taken) {
-    const bool is_executed = taken.kind == entry.kind && taken.point_a == entry.point_a &&
-                             taken.point_b == entry.point_b;
+    const bool is_executed = taken.kind == entry.kind && taken.pair() == entry.pair();
     if (!is_executed) state.count_discarded(taken);
   });
   for (const auto& [edge, kind, known] : state.edge_certificates) {
@@ -358,13 +376,13 @@ template <class Traits>
 void Contact_events<Traits>::follow_flip(Process& process, const Record& flip, Moment& moment) {
   if (!watch_.has_pairs()) return;
   State& state = of(process);
-  const auto& [right, left, corner, opposite] = flip.corners;
-  if (right != no_point && left != no_point) {
-    const Queue_handle handle = records_.pair_event(edge_ids(right, left));
+  const auto& [removed, added] = Log::flipped_edges(flip);
+  if (is_finite(removed)) {
+    const Queue_handle handle = records_.pair_event(removed);
     if (handle != no_event) state.count_discarded(take(handle));
   }
-  if (corner == no_point || opposite == no_point) return;
-  const Entry about = Watch::pair(edge_ids(corner, opposite));
+  if (!is_finite(added)) return;
+  const Entry about = Watch::entry_of(added);
   // Just before the flip the two do not touch: else they would have been watched.
   auto [entry, known] = watch_.certificate(about, Time(moment.bounds.lower), state.certificates);
   if (known.may_be_zero ||
@@ -377,14 +395,13 @@ void Contact_events<Traits>::follow_flip(Process& process, const Record& flip, M
 template <class Traits>
 void Contact_events<Traits>::unfollow_flip(Process& process, const Record& flip, const Time& now) {
   if (!watch_.has_pairs()) return;
-  const auto& [right, left, corner, opposite] = flip.corners;
-  if (corner != no_point && opposite != no_point) {
-    const Queue_handle handle = records_.pair_event(edge_ids(corner, opposite));
+  const auto& [removed, added] = Log::flipped_edges(flip);
+  if (is_finite(added)) {
+    const Queue_handle handle = records_.pair_event(added);
     if (handle != no_event) take(handle);
   }
-  if (right == no_point || left == no_point) return;
-  auto [entry, known] =
-      watch_.certificate(Watch::pair(edge_ids(right, left)), now, of(process).certificates);
+  if (!is_finite(removed)) return;
+  auto [entry, known] = watch_.certificate(Watch::entry_of(removed), now, of(process).certificates);
   put(process, entry, std::move(known));
 }
 
@@ -400,9 +417,11 @@ template <class Traits>
 Event Contact_events<Traits>::event(const typename Log::Key& key) {
   Event event;
   event.kind = key.kind;
-  const auto& [a, b] = log_.record(key).change->points;
+  const Velocity_change& change = *log_.record(key).change;
+  const auto& [a, b] = change.points;
   event.point_a = a;
   if (b != no_point) event.point_b = b;
+  event.added_offset = change.offset;
   return event;
 }
 
@@ -416,7 +435,14 @@ void Contact_events<Traits>::count(std::uint64_t contacts) {
 template <class Traits>
 void Contact_events<Traits>::end_window() {
   for (const auto& key : log_.order()) {
-    if (Log::is_contact(key)) watch_.end_contact(log_.record(key).change->points);
+    if (key.kind != Event_kind::collision) continue;
+    const Velocity_change& change = *log_.record(key).change;
+    const auto& [a, b] = change.points;
+    if constexpr (Types::is_periodic) {
+      watch_.end_contact({{a, b}, change.offset});
+    } else {
+      watch_.end_contact({a, b});
+    }
   }
   log_.forget_changes();
   for (State& state : states_) {

@@ -31,5 +31,7 @@ template struct Contact_runs<Linear_kinetic_traits_2>;
 template struct Contact_runs<Polynomial_kinetic_traits_2>;
 template struct Contact_runs<Disc_kinetic_traits_2>;
 template struct Contact_runs<Polynomial_disc_kinetic_traits_2>;
+template struct Contact_runs<Periodic_kinetic_traits_2>;
+template struct Contact_runs<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri::detail

@@ -41,14 +41,16 @@ namespace kinetri::detail {
 template <class Traits>
 class Watched_contacts {
  public:
+  using Types = Simulation_types<Traits>;
   using Core = Simulation_core<Traits>;                    ///< of the simulation
-  using Entry = Contact_entry;                             ///< of the queue of contacts and changes
+  using Entry = typename Types::Entry;                     ///< of the queue of contacts and changes
   using Queue = typename Contact_schedule<Traits>::Queue;  ///< that queue
   using Part = typename Queue::Part;                       ///< of the queue
   using Time = Algebraic_number;                           ///< of contacts
-  using Change = Point_change<typename Traits::Motion>;    ///< of a point
+  using Change = typename Types::Change;                   ///< of a point
   using Points = std::span<const Point_id>;                ///< some points
-  using Pair = std::array<Point_id, 2>;                    ///< of a contact; no_point is a wall
+  using Disc = typename Types::Disc;                       ///< how one disc names another
+  using Pair = typename Types::Pair;                       ///< of discs
 
   /// The simulation must outlive this object.
   explicit Watched_contacts(Core& core)
@@ -72,12 +74,12 @@ class Watched_contacts {
   /// Distributes the entries, as Divided_scheduler::distribute says.
   template <class In_parallel>
   void divide(std::size_t count, const In_parallel& in_parallel);
-  /// The points of a contact.
-  static Pair points(const Entry& entry) {
+  /// The points of a contact; with a wall, the second one is no_point.
+  static std::array<Point_id, 2> points(const Entry& entry) {
     return {entry.point_a, entry.kind == Contact_kind::collision ? entry.point_b : no_point};
   }
   /// The contact of a pair of discs.
-  static Entry pair(const Edge_ids& pair);
+  static Entry entry_of(const Pair& pair);
   /// Calls `function` with the handles of all contacts of a point.
   template <class Function>
   void for_each_handle(Point_id id, const Function& function) const;
@@ -85,7 +87,9 @@ class Watched_contacts {
   // ---- contacts ----
 
   /// Whether two discs meet just after `now`; true if unsure.
-  bool do_meet(Point_id a, Point_id b, const Time& now) const;
+  bool do_meet(const Pair& pair, const Time& now) const {
+    return do_meet(ids_of(pair)[0], second_of(pair), now);
+  }
   /// The new motions of points by a contact at `now`. None if it is left to the sequential loop,
   /// where it may throw.
   std::vector<Change> changes(const Entry& entry, const Time& now) const;
@@ -97,17 +101,18 @@ class Watched_contacts {
   template <class Put>
   void for_each_contact(Points points, const Time& now, Certificate_counters& counters,
                         const Put& put) const;
-  /// Computes the certificates of points that have changed at `now`, in a contact of `points`.
-  /// Returns false if discs meet that have not just touched, or may do so undetected.
-  bool certify(const Pair& points, Points changed, const Time& now, Certificate_counters& counters,
+  /// Computes the certificates of points that have changed at `now`, in a contact. Returns false if
+  /// discs meet that have not just touched, or may do so undetected.
+  bool certify(const Entry& contact, Points changed, const Time& now,
+               Certificate_counters& counters,
                std::vector<std::pair<Entry, Certificate>>& result) const;
 
   // ---- windows ----
 
   /// Prepares a window, before whose beginning no event happens. Returns whether it may begin.
   bool begin_window(double begin);
-  /// Records the overlap of a contact of the finished window, if the discs still meet.
-  void end_contact(const Pair& points);
+  /// Records the overlap of a contact of discs in the finished window, if they still meet.
+  void end_contact(const Pair& pair);
   /// Called after each window.
   void end_window();
   /// Finds overlaps and schedules contacts again, between two events. Keeps scheduled changes.
@@ -119,19 +124,20 @@ class Watched_contacts {
  private:
   static constexpr bool has_radii = HasWeight<typename Traits::Motion>;
 
-  bool is_center_in(Point_id id, Point_id other, const Time& now) const;
+  bool do_meet(Point_id a, const Disc& b, const Time& now) const;
+  bool is_center_in(Point_id id, const Disc& other, const Time& now) const;
   bool have_areas();
   bool drop_overlaps(const Time& time);
   void put_passes_back();
 
   Core& core_;
   const Disc_geometry<Traits>& geometry_;
-  Contact_records& records_;
+  typename Types::Contact_records& records_;
   Contact_schedule<Traits>& schedule_;
   Overlap_tracker<Traits>& tracker_;
   std::uint32_t scheduled_ = 0;                      // changes before the window
   std::vector<std::pair<Entry, Time>> moving_ = {};  // changes, while the queue is split
-  std::vector<Edge_ids> passes_ = {};                // temporarily removed
+  std::vector<Pair> passes_ = {};                    // temporarily removed
   std::unordered_set<Point_id> passing_ = {};        // their points
   bool have_areas_ = false;                          // whether all radii are positive
   std::optional<std::uint64_t> changes_ =

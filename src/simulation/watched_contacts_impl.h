@@ -32,7 +32,7 @@ bool Watched_contacts<Traits>::can_run(const Core& core) {
 template <class Traits>
 template <class In_parallel>
 void Watched_contacts<Traits>::divide(std::size_t count, const In_parallel& in_parallel) {
-  using Subject = Contact_subject;
+  using Subject = typename Types::Subject;
   constexpr Point_id points_per_block = 2048;
   struct Block {
     Point_id first;
@@ -56,7 +56,7 @@ void Watched_contacts<Traits>::divide(std::size_t count, const In_parallel& in_p
       if (contacts == nullptr) continue;
       if (contacts->wall_event != no_event) function(Subject{Contact_kind::wall, id, no_point});
       for (const auto& [other, event] : contacts->partners) {
-        if (id < other) function(Subject{Contact_kind::collision, id, other});
+        if (is_first(id, other)) function(entry_of(pair_from(id, other)).subject());
       }
     }
     for (const Subject& change : block.changes) function(change);
@@ -66,11 +66,10 @@ void Watched_contacts<Traits>::divide(std::size_t count, const In_parallel& in_p
 }
 
 template <class Traits>
-auto Watched_contacts<Traits>::pair(const Edge_ids& pair) -> Entry {
+auto Watched_contacts<Traits>::entry_of(const Pair& pair) -> Entry {
   Entry result;
   result.kind = Contact_kind::collision;
-  result.point_a = pair[0];
-  result.point_b = pair[1];
+  result.set_pair(pair);
   result.is_edge = true;
   return result;
 }
@@ -114,9 +113,9 @@ auto Watched_contacts<Traits>::certificate(const Entry& entry, const Time& after
     return schedule_.first_wall(entry.point_a, after, counters);
   }
   std::pair<Entry, Certificate> result = {
-      entry, geometry_.traits().contact_certificate(geometry_.point(entry.point_a),
-                                                    geometry_.point(entry.point_b),
-                                                    core_.setup.diameter(), after)};
+      entry, geometry_.traits().contact_certificate(
+                 geometry_.point_of(geometry_.itself(entry.point_a)),
+                 geometry_.point_of(entry.disc_b()), core_.setup.diameter(), after)};
   counters.count(result.second);
   return result;
 }
@@ -135,63 +134,69 @@ void Watched_contacts<Traits>::for_each_contact(Points points, const Time& now,
   if (!has_pairs()) return;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Point_id id = points[k];
-    geometry_.for_each_neighbor(id, [&](Point_id other) {
-      if (is_one(points.first(k), other)) return;
-      put_both(certificate(pair(edge_ids(id, other)), now, counters));
+    geometry_.for_each_neighbor(id, [&](const Disc& other) {
+      if (is_one(points.first(k), id_of(other))) return;
+      put_both(certificate(entry_of(pair_of(id, other)), now, counters));
     });
   }
 }
 
 template <class Traits>
-bool Watched_contacts<Traits>::certify(const Pair& points, Points changed, const Time& now,
+bool Watched_contacts<Traits>::certify(const Entry& contact, Points changed, const Time& now,
                                        Certificate_counters& counters,
                                        std::vector<std::pair<Entry, Certificate>>& result) const {
   bool may_go_on = true;
-  bool are_neighbors = points[1] == no_point || !has_pairs();
+  const bool is_of_wall = contact.kind == Contact_kind::wall;
+  bool are_neighbors = is_of_wall || !has_pairs();
+  const auto is_contact = [&](const Pair& pair) { return !is_of_wall && pair == contact.pair(); };
+  const auto examine = [&](Point_id id, const Disc& other) {
+    if (!is_contact(pair_of(id, other)) && do_meet(id, other, now)) may_go_on = false;
+  };
   for_each_contact(changed, now, counters, [&](const Entry& entry, Certificate&& known) {
     if (entry.kind == Contact_kind::collision) {
-      if (is_one(points, entry.point_a) && is_one(points, entry.point_b)) {
+      if (is_contact(entry.pair())) {
         are_neighbors = true;
-      } else if (known.may_be_zero && do_meet(entry.point_a, entry.point_b, now)) {
+      } else if (known.may_be_zero && do_meet(entry.pair(), now)) {
         may_go_on = false;
       }
     }
     result.emplace_back(entry, std::move(known));
   });
   if (!has_pairs()) return true;
-  if constexpr (has_radii) {
-    // Discs whose power cells meet this one; see Disc_geometry::owners_in.
-    for (const Point_id id : changed) {
-      for (const Point_id partner : points) {
-        if (partner == id || partner == no_point) continue;
-        if (is_center_in(id, partner, now)) may_go_on = false;
-        geometry_.for_each_neighbor(partner, [&](Point_id other) {
-          if (!is_one(points, other) && do_meet(id, other, now)) may_go_on = false;
-        });
-      }
+  if (is_of_wall) return may_go_on;
+  const Disc b = contact.disc_b();
+  for (const auto& [id, partner] :
+       {std::pair(contact.point_a, b), std::pair(id_of(b), back_from(b, contact.point_a))}) {
+    if (!is_one(changed, id)) {
+      geometry_.for_each_neighbor(id, [&, id = id](const Disc& other) { examine(id, other); });
+      continue;
     }
-  }
-  for (const Point_id id : points) {
-    if (id == no_point || is_one(changed, id)) continue;
-    geometry_.for_each_neighbor(id, [&](Point_id other) {
-      if (!is_one(points, other) && do_meet(id, other, now)) may_go_on = false;
-    });
+    if constexpr (has_radii) {
+      // Discs whose power cells meet this one; see Disc_geometry::owners_in.
+      if (is_center_in(id, partner, now)) may_go_on = false;
+      geometry_.for_each_neighbor(id_of(partner),
+                                  [&, id = id, partner = partner](const Disc& beside) {
+                                    const Disc other = beyond(partner, beside);
+                                    if (other != geometry_.itself(id)) examine(id, other);
+                                  });
+    }
   }
   return may_go_on && are_neighbors;
 }
 
 template <class Traits>
-bool Watched_contacts<Traits>::do_meet(Point_id a, Point_id b, const Time& now) const {
+bool Watched_contacts<Traits>::do_meet(Point_id a, const Disc& b, const Time& now) const {
   return geometry_.may_touch(a, b, geometry_.traits(), now);
 }
 
 // Whether the center of a disc is in another one.
 template <class Traits>
-bool Watched_contacts<Traits>::is_center_in(Point_id id, Point_id other, const Time& now) const {
-  auto center = geometry_.point(id).motion();
+bool Watched_contacts<Traits>::is_center_in(Point_id id, const Disc& other, const Time& now) const {
+  auto center = geometry_.motion(id);
   if constexpr (has_radii) center.radius = center.growth = 0;
-  return geometry_.traits().do_touch(typename Traits::Point_2(center, id), geometry_.point(other),
-                                     core_.setup.diameter(), now);
+  const typename Types::Point_2 point(center, id);
+  return geometry_.traits().do_touch(geometry_.point_of(point, geometry_.itself(id)),
+                                     geometry_.point_of(other), core_.setup.diameter(), now);
 }
 
 // ---- windows ----
@@ -238,15 +243,15 @@ bool Watched_contacts<Traits>::have_areas() {
 template <class Traits>
 bool Watched_contacts<Traits>::drop_overlaps(const Time& time) {
   for (Point_id id = 0; id < records_.size(); ++id) {
-    const std::vector<Disc_overlap> overlaps = records_.overlaps(id);
+    const std::vector<typename Types::Disc_overlap> overlaps = records_.overlaps(id);
     for (const auto& [other, passes, is_edge] : overlaps) {
-      if (geometry_.contains(id) && geometry_.contains(other) && do_meet(id, other, time)) {
+      if (geometry_.contains(id) && geometry_.contains(id_of(other)) && do_meet(id, other, time)) {
         return false;
       }
       tracker_.end_overlap(id, other);
       if (!passes) continue;
-      passes_.push_back({id, other});
-      passing_.insert({id, other});
+      passes_.push_back(pair_from(id, other));
+      passing_.insert({id, id_of(other)});
     }
   }
   return true;
@@ -254,18 +259,17 @@ bool Watched_contacts<Traits>::drop_overlaps(const Time& time) {
 
 template <class Traits>
 void Watched_contacts<Traits>::put_passes_back() {
-  for (const auto& [a, b] : passes_) {
-    tracker_.start_pass(a, b, geometry_.is_edge({a, b}));
+  for (const Pair& pair : passes_) {
+    tracker_.start_pass(ids_of(pair)[0], second_of(pair), geometry_.is_edge(pair));
   }
   passes_.clear();
   passing_.clear();
 }
 
 template <class Traits>
-void Watched_contacts<Traits>::end_contact(const Pair& points) {
-  const auto [a, b] = points;
-  if (b == no_point || !do_meet(a, b, geometry_.current_time())) return;
-  tracker_.start_overlap(a, b, geometry_.is_edge({a, b}));
+void Watched_contacts<Traits>::end_contact(const Pair& pair) {
+  if (!do_meet(pair, geometry_.current_time())) return;
+  tracker_.start_overlap(ids_of(pair)[0], second_of(pair), geometry_.is_edge(pair));
 }
 
 template <class Traits>
@@ -292,7 +296,7 @@ void Watched_contacts<Traits>::start_anew() {
     });
   }
   queue().clear();
-  records_.for_each([](Contact_record& record) {
+  records_.for_each([](typename Types::Contact_record& record) {
     record.wall_event = record.vanish_event = no_event;
     record.partners.clear();
   });
@@ -301,9 +305,9 @@ void Watched_contacts<Traits>::start_anew() {
     const Queue_handle handle = queue().push(entry, std::move(time));
     schedule_.policy().set_handle(entry.subject(), handle);
   }
-  for (const auto& [a, b] : passes_) {
-    records_.start_overlap(a, b, geometry_.is_edge({a, b}));
-    records_.mark_passing(a, b, true);
+  for (const Pair& pair : passes_) {
+    records_.start_overlap(ids_of(pair)[0], second_of(pair), geometry_.is_edge(pair));
+    records_.mark_passing(ids_of(pair)[0], second_of(pair), true);
   }
   passes_.clear();
   passing_.clear();

@@ -162,11 +162,21 @@ bool Edge_events<Traits, has_contacts>::owns_star(const Process& process, Point_
 }
 
 // With weights a point may be hidden instead. A flat triangle at the hull may only touch, or may
-// require a reconstruction (Decisions).
+// require a reconstruction (Decisions). In a periodic box two sides of a quadrilateral may be one
+// edge, which a record cannot restore, and the offset of the other diagonal may be too great.
 template <class Traits, bool has_contacts>
 bool Edge_events<Traits, has_contacts>::is_flip(Candidate& candidate) const {
   auto& [entry, edge, moment] = candidate;
   if (hides_points(edge.here.first) || hides_points(edge.there.first)) return false;
+  if constexpr (Types::is_periodic) {
+    const auto is_own = [&edge = edge](const Edge_with_mirror& side) {
+      return side.there.first == edge.here.first || side.there.first == edge.there.first;
+    };
+    if (std::ranges::any_of(topology_.outer_edges(edge), is_own) ||
+        !Triangulation::offset_beyond(edge.here, edge.here.second)) {
+      return false;
+    }
+  }
   if (entry.kind == Entry_kind::flip) {
     const bool may_touch =
         Types::is_weighted && !topology_.are_weights_equal() && !entry.changes_sign;
@@ -183,16 +193,12 @@ template <class Traits, bool has_contacts>
 bool Edge_events<Traits, has_contacts>::is_convex(const Candidate& candidate) const {
   if constexpr (Types::is_weighted) {
     if (topology_.are_weights_equal()) return true;
-    const auto is_left_turn = [&](const Point_2& p, const Point_2& q, const Point_2& r) {
+    const auto is_left_turn = [&](const auto& p, const auto& q, const auto& r) {
       return certification_.traits().certain_turn(p, q, r, candidate.moment.bounds) ==
              CGAL::LEFT_TURN;
     };
-    const auto& [face, i] = candidate.edge.here;
-    const auto& [neighbor, j] = candidate.edge.there;
-    const Point_2& p = face->vertex(Triangulation::cw(i))->point();
-    const Point_2& q = face->vertex(Triangulation::ccw(i))->point();
-    return is_left_turn(neighbor->vertex(j)->point(), p, face->vertex(i)->point()) &&
-           is_left_turn(face->vertex(i)->point(), q, neighbor->vertex(j)->point());
+    const auto [right, left, apex, opposite] = candidate.moment.points.quadruple();
+    return is_left_turn(*opposite, *left, *apex) && is_left_turn(*apex, *right, *opposite);
   }
   return true;
 }

@@ -51,5 +51,7 @@ template struct Region_runs<Linear_kinetic_traits_2>;
 template struct Region_runs<Polynomial_kinetic_traits_2>;
 template struct Region_runs<Disc_kinetic_traits_2>;
 template struct Region_runs<Polynomial_disc_kinetic_traits_2>;
+template struct Region_runs<Periodic_kinetic_traits_2>;
+template struct Region_runs<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri::detail

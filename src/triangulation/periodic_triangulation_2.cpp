@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The triangulation of points in a periodic box, and of the torus. Its parts are instantiated
-// member by member: the members for the hull and for regions are not for periodic boxes.
+// member by member: the members for the hull are not for periodic boxes.
 #include "events/divided_scheduler_impl.h"
 #include "kinetri/triangulation/audit_impl.h"
 #include "kinetri/triangulation/kinetic_triangulation_2.h"

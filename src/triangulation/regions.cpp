@@ -15,6 +15,7 @@
 #include "kinetri/impl/triangulation/parallel.h"
 #include "triangulation/regions_impl.h"
 #include "triangulation/subdomains.h"
+#include "triangulation/torus_triangulation_impl.h"
 
 namespace kinetri::detail {
 
@@ -78,9 +79,13 @@ template struct Region_runs<Linear_kinetic_traits_2>;
 template struct Region_runs<Polynomial_kinetic_traits_2>;
 template struct Region_runs<Disc_kinetic_traits_2>;
 template struct Region_runs<Polynomial_disc_kinetic_traits_2>;
+template struct Region_runs<Periodic_kinetic_traits_2>;
+template struct Region_runs<Periodic_disc_kinetic_traits_2>;
 template class Region_run<Linear_kinetic_traits_2>;
 template class Region_run<Polynomial_kinetic_traits_2>;
 template class Region_run<Disc_kinetic_traits_2>;
 template class Region_run<Polynomial_disc_kinetic_traits_2>;
+template class Region_run<Periodic_kinetic_traits_2>;
+template class Region_run<Periodic_disc_kinetic_traits_2>;
 
 }  // namespace kinetri::detail

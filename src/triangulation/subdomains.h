@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,11 +20,30 @@
 #include "kinetri/impl/triangulation/parallel.h"
 #include "triangulation/kd_cells.h"
 #include "triangulation/region_options.h"
+#include "triangulation/wrapping.h"
 
 namespace kinetri::detail {
 
 /// The number of regions for so many points.
 std::size_t number_of_regions(const Region_options& options, std::size_t points);
+
+/// The positions by which points are assigned to regions: their own or, in a periodic box, those of
+/// their images in one cell of the lattice.
+template <class Traits>
+class Place_in_cell {
+ public:
+  Place_in_cell(const Kinetic_core<Traits>& core, double time) {
+    if constexpr (is_periodic) wrapping_.emplace(core.certification.traits().box(), time);
+  }
+  Vector_2 operator()(const Vector_2& place) const {
+    if constexpr (is_periodic) return wrapping_->position(wrapping_->place_of_image(place));
+    return place;
+  }
+
+ private:
+  static constexpr bool is_periodic = Kinetic_types<Traits>::is_periodic;
+  std::optional<Wrapping> wrapping_;
+};
 
 /// Assigns all points to regions: the cells of a k-d tree of a sample of their positions. O(n).
 template <class Traits>
@@ -37,9 +57,9 @@ void choose_regions(Kinetic_core<Traits>& core, const Region_options& options,
     vertices.push_back(v);
   }
   const double now = core.schedule.current_time().to_double();
-  const auto place_of = [now](Vertex_handle v) {
+  const auto place_of = [now, to_cell = Place_in_cell<Traits>(core, now)](Vertex_handle v) {
     const auto finite = [](double x) { return std::isfinite(x) ? x : 0; };
-    const Vector_2 place = rounded_place(v->point().motion(), now);
+    const Vector_2 place = to_cell(rounded_place(v->point().motion(), now));
     return Vector_2{finite(place.x), finite(place.y)};
   };
   std::vector<Vector_2> sample;

@@ -345,6 +345,29 @@ auto Torus_triangulation<Traits>::flip(const Edge& edge, Journal& journal) -> Ed
   return left_side;
 }
 
+// See the figure of flip().
+template <TorusTraits_2 Traits>
+void Torus_triangulation<Traits>::flip_back(const Edge& edge, const Edge& mirror_edge) {
+  const auto [face, i] = edge;
+  const auto [neighbor, j] = mirror_edge;
+  const Vertex_handle right = face->vertex(ccw(i));     // d
+  const Vertex_handle left = neighbor->vertex(ccw(j));  // c
+  // All offsets against `left`.
+  const Lattice_offset_2 to_here = offset(neighbor, ccw(j), cw(j));
+  const Lattice_offset_2 to_there = offset(neighbor, ccw(j), j);
+  const Lattice_offset_2 to_right = difference(to_here, offset(face, ccw(i), i));
+  const Edge beyond_left = mirror(Edge(neighbor, j));
+  const Edge beyond_right = mirror(Edge(face, i));
+
+  face->set_vertex(cw(i), left);
+  neighbor->set_vertex(cw(j), right);
+  set_offsets(face, i, {to_here, to_right, {}});
+  set_offsets(neighbor, j, {to_there, {}, to_right});
+  link(edge, mirror_edge);
+  link(Edge(face, ccw(i)), beyond_left);
+  link(Edge(neighbor, ccw(j)), beyond_right);
+}
+
 // A flip stores its four outer edges again, so that an edge on the stack that has moved since is
 // there a second time.
 template <TorusTraits_2 Traits>

@@ -58,6 +58,7 @@ class Window_log {
   /// The part of a record that only velocity changes have.
   struct Velocity_change {
     std::array<Point_id, 2> points = {no_point, no_point};  ///< of the event
+    Lattice_offset_2 offset = {};  ///< in a periodic box, of the second one's image
     std::array<Point_id, 2> changed = {no_point, no_point};
     std::array<Point_2, 2> before = {};    ///< their motions
     std::array<Point_2, 2> after = {};     ///< their motions
@@ -73,6 +74,10 @@ class Window_log {
     /// The ends of the edge, right and left as `face` has them, and the corners opposite it, of
     /// `face` and of `neighbor`; no_point is the infinite vertex.
     std::array<Point_id, 4> corners;
+    /// In a periodic box, the offsets of the others against the left end.
+    [[no_unique_address]] std::conditional_t<Types::is_periodic, std::array<Lattice_offset_2, 3>,
+                                             Nothing>
+        offsets;
     /// The edge, before the flip.
     Face_handle face;
     Face_handle neighbor;
@@ -173,6 +178,8 @@ class Window_log {
   /// Whether a point has got another motion in this window.
   bool has_changed(Point_id id) const { return last_changes_[id] != 0; }
 
+  /// The names of the edge before a flip and after it.
+  static auto flipped_edges(const Record& record);
   /// Restores faces, motions and versions to those just before the event. Does not change the
   /// queue, and allocates nothing. Precondition: the event is the last one of its faces.
   void roll_back(Record& record);

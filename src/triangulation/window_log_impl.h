@@ -72,6 +72,12 @@ auto Window_log<Traits, has_contacts>::start_flip(Node& node, const Edge_with_mi
   const Vertex_handle left = face->vertex(Triangulation::cw(i));
   f.corners = {right->point().id(), left->point().id(), face->vertex(i)->point().id(),
                neighbor->vertex(j)->point().id()};
+  if constexpr (Types::is_periodic) {
+    const int at_left = Triangulation::cw(i);
+    f.offsets = {Triangulation::offset(face, at_left, Triangulation::ccw(i)),
+                 Triangulation::offset(face, at_left, i),
+                 Triangulation::offset(neighbor, Triangulation::ccw(j), j)};
+  }
   f.face = face;
   f.neighbor = neighbor;
   f.i = static_cast<std::uint8_t>(i & 3);
@@ -118,6 +124,18 @@ void Window_log<Traits, has_contacts>::forget_change(const Velocity_change& chan
 }
 
 template <class Traits, bool has_contacts>
+auto Window_log<Traits, has_contacts>::flipped_edges(const Record& f) {
+  const auto& [right, left, apex, opposite] = f.corners;
+  if constexpr (Types::is_periodic) {
+    const auto& [to_right, to_apex, to_opposite] = f.offsets;
+    const Lattice_offset_2 across = {to_opposite.x - to_apex.x, to_opposite.y - to_apex.y};
+    return std::pair(periodic_edge(left, right, to_right), periodic_edge(apex, opposite, across));
+  } else {
+    return std::pair(edge_ids(right, left), edge_ids(apex, opposite));
+  }
+}
+
+template <class Traits, bool has_contacts>
 void Window_log<Traits, has_contacts>::roll_back(Record& f) {
   f.is_rolled_back = true;
   if constexpr (has_contacts) {
@@ -127,19 +145,22 @@ void Window_log<Traits, has_contacts>::roll_back(Record& f) {
       return;
     }
   }
-  // The inverse of CGAL's flip.
   const int i = f.i;
   const int j = f.j;
   const Vertex_handle left = f.neighbor->vertex(Triangulation::ccw(j));
   const Vertex_handle right = f.face->vertex(Triangulation::ccw(i));
-  const Edge at_bottom = topology_.with_mirror(Edge(f.face, i)).there;
-  const Edge at_top = topology_.with_mirror(Edge(f.neighbor, j)).there;
-  auto& tds = topology_.triangulation().tds();
-  f.face->set_vertex(Triangulation::cw(i), left);
-  f.neighbor->set_vertex(Triangulation::cw(j), right);
-  tds.set_adjacency(f.face, i, f.neighbor, j);
-  tds.set_adjacency(f.face, Triangulation::ccw(i), at_top.first, at_top.second);
-  tds.set_adjacency(f.neighbor, Triangulation::ccw(j), at_bottom.first, at_bottom.second);
+  if constexpr (Types::is_periodic) {
+    Triangulation::flip_back(Edge(f.face, i), Edge(f.neighbor, j));
+  } else {  // The inverse of CGAL's flip.
+    const Edge at_bottom = topology_.with_mirror(Edge(f.face, i)).there;
+    const Edge at_top = topology_.with_mirror(Edge(f.neighbor, j)).there;
+    auto& tds = topology_.triangulation().tds();
+    f.face->set_vertex(Triangulation::cw(i), left);
+    f.neighbor->set_vertex(Triangulation::cw(j), right);
+    tds.set_adjacency(f.face, i, f.neighbor, j);
+    tds.set_adjacency(f.face, Triangulation::ccw(i), at_top.first, at_top.second);
+    tds.set_adjacency(f.neighbor, Triangulation::ccw(j), at_bottom.first, at_bottom.second);
+  }
   if (f.left_had_face) left->set_face(f.face);
   if (f.right_had_neighbor) right->set_face(f.neighbor);
   f.face->set_version(f.previous[0]);
@@ -175,8 +196,16 @@ template <class Traits, bool has_contacts>
 auto Window_log<Traits, has_contacts>::certificate_points(const Key& key) -> Certificate_points {
   const Version number = version(nodes_[key.node], key.index);
   const Record& f = record(key);
-  const auto point = [&](std::size_t k) { return &point_at(f.corners[k], number); };
-  return {Entry_kind::flip, {point(0), point(1), point(2), point(3)}};
+  const auto corner = [&](std::size_t k, [[maybe_unused]] std::size_t offset) {
+    const Point_2& point = point_at(f.corners[k], number);
+    if constexpr (Types::is_periodic) {
+      return certification_.traits().image(
+          point, offset < f.offsets.size() ? f.offsets[offset] : Lattice_offset_2());
+    } else {
+      return &point;
+    }
+  };
+  return {Entry_kind::flip, {corner(0, 0), corner(1, 3), corner(2, 1), corner(3, 2)}};
 }
 
 // ---- motions of other times ----

@@ -82,9 +82,7 @@ class Window_reporter {
       if (Log::is_contact(key)) event = contacts_.event(key);
     }
     if (!Log::is_contact(key)) {
-      const std::array<Point_id, 4>& corners = log_.record(key).corners;
-      event = flip_event(key.kind,
-                         {edge_ids(corners[0], corners[1]), edge_ids(corners[2], corners[3])});
+      event = flip_event(key.kind, Log::flipped_edges(log_.record(key)));
     }
     schedule_.set_current_time(log_.time(key));
     event.time = schedule_.current_time();

@@ -43,12 +43,13 @@ def test_a_number_that_is_none_is_refused(number, message):
 
 
 @pytest.mark.parametrize("kind", [kinetri.KineticDelaunay, kinetri.Simulation])
-def test_results_are_the_same_for_any_number(kind):
+@pytest.mark.parametrize("box", [None, kinetri.Box((2500, 2500), shear=0.5)])
+def test_results_are_the_same_for_any_number(kind, box):
     states = []
     logs = []
     made = []
     for threads in (1, 2):
-        moving = kind(*many())
+        moving = kind(*many(), box=box) if box else kind(*many())
         moving.threads = threads
         watch = moving.watch("encounters", range=0.01)
         times = []

@@ -85,13 +85,14 @@ template <class Traits = Linear_kinetic_traits_2>
 std::string difference_from_loop(
     const std::vector<typename Traits::Motion>& motions, const Simulation_options& options,
     const std::vector<Algebraic_number>& times, const Region_options& regions, Region_counters& sum,
-    const std::function<void(Simulation_2<Traits>&)>& change = [](Simulation_2<Traits>&) {}) {
+    const std::function<void(Simulation_2<Traits>&)>& change = [](Simulation_2<Traits>&) {},
+    const Traits& traits = {}) {
   using Run = Simulation_2<Traits>;
   // More threads than this machine may have.
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
-  Run plain(motions, options);
-  Run watched(motions, options);
-  Run alone(motions, options);
+  Run plain(motions, options, 0, traits);
+  Run watched(motions, options, 0, traits);
+  Run alone(motions, options, 0, traits);
   Log expected;
   Log log;
   plain.add_observer(expected);
@@ -137,8 +138,8 @@ std::string difference_from_loop(
 }
 
 /// Changes some points in a square of the given side, or schedules changes within a unit of time.
-inline void change_some_points(Simulation_2<Linear_kinetic_traits_2>& simulation, double side,
-                               std::mt19937_64& random) {
+template <class Traits>
+void change_some_points(Simulation_2<Traits>& simulation, double side, std::mt19937_64& random) {
   const auto number = [&](double least, double greatest) {
     return std::uniform_real_distribution<double>(least, greatest)(random);
   };

@@ -103,6 +103,7 @@ inline std::string difference(const std::vector<Kinetic_event>& one,
     const Kinetic_event& a = one[i];
     const Kinetic_event& b = other[i];
     if (a.kind != b.kind || a.time != b.time || a.removed != b.removed || a.added != b.added ||
+        a.removed_offset != b.removed_offset || a.added_offset != b.added_offset ||
         a.point_a != b.point_a || a.point_b != b.point_b) {
       text << "event " << i << ": " << a << "; the other one: " << b;
       return text.str();

@@ -241,10 +241,10 @@ TEST(Vertex, that_moves_within_its_star_leaves_its_triangles_embedded) {
   const auto is_embedded_at = [&](Point_id id, double x, double y) {
     part.topology.set_point({id, resting(x, y)});
     const auto v = part.topology.vertex(id);
-    return part.certification.is_embedded_around(
-        v, {0, 0}, [&](const auto& a, const auto& b, const auto& c) {
-          return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
-        });
+    return part.certification.is_embedded_around(v, {0, 0},
+                                                 [&](const auto& p, const auto& q, const auto& r) {
+                                                   return orientation(p, q, r) == CGAL::LEFT_TURN;
+                                                 });
   };
   EXPECT_TRUE(is_embedded_at(4, 7, 7.5));
   EXPECT_FALSE(is_embedded_at(4, 7, 8)) << "on the hull: a triangle is flat";

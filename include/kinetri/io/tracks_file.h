@@ -21,9 +21,9 @@
 //   xyz      XYZ, plain or extended, with several frames
 //   geojson  GeoJSON: points with properties for id and time, lines with a time for each position
 //
-// In rows, frames, ids and table, blank lines and lines that begin with # are skipped; but a line
-// with # is a row if it has as many fields as the others, its first column is not a number, and its
-// numbers are valid: the # begins an id, such as #1.
+// In rows, frames, ids and table, blank lines and comments, which begin with #, are skipped. A line
+// that begins with # is no comment, but a row, if it has as many fields as the others, valid
+// numbers, and in its first field an id that is no number, such as #1.
 //
 // A file in UTF-16 is read as the same text in UTF-8.
 //

@@ -59,7 +59,8 @@ requires HasNearestNeighbors<Traits> && PlanarKineticTraits_2<Traits> Widest_pat
     const Kinetic_triangulation_2<Traits>& triangulation, const Vector_2& from, const Vector_2& to);
 
 /// The first time, from the current one on, at which the path may end under the present motions: a
-/// gap is not wider than `width`, or an edge in `around_from` or `around_to` reaches its position.
+/// gap is not wider than `width` (at first, mostly, just as wide, so that a disc could still pass),
+/// or an edge in `around_from` or `around_to` reaches its position.
 /// The path exists up to that time or the next event of the triangulation, whichever is earlier.
 /// The present time if a gap is not wider now; none if the path never ends. Exact: a root of a
 /// quadratic for linear motion.

@@ -105,10 +105,10 @@ class Periodic_queries_2 {
   /// The time of the queries.
   const Time& time() const;
 
-  /// The image nearest to the position, or with weights of the least power there; of several such
-  /// images the smallest, those of points that triangles hide included; none if there are no
-  /// points. Coinciding points do not matter: those that hide them have smaller ids. Cost: a walk,
-  /// and the degrees of those images.
+  /// The image nearest to the position, or with weights of the least power there, also of a point
+  /// that a triangle hides; of several such images the first one in the order of Periodic_image;
+  /// none if there are no points. A point that a coincident one hides is never the answer, since
+  /// that has a smaller id. Cost: a walk, and the degrees of those images.
   std::optional<Periodic_image> nearest_vertex(const Vector_2& place) const;
 
   /// The triangle, edge or image at the position. If flat triangles overlap there, since images

@@ -42,8 +42,8 @@ bool certainly_apart(const Disc& p, const Disc& q, const Double_interval& interv
   return certainly_apart(center(p), center(q), interval);
 }
 
-// Images of discs, whose vectors may be constant although no number of the box is zero: then the
-// exact stage decides.
+// The same of images of discs. False, so that the exact stage decides, if the vector between them
+// may be constant, which does not show in the numbers of the box.
 inline bool certainly_apart(const Image_disc_motion_2& p, const Image_disc_motion_2& q,
                             const Double_interval& interval) {
   const auto is_constant = [](std::int32_t k, std::int32_t l, const Linear_motion_2& vector) {

@@ -106,10 +106,10 @@ class Kinetic_types<Traits>::Certification {
   // ---- triangles ----
 
   /// Whether the triangles at `v` make left turns, and the hull is strictly convex at `v` and at
-  /// its neighbors, at a time within `bounds`; is_left_turn(u, v, w) decides it exactly. Then the
-  /// triangulation is still embedded after `v` has moved: the angles at an inner vertex still add
-  /// up to 2 pi, and a hull vertex sees its neighbors within an angle less than pi. Sufficient, not
-  /// necessary.
+  /// its neighbors, at a time within `bounds`; is_left_turn(p, q, r) decides it exactly, of points
+  /// or, in a periodic box, of images. Then the triangulation is still embedded after `v` has
+  /// moved: the angles at an inner vertex still add up to 2 pi, and a hull vertex sees its
+  /// neighbors within an angle less than pi. Sufficient, not necessary.
   template <class Is_left_turn>
   bool is_embedded_around(Vertex_handle v, const Double_interval& bounds,
                           const Is_left_turn& is_left_turn) const;
@@ -121,6 +121,10 @@ class Kinetic_types<Traits>::Certification {
   };
 
   Certificate_points points_in_plane(const Edge_with_mirror& edge) const;
+  bool is_surrounded(Vertex_handle v, std::span<const Corner> around,
+                     const Double_interval& bounds) const;
+  template <class Is_left_turn>
+  bool is_embedded_in_plane(Vertex_handle v, const Is_left_turn& is_left_turn) const;
   template <class Use>
   bool use_around(const Edge_with_mirror& edge, const Outer_edges& outer, const Use& use) const;
   template <class Now, class Put>

@@ -425,18 +425,57 @@ bool Kinetic_types<Traits>::Certification::is_embedded_around(
     Vertex_handle v, const Double_interval& bounds, const Is_left_turn& is_left_turn) const {
   if constexpr (BatchKineticTraits_2<Traits>) {
     // The usual case: an inner vertex with few neighbors.
-    std::array<const Point_2*, 16> around;
+    std::array<Corner, 16> around;
     std::size_t number = 0;
     bool is_inner = true;
     for_each_face_at(triangulation_, v, [&](Face_handle face, int i) {
-      const Vertex_handle u = face->vertex(Triangulation::ccw(i));
-      is_inner = is_inner && number < around.size() && !triangulation_.is_infinite(u);
-      if (is_inner) around[number++] = &u->point();
+      const int right = Triangulation::ccw(i);
+      is_inner =
+          is_inner && number < around.size() && !triangulation_.is_infinite(face->vertex(right));
+      if (!is_inner) return;
+      if constexpr (is_periodic) {
+        around[number++] = triangulation_.corner(face, right, i);
+      } else {
+        around[number++] = &face->vertex(right)->point();
+      }
     });
-    if (is_inner && traits_.is_surrounded(v->point(), std::span(around).first(number), bounds)) {
-      return true;
-    }
+    if (is_inner && is_surrounded(v, std::span(around).first(number), bounds)) return true;
   }
+  if constexpr (is_periodic) {
+    bool is_embedded = true;
+    for_each_face_at(triangulation_, v, [&](Face_handle face) {
+      is_embedded =
+          is_embedded && is_left_turn(topology_.corner(face, 0), topology_.corner(face, 1),
+                                      topology_.corner(face, 2));
+    });
+    return is_embedded;
+  } else {
+    return is_embedded_in_plane(v, is_left_turn);
+  }
+}
+
+// Whether the points are certainly around the vertex, in counterclockwise order.
+template <class Traits>
+bool Kinetic_types<Traits>::Certification::is_surrounded(Vertex_handle v,
+                                                         std::span<const Corner> around,
+                                                         const Double_interval& bounds) const {
+  if constexpr (is_periodic) {
+    std::array<const Image_2*, 16> images;
+    std::ranges::transform(around, images.begin(), [](const Image_2& image) { return &image; });
+    return traits_.is_surrounded(traits_.image(v->point(), {}),
+                                 std::span(images).first(around.size()), bounds);
+  } else {
+    return traits_.is_surrounded(v->point(), around, bounds);
+  }
+}
+
+template <class Traits>
+template <class Is_left_turn>
+bool Kinetic_types<Traits>::Certification::is_embedded_in_plane(
+    Vertex_handle v, const Is_left_turn& is_left_turn_of_points) const {
+  const auto is_left_turn = [&](Vertex_handle p, Vertex_handle q, Vertex_handle r) {
+    return is_left_turn_of_points(p->point(), q->point(), r->point());
+  };
   Vertex_handle previous;  // hull neighbors, if v is on the hull
   Vertex_handle next;
   Vertex_handle before_previous;

@@ -209,19 +209,11 @@ void Kinetic_types<Traits>::Change_planner::find_changes_in_place(std::span<cons
 
 template <class Traits>
 bool Kinetic_types<Traits>::Change_planner::is_embedded_around(Vertex_handle v) const {
-  if constexpr (is_periodic) {
-    bool is_embedded = true;
-    for_each_face_at(triangulation_, v, [&](Face_handle face) {
-      is_embedded = is_embedded && triangulation_.orientation(face) == CGAL::LEFT_TURN;
-    });
-    return is_embedded;
-  } else {
-    const auto orientation = triangulation_.geom_traits().orientation_2_object();
-    return certification_.is_embedded_around(
-        v, schedule_.current_bounds(), [&](Vertex_handle a, Vertex_handle b, Vertex_handle c) {
-          return orientation(a->point(), b->point(), c->point()) == CGAL::LEFT_TURN;
-        });
-  }
+  const auto orientation = triangulation_.geom_traits().orientation_2_object();
+  return certification_.is_embedded_around(v, schedule_.current_bounds(),
+                                           [&](const auto& p, const auto& q, const auto& r) {
+                                             return orientation(p, q, r) == CGAL::LEFT_TURN;
+                                           });
 }
 
 // Finds changed points that would have one trajectory. Sorts the jumps so that near ones follow

@@ -17,6 +17,7 @@
 #include "kinetri/impl/triangulation/regular_triangulation.h"
 #include "kinetri/impl/triangulation/torus_triangulation.h"
 #include "kinetri/kinetic/basic_kinetic_traits_2.h"
+#include "kinetri/kinetic/periodic_kinetic_traits_2.h"
 
 namespace kinetri::detail {
 
@@ -71,12 +72,17 @@ struct Edge_with_mirror {
   Edge there;
 };
 
-/// Whether several threads can execute the events of these traits.
+/// Whether these are the library's own traits for the plane.
 template <class Traits>
-inline constexpr bool has_region_runs = std::is_same_v<Traits, Linear_kinetic_traits_2> ||
-                                        std::is_same_v<Traits, Polynomial_kinetic_traits_2> ||
-                                        std::is_same_v<Traits, Disc_kinetic_traits_2> ||
-                                        std::is_same_v<Traits, Polynomial_disc_kinetic_traits_2>;
+inline constexpr bool is_for_plane = std::is_same_v<Traits, Linear_kinetic_traits_2> ||
+                                     std::is_same_v<Traits, Polynomial_kinetic_traits_2> ||
+                                     std::is_same_v<Traits, Disc_kinetic_traits_2> ||
+                                     std::is_same_v<Traits, Polynomial_disc_kinetic_traits_2>;
+/// Whether several threads can execute the events of these traits: the library's own.
+template <class Traits>
+inline constexpr bool has_region_runs =
+    is_for_plane<Traits> || std::is_same_v<Traits, Periodic_kinetic_traits_2> ||
+    std::is_same_v<Traits, Periodic_disc_kinetic_traits_2>;
 
 /// The library's traits with the motions of other traits.
 template <class Traits>
@@ -94,7 +100,7 @@ struct Geometry_of {
   using type = Traits;
 };
 template <class Traits>
-requires(has_region_runs<Library_traits<Traits>>&&
+requires(is_for_plane<Library_traits<Traits>>&&
              HasTriangulationOf<Traits, Library_traits<Traits>>) struct Geometry_of<Traits> {
   using type = Library_traits<Traits>;
 };
@@ -122,7 +128,7 @@ struct Kinetic_types {
   static constexpr bool is_periodic = PeriodicKineticTraits_2<Traits>;
   using Geometry = typename Geometry_of<Traits>::type;
   /// Whether points and predicates are those of this library, in the plane.
-  static constexpr bool has_library_geometry = has_region_runs<Geometry>;
+  static constexpr bool has_library_geometry = is_for_plane<Geometry>;
 
   using Image_2 = Certified_point_2<Traits>;  ///< in the plane: the point
   /// A point of a certificate: that of a vertex or, in a periodic box, an image of it.

@@ -352,6 +352,9 @@ class Torus_triangulation {
   /// outer edges, (face, ccw(i)) becomes (neighbor, j), and (neighbor, ccw(j)) becomes (face, i).
   /// Does not examine how the faces turn.
   Edge flip(const Edge& edge, Journal& journal = Journal().itself());
+  /// Undoes the flip of an edge, which is given as it was before, from both sides. Leaves the faces
+  /// that the vertices name. Precondition: the sides of the quadrilateral are four edges.
+  static void flip_back(const Edge& edge, const Edge& mirror_edge);
   /// Flips edges until the triangulation is Delaunay. Precondition: all violated edges are among
   /// the given ones. [Lawson 1977] Returns false if that would take more than `most_flips`.
   bool restore_delaunay(std::vector<Edge> edges, Journal& journal = Journal().itself(),
