@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bar of the live page below the picture: what the page begins with, what the pointer does, what is measured, and
+// The bar of the live page, above the picture: what the page begins with, what the pointer does, what is measured, and
 // what is saved. It says what the run needs and what comes next.
 
 const RESPONSES = ['none', 'log', 'swap', 'elastic', 'stop', 'remove'];
@@ -13,10 +13,10 @@ const BAR = `
   <form id="live-start" class="choices">
     <label>Start <select id="live-preset"></select></label>
     <label>with <input id="live-count" type="number" min="1" max="100000"> points</label>
-    <label>Radius <input id="live-radius" type="number" min="0" step="any" placeholder="its own"></label>
-    <label>Growth <input id="live-growth" type="number" min="0" step="any" placeholder="its own"></label>
-    <label>Contacts <select id="live-collisions"></select></label>
-    <label>Gravity <input id="live-gravity" type="number" step="any" placeholder="its own"></label>
+    <label>Radius <input id="live-radius" type="number" min="0" max="49" step="any" placeholder="as preset"></label>
+    <label>Growth <input id="live-growth" type="number" min="0" max="100" step="any" title="By how much each radius grows in a unit of time" placeholder="as preset"></label>
+    <label title="What discs do that touch; log: they are noted, and pass through each other">Contacts <select id="live-collisions"></select></label>
+    <label>Gravity <input id="live-gravity" type="number" min="-1000" max="1000" step="any" placeholder="as preset"></label>
     <button class="choice">Start</button>
   </form>
   <div class="choices" id="live-tools" role="group" aria-label="What the pointer does"></div>
@@ -32,14 +32,22 @@ const BAR = `
   <p id="live-says" role="status"></p>
   <p id="live-commands" hidden></p>`;
 
+const HELP = `
+  <p class="quiet">This run goes on. Take a point and throw it, or hold it; the other tools add, erase and pin points, and draw
+  walls. While the run is paused, the next event is marked. Go back in time to see what has happened; points are changed at the
+  present (End). Range shows who is near whom. Save motions and events to repeat the run with the program.</p>`;
+
 class LiveBar {
   constructor(viewer) {
     this.viewer = viewer;
+    this.saved = new Set();  // which logs, of the run up to the time `savedAt`
+    this.savedAt = NaN;
     const bar = document.createElement('div');
     bar.id = 'live';
     bar.className = 'scrolls-across';
     bar.innerHTML = BAR;
     document.querySelector('.notes').append(bar);
+    document.querySelector('#help p').insertAdjacentHTML('beforebegin', HELP);
     this.makeForm();
     for (const [id, label] of Object.entries(TOOLS)) this.addTool(id, label);
     const range = element('live-range');
@@ -68,7 +76,7 @@ class LiveBar {
     if (element('points') !== null) select.append(new Option('Points of the file', 'points'));
     select.value = preset?.id ?? 'points';
     const contacts = element('live-collisions');
-    contacts.append(new Option('its own', ''), ...RESPONSES.map((response) => new Option(response)));
+    contacts.append(new Option('as preset', ''), ...RESPONSES.map((response) => new Option(response)));
     const count = element('live-count');
     count.value = preset?.number ?? points.length;
     for (const name of CHANGES) element(`live-${name}`).value = asked[name] ?? '';
@@ -110,9 +118,10 @@ class LiveBar {
     const {viewer} = this, begin = performance.now();
     const failures = viewer.attempt(() => viewer.points.audit());
     if (failures === undefined) return;
+    const what = viewer.isPresent() ? 'The audit' : 'The audit of the present';
     viewer.say(failures.length === 0 ?
-      `The audit has passed, exactly, in ${Math.round(performance.now() - begin)} ms` :
-      `The audit has failed: ${failures[0]}. Please report this`);
+      `${what} has passed, exactly, in ${Math.round(performance.now() - begin)} ms` :
+      `${what} has failed: ${failures[0]}. Please report this`);
   }
 
   /** Saves a log of the run so far, and shows the commands that take both logs. */
@@ -129,9 +138,14 @@ class LiveBar {
     link.download = `live.${name}.csv`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-    viewer.say(`Saved, and paused: save the ${name === 'events' ? 'motions' : 'events'} as well for the commands`);
-    element('live-commands').hidden = false;
+    if (this.savedAt !== viewer.clock) this.saved.clear();
+    this.savedAt = viewer.clock;
+    this.saved.add(name);
+    const other = ['motions', 'events'].find((one) => !this.saved.has(one));
+    viewer.say(other === undefined ? 'Both are saved, and the run is paused: the commands repeat and check it' :
+      `Saved, and paused: save the ${other} as well for the commands`);
     element('live-commands').textContent = viewer.commands();
+    this.refresh();
   }
 
   refresh() {
@@ -139,13 +153,14 @@ class LiveBar {
     for (const button of element('live-tools').children) {
       button.setAttribute('aria-pressed', String(button.dataset.tool === tool));
     }
+    element('live-commands').hidden = this.savedAt !== viewer.clock;
     element('live-nearest').setAttribute('aria-pressed', String(viewer.showsNearest));
     const {filtered, exact} = points.statistics();
     element('live-says').textContent = [
       isSlow && viewer.isPlaying() ? 'Slow motion: this machine needs more time for the events' : '',
       this.nextText(),
       viewer.encounters.text(),
-      `Certificates: ${filtered.toLocaleString('en')} by floating point, ${exact.toLocaleString('en')} exactly`,
+      `Certificates: ${filtered.toLocaleString('en')} decided by floating point with error bounds, ${exact.toLocaleString('en')} by exact arithmetic`,
     ].filter(Boolean).join(' \u00b7 ');
   }
 
@@ -153,7 +168,7 @@ class LiveBar {
     const {viewer} = this, {next} = viewer;
     if (viewer.isPlaying() || !viewer.isPresent()) return '';
     if (viewer.points.length > MOST_FOR_NEXT) {
-      return `the next event is looked for among up to ${MOST_FOR_NEXT.toLocaleString('en')} points`;
+      return `the next event is shown for up to ${MOST_FOR_NEXT.toLocaleString('en')} points`;
     }
     if (next === undefined) return '';
     if (next === null) return 'there is no next event';
@@ -169,5 +184,5 @@ function exactTimeText({time, lower, upper, polynomial}) {
   const degree = polynomial.length - 1;
   const digits = Math.max(...polynomial.map((coefficient) => coefficient.length));
   if (degree === 1) return `${time}\u2026, a fraction`;
-  return `${time}\u2026, a root of a polynomial of degree ${degree} with whole coefficients of up to ${digits} digits`;
+  return `${time}\u2026, a root of a polynomial of degree ${degree} with integer coefficients of up to ${digits} digits`;
 }

@@ -14,6 +14,7 @@ const REST = 120;             // milliseconds: a pointer that rests so long thro
 const HEAVY = 1e9;            // mass of a point that is held or pinned
 const ABOVE_FLOOR = 0.005;    // of the height of the box: how near a point that falls is put to the floor
 const MOST_FOR_NEXT = 20000;  // points for which the next event is looked for
+const PAST = 'This is the past: go to the end (End) to change points';
 
 /** A point that is held: it goes where the pointer is. */
 class Hold {
@@ -33,16 +34,17 @@ class Hold {
     const place = [camera.planeX(event.offsetX), camera.planeY(event.offsetY)];
     [this.x, this.y] = viewer.inBox(...place, viewer.r[this.id]);
     this.screen = {x: event.offsetX, y: event.offsetY};
-    this.places.push({x: this.x, y: this.y, at: event.timeStamp});
+    // Of the pointer itself, which may leave the box.
+    this.places.push({x: place[0], y: place[1], at: event.timeStamp});
     while (this.places.length > 2 && this.places[0].at < event.timeStamp - REST) this.places.shift();
   }
 
   /** The velocity of the pointer, in the time of the run. */
   thrown(event) {
-    const first = this.places[0], elapsed = event.timeStamp - first.at;
-    if (!(elapsed > 0) || this.places.at(-1).at < event.timeStamp - REST) return [0, 0];
+    const first = this.places[0], last = this.places.at(-1), elapsed = event.timeStamp - first.at;
+    if (!(elapsed > 0) || last.at < event.timeStamp - REST) return [0, 0];
     const perSecond = 1000 / elapsed / this.viewer.speed();
-    return [(this.x - first.x) * perSecond, (this.y - first.y) * perSecond];
+    return [(last.x - first.x) * perSecond, (last.y - first.y) * perSecond];
   }
 }
 
@@ -246,13 +248,16 @@ class LiveViewer extends Viewer {
   }
 
   press(event) {
-    if (event.button !== 0 || !this.isPresent()) return false;
-    const {view} = this, reach = REACH[event.pointerType] ?? REACH.mouse;
+    if (event.button !== 0) return false;
+    if (!this.isPresent()) {
+      if (this.tool !== 'take' || this.pointUnder(event) >= 0) this.say(PAST);
+      return false;
+    }
     // Another finger.
     if (this.wall !== null) return true;
     if (this.hold !== null) this.giveUp(this.hold);
     if (this.pointerInput.down.size > 0) return false;
-    const point = view === this.flatView ? view.pointAt(event.offsetX, event.offsetY, reach + 2) : -1;
+    const point = this.pointUnder(event);
     if (this.tool === 'wall') return this.beginWall(event);
     if (point < 0) return false;
     if (this.tool !== 'take') return true;
@@ -260,6 +265,12 @@ class LiveViewer extends Viewer {
     this.hold = new Hold(this, point, event);
     this.attempt(() => this.setMass(point, HEAVY));
     return true;
+  }
+
+  /** The point where the pointer is, -1 if there is none. */
+  pointUnder(event) {
+    const {view} = this, reach = REACH[event.pointerType] ?? REACH.mouse;
+    return view === this.flatView ? view.pointAt(event.offsetX, event.offsetY, reach + 2) : -1;
   }
 
   /** The point that is held, if it is still there, has its mass again; or another one. */
@@ -289,6 +300,10 @@ class LiveViewer extends Viewer {
     }
     if (hold === null) return false;
     if (hold.pointer !== event.pointerId) return true;
+    if (Number.isNaN(this.massOf(hold.id))) {  // a contact has erased it
+      this.letGo();
+      return true;
+    }
     hold.moves += Math.abs(event.movementX) + Math.abs(event.movementY);
     hold.move(event);
     this.pointer = {x: event.offsetX, y: event.offsetY, reach: REACH.mouse};
@@ -320,8 +335,7 @@ class LiveViewer extends Viewer {
   click(event) {
     if (!this.isPresent() || this.tool === 'take' || event.type !== 'pointerup') return false;
     if (this.view !== this.flatView || this.pointerInput.moved > CLICK_MOVES) return false;
-    const {camera} = this.flatView, reach = REACH[event.pointerType] ?? REACH.mouse;
-    const point = this.view.pointAt(event.offsetX, event.offsetY, reach + 2);
+    const {camera} = this.flatView, point = this.pointUnder(event);
     this.pointerInput.cancel(event);
     if (this.tool === 'add') {
       if (point >= 0 || !this.hasRoom()) return true;
@@ -337,7 +351,7 @@ class LiveViewer extends Viewer {
   /** Whether there is an id for another point. */
   hasRoom() {
     if (this.recording.points > this.playback.current.findLastIndex((motion) => motion >= 0) + 1) return true;
-    this.say('There are no ids left: begin anew to add more points');
+    this.say('No more points can be added to this run: press Start');
     return false;
   }
 
@@ -352,7 +366,7 @@ class LiveViewer extends Viewer {
   beginWall(event) {
     if (this.view !== this.flatView) return false;
     if (!this.usesMasses() || !(this.radiusOfNew() > 0)) {
-      this.say('A wall needs discs that collide elastically: start Gas, Packing or Two crowds');
+      this.say('A wall needs discs that collide elastically: start Gas, for instance');
       return true;
     }
     const {camera} = this.flatView;
@@ -476,6 +490,20 @@ class LiveViewer extends Viewer {
     this.requestFrame();
   }
 
+  /** At the present that of the next event. */
+  selectNextRemoved() {
+    const {next, playback, recording: {edgeA, edgeB}} = this;
+    if (!this.isPresent()) {
+      super.selectNextRemoved();
+    } else if (!next?.removed) {
+      this.say(this.isPlaying() ? 'Pause first: then the next event is known' : 'The next event removes no edge');
+    } else {
+      const [a, b] = [...next.removed].sort((p, q) => p - q);
+      const edge = playback.live.subarray(0, playback.liveCount).find((one) => edgeA[one] === a && edgeB[one] === b);
+      if (edge !== undefined) this.select(edge);
+    }
+  }
+
   nearest() {
     return nearestNeighbors(this);
   }
@@ -562,6 +590,7 @@ class LiveViewer extends Viewer {
     this.timeline.scrub.disabled = this.recording.from === this.recording.until;
     this.timeline.draw();
     const {points, recording, pointPanel} = this;
+    if (this.switches.heat) this.heat.count();
     if (!this.isPlaying() && this.areasUntil !== recording.until) pointPanel.areas = null;
     this.areasUntil = recording.until;
     element('summary').textContent = [`${points.length.toLocaleString('en')} points`,

@@ -73,7 +73,7 @@ class PairsInRange extends Encounters {
   /** "3 components of points within range, the largest of 17", or why there are none. */
   text() {
     if (!(this.range > 0)) return '';
-    if (this.isTooMany) return `more than ${MOST_PAIRS.toLocaleString('en')} pairs are within range: expected a smaller one`;
+    if (this.isTooMany) return `more than ${MOST_PAIRS.toLocaleString('en')} pairs are within range: choose a smaller range`;
     this.connect();
     const {component, size, viewer: {x}} = this;
     let components = 0, largest = 0;

@@ -73,6 +73,11 @@ async function start() {
     if (!(error instanceof KinetriError)) throw error;
     element('message').firstChild.textContent = 'This cannot be shown';
     element('message').lastChild.textContent = `${error.message[0].toUpperCase()}${error.message.slice(1)}.`;
+    if (window.location.search === '') return;
+    const back = document.createElement('a');
+    back.href = window.location.pathname;
+    back.textContent = 'Begin as usual';
+    element('message').append(' ', back);
   }
 }
 

@@ -159,8 +159,10 @@ function followSwitch(value, isOn, toggle) {
 /** The address of the page with the present view. */
 function linkTo(viewer) {
   const {recording, playback, switches, filter, coloring} = viewer;
-  const words = [['t', playback.time]];
-  const all = switchIds(recording);
+  // A run that goes on begins anew.
+  const words = recording.growth === undefined ? [['t', playback.time]] : [];
+  // Nor does it know the range.
+  const all = switchIds(recording).filter((id) => recording.growth === undefined || id !== 'links');
   words.push(['show', all.filter((id) => switches[id]).join(',')]);
   words.push(['hide', all.filter((id) => !switches[id]).join(',')]);
   if (coloring !== null) words.push(['color', coloring.quantity.id]);

@@ -57,6 +57,26 @@ function certificateOf(playback, edge) {
   return result;
 }
 
+/**
+ * Of a certificate that held up to the end of a recording, which now has more rows, from `first` on: the same, which
+ * goes on to the new end; or another object, if a row has ended it.
+ */
+function continueCertificate(certificate, playback, first) {
+  const {recording} = playback, {edge} = certificate;
+  if (certificate.end.row >= 0) return certificate;
+  const cursor = playback.clone();
+  cursor.goToEvent(first);
+  if (cursor.where[edge] < 0) return certificate;
+  const end = endOfLife(cursor, edge, cornersOf(cursor, edge), 1);
+  if (end.row < 0) {
+    certificate.until = recording.until;
+    return certificate;
+  }
+  const removal = recording.rowRemoved.indexOf(edge, first);
+  const fails = end.reason === 'edge' && isFailure(recording, end.row);
+  return {...certificate, end, until: recording.rowTime[end.row], fails, removal: removal < recording.rows ? removal : -1};
+}
+
 /** Whether the row, which removes an edge, is the failure of its certificate. An edge may also be
  * removed because a point is inserted or erased, or because points meet; rows of a thinned recording
  * are net effects. The edges of a point that others hide from then on go with rows of their own. */

@@ -55,7 +55,7 @@ function switchesOf(recording) {
      mark: '--trail'},
     {id: 'arrows', key: 'a', label: 'Velocities', isThere: !turnsAreLeftOut(recording), mark: '--arrow'},
     {id: 'links', key: 'y', label: 'In range', isThere: hasEncounters(recording), mark: '--link'},
-    {id: 'heat', key: 'm', label: 'Heat map', isThere: recording.rows > 0, mark: '--removed'},
+    {id: 'heat', key: 'm', label: 'Heat map', isThere: recording.rows > 0 || recording.growth !== undefined, mark: '--removed'},
     {id: 'scale', key: 'u', label: 'Scale bar', isThere: true, mark: '--quiet'},
     {id: 'axes', key: 'x', label: 'Axes', isThere: true, mark: '--quiet'},
     {id: 'ids', key: 'i', label: recording.names === null ? 'Ids' : 'Names', isThere: true,

@@ -16,9 +16,7 @@ class Exporter {
     this.dialog = element('export');
     this.says = element('export-says');
     this.film = null;
-    const {from, until} = viewer.recording;
-    element('film-from').value = from;
-    element('film-until').value = until;
+    this.span = null;  // of the recording, as it was last offered
     const run = {png: () => this.savePng(), svg: () => this.saveSvg(), link: () => this.copyLink(),
                  film: () => this.toggleFilm()};
     for (const [name, action] of Object.entries(run)) {
@@ -27,7 +25,17 @@ class Exporter {
       });
     }
     element('link').addEventListener('focus', () => element('link').select());
+    this.offerSpan();
+  }
+
+  /** Offers the whole recording for a film, again if it has grown. */
+  offerSpan() {
+    const {from, until} = this.viewer.recording;
     element('save-film').disabled = this.filmType() === undefined || from === until;
+    if (this.span === `${from} ${until}`) return;
+    this.span = `${from} ${until}`;
+    element('film-from').value = from;
+    element('film-until').value = until;
   }
 
   toggle() {
@@ -36,6 +44,7 @@ class Exporter {
       return;
     }
     this.say('');
+    this.offerSpan();
     element('link').value = linkTo(this.viewer);
     this.dialog.showModal();
   }

@@ -265,6 +265,7 @@ class Viewer {
     playback.grow();
     hullEdges.count(first);
     filter.add(first);
+    if (this.selected >= 0) this.certificate = continueCertificate(this.certificate, playback, first);
   }
 
   /** Whether there is a next event. */

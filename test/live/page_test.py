@@ -361,6 +361,71 @@ class LivePageTest(unittest.TestCase):
         self.assertIn(f"{concerned}, {concerned} so far", self.evaluate("element('point-facts').textContent"))
         self.check_present()
 
+    def test_a_certificate_follows_the_run(self):
+        """It is that of the edge at the present, or, of an edge that is gone, says what has ended it."""
+        self.open(self.points_file(), "--box", "0,0,60,60")
+        is_there = "live.playback.where[live.selected] >= 0"
+        self.evaluate("live.select(live.playback.live[0])")
+        removed = ended = 0
+        for step in range(200):
+            BROWSER.key("ArrowRight")
+            BROWSER.settle()
+            shown = "[c.begin.row, c.end.row, c.until, c.removal, c.left, c.right]"
+            if self.evaluate(is_there):
+                same = self.evaluate(f"(() => {{ const of = (c) => JSON.stringify({shown});"
+                                     " return of(live.certificate) === of(certificateOf(live.playback, live.selected)); })()")
+                self.assertTrue(same, f"step {step}")
+                self.assertNotIn("negative", self.evaluate("element('certificate-facts').textContent"))
+                ended += self.evaluate("live.certificate.begin.row") >= 0
+                continue
+            removed += 1
+            row = self.evaluate("live.certificate.removal")
+            self.assertEqual(self.evaluate(f"live.recording.rowRemoved[{row}]"), self.evaluate("live.selected"))
+            self.assertIn("removed by", self.evaluate("element('certificate-facts').textContent"))
+            self.evaluate(f"live.select(live.playback.live[{step % 40}])")
+        self.assertGreater(removed, 0)
+        self.assertGreater(ended, 0)
+
+    def test_what_is_exported_follows_the_run(self):
+        self.open(query="?start=gas&points=30", plays=True)
+        self.wait("live.clock > 0.3")
+        self.evaluate("live.direction = 0; live.toggleSwitch('heat'); element('button-export').click()")
+        self.assertEqual(self.evaluate("Number(element('film-until').value)"), self.evaluate("live.recording.until"))
+        fragment = self.evaluate("element('link').value").split("#")[1]
+        BROWSER.begin_page(1280, 800)
+        self.open(query=f"?start=gas&points=30#{fragment}")
+        self.assertTrue(self.evaluate("live.switches.heat"))
+        self.assertEqual(self.evaluate("followAddress(live, window.location.hash)"), [])
+
+    def test_the_past_cannot_be_changed(self):
+        self.open(self.points_file(), "--box", "0,0,60,60")
+        for key in ["ArrowRight"] * 5 + ["ArrowLeft"]:
+            BROWSER.key(key)
+        BROWSER.settle()
+        BROWSER.click(*self.place_of(3))
+        self.assertIn("This is the past", self.evaluate("element('status').textContent"))
+        self.choose("erase")
+        BROWSER.click(*self.place_of(3))
+        self.assertIn("This is the past", self.evaluate("element('status').textContent"))
+        self.assertEqual(self.evaluate("live.points.length"), 40)
+
+    def test_a_point_is_thrown_at_a_wall(self):
+        """The pointer leaves the box; the point has its velocity all the same, and rebounds."""
+        self.open(self.points_file(), "--box", "0,0,60,60", plays=True)
+        place = self.place_of(5)
+        BROWSER.mouse("mouseMoved", *place)
+        place = self.place_of(5)
+        BROWSER.mouse("mousePressed", *place, button="left", buttons=1, clickCount=1)
+        self.assertEqual(self.evaluate("live.hold?.id"), 5)
+        beyond = self.evaluate(SCREEN % (75, 30))
+        end = [beyond[0] + 30, beyond[1]]
+        for k in range(4):
+            BROWSER.mouse("mouseMoved", beyond[0] + 10 * k, beyond[1], button="left", buttons=1)
+        BROWSER.mouse("mouseReleased", *end, button="left", clickCount=1)
+        self.assertGreater(abs(self.evaluate("live.velocityOf(5)[0]")), 0)
+        self.evaluate("live.direction = 0")
+        self.check_present()
+
     def test_two_fingers_zoom_where_there_are_points(self):
         BROWSER.touch(True)
         self.open(self.points_file(), "--box", "0,0,60,60")
@@ -515,6 +580,7 @@ class LivePageTest(unittest.TestCase):
     def test_an_address_that_asks_for_nonsense(self):
         self.open(query="?start=gas&points=-3", plays=True)
         self.assertIn("whole number from 1", self.evaluate("element('message').innerText"))
+        self.assertEqual(self.evaluate("document.querySelector('#message a').search"), "")
         BROWSER.begin_page(1280, 800)
         self.open(query="?start=%3Cb%3E", plays=True)
         self.assertIn("unknown", self.evaluate("element('message').innerText"))
