@@ -64,8 +64,10 @@ class Edge_events {
   /// Certifies again the edges of entries that have left their part, from the time of the first one
   /// on.
   void recheck(Process& process, std::span<const Entry> entries);
-  /// Certifies edges that have no entries from `after` on, and schedules them.
-  void certify(Process& process, std::span<const Edge_with_mirror> edges, const Time& after);
+  /// Certifies edges that have no entries from `after` on, and schedules them. `state` is that of
+  /// their certificates.
+  void certify(Process& process, std::span<const Edge_with_mirror> edges, const Time& after,
+               Certificate_state state = Certificate_state::any);
   /// Schedules an edge that has no entry yet.
   KINETRI_ALWAYS_INLINE void put(const Process& process, const Edge_with_mirror& edge,
                                  Entry_kind kind, Certificate&& known);
@@ -126,6 +128,7 @@ class Edge_events {
   bool is_blocked(const Process& process, const Candidate& candidate);
   bool is_convex(const Candidate& candidate) const;
   const Time& birth(const Edge_with_mirror& edge);
+  bool is_added_by_birth(const Edge_with_mirror& edge);
 
   Topology<Traits>& topology_;
   const Certification<Traits>& certification_;

@@ -38,8 +38,8 @@ void Edge_events<Traits, has_contacts>::recheck(Process& process, std::span<cons
 template <class Traits, bool has_contacts>
 void Edge_events<Traits, has_contacts>::certify(Process& process,
                                                 std::span<const Edge_with_mirror> edges,
-                                                const Time& after) {
-  certification_.certify(edges, after, Certificate_state::any, process.certificates,
+                                                const Time& after, Certificate_state state) {
+  certification_.certify(edges, after, state, process.certificates,
                          Put_certificate{*this, process});
 }
 
@@ -257,7 +257,26 @@ void Edge_events<Traits, has_contacts>::roll_back(Process& process, Record& reco
 template <class Traits, bool has_contacts>
 void Edge_events<Traits, has_contacts>::certify_again(Process& process,
                                                       std::span<const Edge_with_mirror> edges) {
-  for (const Edge_with_mirror& edge : edges) certify(process, {&edge, 1}, birth(edge));
+  for (const Edge_with_mirror& edge : edges) {
+    const auto state =
+        is_added_by_birth(edge) ? Certificate_state::vanishes : Certificate_state::any;
+    certify(process, {&edge, 1}, birth(edge), state);
+  }
+}
+
+// Whether the event that created the quadrilateral is a flip that has added the edge itself, so
+// that its polynomial vanishes at the birth.
+template <class Traits, bool has_contacts>
+bool Edge_events<Traits, has_contacts>::is_added_by_birth(const Edge_with_mirror& edge) {
+  const auto version = edge.here.first->version();
+  if (version != edge.there.first->version() || !log_.is_of_window(version)) return false;
+  if (log_.key(version).kind != Event_kind::flip) return false;
+  const Record& flip = log_.record(version);
+  const auto is_side = [&](const Edge& side) {
+    return side == Edge(flip.face, Triangulation::ccw(flip.i)) ||
+           side == Edge(flip.neighbor, Triangulation::ccw(flip.j));
+  };
+  return is_side(edge.here) && is_side(edge.there);
 }
 
 // When a quadrilateral was created, or the present time, which is the begin of the window, if that

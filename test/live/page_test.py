@@ -54,7 +54,7 @@ class LivePageTest(unittest.TestCase):
         BROWSER.url = page.resolve().as_uri() + query
         BROWSER.go_to(BROWSER.url)
         self.wait("window.live !== undefined || !document.getElementById('message').hidden")
-        BROWSER.problems = [text for text in BROWSER.problems if not text.endswith(BROWSER.url)]
+        BROWSER.problems = [text for text in BROWSER.problems if not text.endswith(BROWSER.url.split("#")[0])]
         if not plays:
             self.evaluate("live.isPlaying() && live.togglePlaying(1)")
             BROWSER.settle()

@@ -43,7 +43,7 @@ def test_a_number_that_is_none_is_refused(number, message):
 
 
 @pytest.mark.parametrize("kind", [kinetri.KineticDelaunay, kinetri.Simulation])
-@pytest.mark.parametrize("box", [None, kinetri.Box((2500, 2500), shear=0.5)])
+@pytest.mark.parametrize("box", [None, kinetri.Box((2500, 2500), rates=((0, 0), (5, 0)))])
 def test_results_are_the_same_for_any_number(kind, box):
     states = []
     logs = []

@@ -121,10 +121,6 @@ class Kinetic_types<Traits>::Certification {
   };
 
   Certificate_points points_in_plane(const Edge_with_mirror& edge) const;
-  bool is_surrounded(Vertex_handle v, std::span<const Corner> around,
-                     const Double_interval& bounds) const;
-  template <class Is_left_turn>
-  bool is_embedded_in_plane(Vertex_handle v, const Is_left_turn& is_left_turn) const;
   template <class Use>
   bool use_around(const Edge_with_mirror& edge, const Outer_edges& outer, const Use& use) const;
   template <class Now, class Put>

@@ -425,21 +425,31 @@ bool Kinetic_types<Traits>::Certification::is_embedded_around(
     Vertex_handle v, const Double_interval& bounds, const Is_left_turn& is_left_turn) const {
   if constexpr (BatchKineticTraits_2<Traits>) {
     // The usual case: an inner vertex with few neighbors.
-    std::array<Corner, 16> around;
+    constexpr std::size_t most = 16;
+    std::array<Image_2, is_periodic ? most : 0> images;
+    std::array<const Image_2*, most> around;
     std::size_t number = 0;
     bool is_inner = true;
     for_each_face_at(triangulation_, v, [&](Face_handle face, int i) {
       const int right = Triangulation::ccw(i);
-      is_inner =
-          is_inner && number < around.size() && !triangulation_.is_infinite(face->vertex(right));
+      is_inner = is_inner && number < most && !triangulation_.is_infinite(face->vertex(right));
       if (!is_inner) return;
       if constexpr (is_periodic) {
-        around[number++] = triangulation_.corner(face, right, i);
+        images[number] = triangulation_.corner(face, right, i);
+        around[number] = &images[number];
       } else {
-        around[number++] = &face->vertex(right)->point();
+        around[number] = &face->vertex(right)->point();
       }
+      ++number;
     });
-    if (is_inner && is_surrounded(v, std::span(around).first(number), bounds)) return true;
+    const auto is_surrounded = [&](const Image_2& p) {
+      return traits_.is_surrounded(p, std::span(std::as_const(around)).first(number), bounds);
+    };
+    if constexpr (is_periodic) {
+      if (is_inner && is_surrounded(traits_.image(v->point(), {}))) return true;
+    } else if (is_inner && is_surrounded(v->point())) {
+      return true;
+    }
   }
   if constexpr (is_periodic) {
     bool is_embedded = true;
@@ -450,63 +460,41 @@ bool Kinetic_types<Traits>::Certification::is_embedded_around(
     });
     return is_embedded;
   } else {
-    return is_embedded_in_plane(v, is_left_turn);
-  }
-}
-
-// Whether the points are certainly around the vertex, in counterclockwise order.
-template <class Traits>
-bool Kinetic_types<Traits>::Certification::is_surrounded(Vertex_handle v,
-                                                         std::span<const Corner> around,
-                                                         const Double_interval& bounds) const {
-  if constexpr (is_periodic) {
-    std::array<const Image_2*, 16> images;
-    std::ranges::transform(around, images.begin(), [](const Image_2& image) { return &image; });
-    return traits_.is_surrounded(traits_.image(v->point(), {}),
-                                 std::span(images).first(around.size()), bounds);
-  } else {
-    return traits_.is_surrounded(v->point(), around, bounds);
-  }
-}
-
-template <class Traits>
-template <class Is_left_turn>
-bool Kinetic_types<Traits>::Certification::is_embedded_in_plane(
-    Vertex_handle v, const Is_left_turn& is_left_turn_of_points) const {
-  const auto is_left_turn = [&](Vertex_handle p, Vertex_handle q, Vertex_handle r) {
-    return is_left_turn_of_points(p->point(), q->point(), r->point());
-  };
-  Vertex_handle previous;  // hull neighbors, if v is on the hull
-  Vertex_handle next;
-  Vertex_handle before_previous;
-  Vertex_handle after_next;
-  auto face = triangulation_.incident_faces(v);
-  const auto first = face;
-  do {
-    const int i = face->index(v);
-    const Vertex_handle right = face->vertex(Triangulation::ccw(i));
-    const Vertex_handle left = face->vertex(Triangulation::cw(i));
-    const auto beyond = [&] { return triangulation_.tds().mirror_vertex(face, i); };
-    if (triangulation_.is_infinite(left)) {
-      previous = right;
-      before_previous = beyond();
-    } else if (triangulation_.is_infinite(right)) {
-      next = left;
-      after_next = beyond();
-    } else if (!is_left_turn(v, right, left)) {
+    const auto is_left = [&](Vertex_handle p, Vertex_handle q, Vertex_handle r) {
+      return is_left_turn(p->point(), q->point(), r->point());
+    };
+    Vertex_handle previous;  // hull neighbors, if v is on the hull
+    Vertex_handle next;
+    Vertex_handle before_previous;
+    Vertex_handle after_next;
+    auto face = triangulation_.incident_faces(v);
+    const auto first = face;
+    do {
+      const int i = face->index(v);
+      const Vertex_handle right = face->vertex(Triangulation::ccw(i));
+      const Vertex_handle left = face->vertex(Triangulation::cw(i));
+      const auto beyond = [&] { return triangulation_.tds().mirror_vertex(face, i); };
+      if (triangulation_.is_infinite(left)) {
+        previous = right;
+        before_previous = beyond();
+      } else if (triangulation_.is_infinite(right)) {
+        next = left;
+        after_next = beyond();
+      } else if (!is_left(v, right, left)) {
+        return false;
+      }
+    } while (++face != first);
+    if (previous == Vertex_handle()) return true;
+    if (!is_left(before_previous, previous, v) || !is_left(v, next, after_next)) {
       return false;
     }
-  } while (++face != first);
-  if (previous == Vertex_handle()) return true;
-  if (!is_left_turn(before_previous, previous, v) || !is_left_turn(v, next, after_next)) {
-    return false;
+    bool is_embedded = true;
+    for_each_neighbor(triangulation_, v, [&](Vertex_handle u) {
+      is_embedded = is_embedded && (u == next || is_left(v, next, u)) &&
+                    (u == previous || is_left(v, u, previous));
+    });
+    return is_embedded;
   }
-  bool is_embedded = true;
-  for_each_neighbor(triangulation_, v, [&](Vertex_handle u) {
-    is_embedded = is_embedded && (u == next || is_left_turn(v, next, u)) &&
-                  (u == previous || is_left_turn(v, u, previous));
-  });
-  return is_embedded;
 }
 
 }  // namespace kinetri::detail
