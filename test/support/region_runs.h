@@ -6,8 +6,10 @@
 
 #include <tbb/global_control.h>
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <random>
 #include <span>
 #include <sstream>
 #include <string>
@@ -145,6 +147,23 @@ std::string difference_from_loop(const std::vector<typename Traits::Motion>& mot
   if (expected_recording.events.size() != recording.events.size()) return "recorded events";
   if (expected_recording.triangles != recording.triangles) return "recorded triangles";
   return expected_text.str() == text.str() ? "" : "texts of the logs";
+}
+
+/// The motions with radii up to `radius`, whole if `are_whole`, and growths up to `growth`.
+template <class Motion>
+std::vector<Basic_disc_motion_2<Motion>> discs_of(const std::vector<Motion>& motions, double radius,
+                                                  double growth, bool are_whole, unsigned seed) {
+  std::mt19937_64 random(seed);
+  const auto up_to = [&](double most) {
+    const double number = std::uniform_real_distribution<double>(0, most)(random);
+    return are_whole ? std::floor(number) : number;
+  };
+  std::vector<Basic_disc_motion_2<Motion>> result;
+  for (const Motion& motion : motions) {
+    const double r = up_to(radius);
+    result.push_back({motion, r, up_to(growth), 0});
+  }
+  return result;
 }
 
 inline Region_options options_of(std::size_t regions, double events_per_vertex) {

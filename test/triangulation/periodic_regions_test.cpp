@@ -23,6 +23,7 @@ namespace {
 using detail::Region_counters;
 using test::difference_from_loop;
 using test::difference_of_states;
+using test::discs_of;
 using test::options_of;
 using Traits = Periodic_kinetic_traits_2;
 using Disc_traits = Periodic_disc_kinetic_traits_2;
@@ -41,21 +42,6 @@ Periodic_box_2 box_of(double side, unsigned kind) {
     default:
       return {{{side, 0}, {-rate, 0}, 0}, {{0, side}, {0, -rate}, 0}};
   }
-}
-
-std::vector<Disc_motion_2> discs_of(const std::vector<Linear_motion_2>& motions, double radius,
-                                    double growth, bool are_whole, unsigned seed) {
-  std::mt19937_64 random(seed);
-  const auto up_to = [&](double most) {
-    const double number = std::uniform_real_distribution<double>(0, most)(random);
-    return are_whole ? std::floor(number) : number;
-  };
-  std::vector<Disc_motion_2> result;
-  for (const Linear_motion_2& motion : motions) {
-    const double r = up_to(radius);
-    result.push_back({motion, r, up_to(growth), 0});
-  }
-  return result;
 }
 
 // Points far outside of the box too.

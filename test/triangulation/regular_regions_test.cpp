@@ -22,24 +22,8 @@ namespace {
 
 using detail::Region_counters;
 using test::difference_from_loop;
+using test::discs_of;
 using test::options_of;
-
-// The motions with radii up to `radius`, whole if `are_whole`, and growths up to `growth`.
-template <class Motion>
-std::vector<Basic_disc_motion_2<Motion>> discs_of(const std::vector<Motion>& motions, double radius,
-                                                  double growth, bool are_whole, unsigned seed) {
-  std::mt19937_64 random(seed);
-  const auto up_to = [&](double most) {
-    const double number = std::uniform_real_distribution<double>(0, most)(random);
-    return are_whole ? std::floor(number) : number;
-  };
-  std::vector<Basic_disc_motion_2<Motion>> result;
-  for (const Motion& motion : motions) {
-    const double r = up_to(radius);
-    result.push_back({motion, r, up_to(growth), 0});
-  }
-  return result;
-}
 
 // Some hide others, some touch none.
 TEST(Regular_regions, run_random_discs_as_the_loop_does) {

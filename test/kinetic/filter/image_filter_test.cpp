@@ -47,12 +47,46 @@ Distances distances_of(const std::array<Image_motion_2, 4>& m, double t, int mul
   return result;
 }
 
+struct Decided_distances {
+  int decided = 0;
+  int undecided = 0;
+};
+
+// Checks a certificate of a distance from `t` on, and after its failure that of the negation.
+template <class Filter, class Filter_of_negation>
+void expect_true_distance(const Polynomial& p, double t, int mode, const Filter& filter,
+                          const Filter_of_negation& filter_of_negation, Decided_distances& counts) {
+  const Filter_result result = test::in_mode(mode, [&] {
+    return filter(Double_interval{t, t}, false);
+  });
+  test::expect_true(result, p, t);
+  const bool is_decided = result.kind != Filter_result::Kind::unknown;
+  counts.decided += is_decided;
+  counts.undecided += !is_decided && sign_just_after(p, t) == CGAL::POSITIVE;
+  if (testing::Test::HasFatalFailure() || result.kind != Filter_result::Kind::fails) return;
+  test::expect_true(test::in_mode(mode, [&] { return filter_of_negation(result.bounds, true); }),
+                    -p, first_root_after(p, t).value().value);
+}
+
+// That two are farther apart than the range, by `gap`, or nearer.
+template <class Motion>
+void expect_true_range(const Motion& p, const Motion& q, double range, const Polynomial& gap,
+                       double t, int mode, Decided_distances& counts) {
+  const auto apart = [&](const Double_interval& after, bool vanishes) {
+    return filter_apart(p, q, range, after, vanishes);
+  };
+  const auto near = [&](const Double_interval& after, bool vanishes) {
+    return filter_near(p, q, range, after, vanishes);
+  };
+  expect_true_distance(gap, t, mode, apart, near, counts);
+  expect_true_distance(-gap, t, mode, near, apart, counts);
+}
+
 TEST_P(Image_filter, never_contradicts_exact_arithmetic) {
   test::Images source(51);
   test::Decided decided;
   int undecided = 0;
-  int decided_distances = 0;
-  int undecided_distances = 0;
+  Decided_distances distances;
   const int cases = test::cases(600);
   for (int i = 0; i < cases; ++i) {
     const auto m = source.next(GetParam());
@@ -93,40 +127,21 @@ TEST_P(Image_filter, never_contradicts_exact_arithmetic) {
     expect_sign([&] { return certain_orientation(m[0], m[1], m[2], interval); }, turn);
     expect_sign([&] { return certain_in_circle(m[0], m[1], m[2], m[3], interval); }, in_circle);
     if (HasFatalFailure()) return;
-    const auto [range, gap, closer] = distances_of(m, t, source.integer(4));
+    const Distances of_images = distances_of(m, t, source.integer(4));
+    const auto& [range, gap, closer] = of_images;
     expect_sign([&, range = range] { return certain_gap(m[0], m[1], range, interval); }, gap);
     expect_sign([&] { return certain_distance_comparison(m[0], m[1], m[2], m[3], interval); },
                 closer);
-    const auto expect_distance = [&](const Polynomial& p, const auto& filter,
-                                     const auto& filter_of_negation) {
-      const Filter_result result = test::in_mode(mode, [&] {
-        return filter(Double_interval{t, t}, false);
-      });
-      test::expect_true(result, p, t);
-      decided_distances += result.kind != Filter_result::Kind::unknown;
-      undecided_distances +=
-          result.kind == Filter_result::Kind::unknown && sign_just_after(p, t) == CGAL::POSITIVE;
-      if (HasFatalFailure() || result.kind != Filter_result::Kind::fails) return;
-      test::expect_true(
-          test::in_mode(mode, [&] { return filter_of_negation(result.bounds, true); }), -p,
-          first_root_after(p, t).value().value);
-    };
-    const auto apart = [&, range = range](const Double_interval& after, bool vanishes) {
-      return filter_apart(m[0], m[1], range, after, vanishes);
-    };
-    const auto near = [&, range = range](const Double_interval& after, bool vanishes) {
-      return filter_near(m[0], m[1], range, after, vanishes);
-    };
-    expect_distance(gap, apart, near);
-    expect_distance(-gap, near, apart);
-    expect_distance(
-        closer,
+    expect_true_range(m[0], m[1], range, gap, t, mode, distances);
+    expect_true_distance(
+        closer, t, mode,
         [&](const Double_interval& after, bool vanishes) {
           return filter_closer(m[0], m[1], m[2], m[3], after, vanishes);
         },
         [&](const Double_interval& after, bool vanishes) {
           return filter_closer(m[2], m[3], m[0], m[1], after, vanishes);
-        });
+        },
+        distances);
     if (HasFatalFailure()) return;
     if (test::in_mode(mode, [&] { return certainly_apart(m[0], m[1], interval); })) {
       // A common root would be one of the gcd.
@@ -147,8 +162,8 @@ TEST_P(Image_filter, never_contradicts_exact_arithmetic) {
     EXPECT_GT(decided.all, cases * 98 / 100) << "of the certificates, half hold at the start";
     EXPECT_GT(decided.failures, cases / 30);
     EXPECT_LT(undecided, cases / 50);
-    EXPECT_GT(decided_distances, cases);
-    EXPECT_LT(undecided_distances, cases / 3) << "a quarter begin at about the range";
+    EXPECT_GT(distances.decided, cases);
+    EXPECT_LT(distances.undecided, cases / 3) << "a quarter begin at about the range";
   }
 }
 
@@ -466,9 +481,10 @@ TEST_P(Image_filter, of_discs_never_contradicts_exact_arithmetic) {
 }
 
 // Radii that grow faster than the centers move, or as fast, make gaps that are not convex.
-TEST_P(Image_filter, of_contacts_of_discs_never_contradicts_exact_arithmetic) {
+TEST_P(Image_filter, of_distances_of_discs_never_contradicts_exact_arithmetic) {
   test::Images source(58);
   Decided_contacts decided;
+  Decided_distances distances;
   const int cases = test::cases(300);
   for (int i = 0; i < cases; ++i) {
     const auto centers = source.next(GetParam());
@@ -495,19 +511,27 @@ TEST_P(Image_filter, of_contacts_of_discs_never_contradicts_exact_arithmetic) {
       return result;
     };
     if (reach(to_rational(t)) < 0) continue;
-    const Polynomial gap = test::interpolate(2, [&](const Rational& time) {
-      return Rational(
-          CGAL::squared_distance(test::place_at(center(p), time), test::place_at(center(q), time)) -
-          reach(time) * reach(time));
-    });
+    const auto gap_beyond = [&](double range) {
+      return test::interpolate(2, [&](const Rational& time) {
+        const Rational sum = reach(time) + to_rational(range);
+        return Rational(CGAL::squared_distance(test::place_at(center(p), time),
+                                               test::place_at(center(q), time)) -
+                        sum * sum);
+      });
+    };
     const Double_interval interval = {t, t + std::ldexp(1, -10 - source.integer(50))};
-    expect_true_contacts(p, q, 0, gap, interval, test::rounding_mode(i), decided);
+    const int mode = test::rounding_mode(i);
+    expect_true_contacts(p, q, 0, gap_beyond(0), interval, mode, decided);
+    if (HasFatalFailure()) return;
+    const double range = distances_of(centers, t, source.integer(4)).range;
+    expect_true_range(p, q, range, gap_beyond(range), t, mode, distances);
     if (HasFatalFailure()) return;
   }
   if (GetParam() < 3) {
     EXPECT_GT(decided.all, cases / 3);
     EXPECT_GT(decided.contacts, cases / 40);
     EXPECT_GT(decided.rounded, decided.contacts / 2);
+    EXPECT_GT(distances.decided, cases / 2);
   }
 }
 
