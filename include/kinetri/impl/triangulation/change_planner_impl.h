@@ -146,8 +146,8 @@ bool Kinetic_types<Traits>::Change_planner::move_at_once(std::span<const Change>
          should_schedule_all(changes.size()) && std::ranges::all_of(changes, stays);
 }
 
-// Separates points that change in place from the others. Meanwhile points have their new motions,
-// one after the other. A hidden point jumps if a vertex does.
+// Separates points that change in place from the others. While it runs, the points examined so far
+// have their new motions. If a vertex does not change in place, no hidden point does.
 template <class Traits>
 void Kinetic_types<Traits>::Change_planner::find_changes_in_place(std::span<const Change> changes,
                                                                   Plan& plan) {
