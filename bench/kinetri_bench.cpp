@@ -63,9 +63,8 @@ const std::map<std::string, Mode> modes = {
     {"frames", {measure_frames, "frame rates above which the kinetic triangulation is faster"}},
     {"lattice-row",
      {measure_lattice_row, "time per event of a lattice in which one row moves, against uniform"}},
-    {"periodic-regions", {measure_periodic_regions, "the run of regions in a periodic box"}},
-    {periodic_contacts_mode,
-     {measure_periodic_contacts, "the run of contacts in a periodic box", 4}},
+    {"periodic-regions", {measure_periodic_regions, "as regions, in a periodic box"}},
+    {periodic_contacts_mode, {measure_periodic_contacts, "as contacts, in a periodic box", 4}},
     {"periodic", {measure_periodic, "time per event in a periodic box, against the plane", 1}},
 #ifdef KINETRI_WITH_VORO
     {"periodic-steps",

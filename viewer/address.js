@@ -159,9 +159,8 @@ function followSwitch(value, isOn, toggle) {
 /** The address of the page with the present view. */
 function linkTo(viewer) {
   const {recording, playback, switches, filter, coloring} = viewer;
-  // A run that goes on begins anew.
+  // A live page begins anew when it is opened: at its first time, and without a range.
   const words = recording.growth === undefined ? [['t', playback.time]] : [];
-  // Nor does it know the range.
   const all = switchIds(recording).filter((id) => recording.growth === undefined || id !== 'links');
   words.push(['show', all.filter((id) => switches[id]).join(',')]);
   words.push(['hide', all.filter((id) => !switches[id]).join(',')]);

@@ -211,6 +211,8 @@ bool Contact_events<Traits>::execute(Process& process, Candidate& candidate) {
       record(process, std::move(candidate));
       return true;
     }
+  } catch (const Periodic_box_error&) {
+    // A sum of offsets is too great. The sequential loop need not add these, or throws it again.
   } catch (...) {
     log_.set_motions(change, false);
     throw;

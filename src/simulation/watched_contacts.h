@@ -41,7 +41,7 @@ namespace kinetri::detail {
 template <class Traits>
 class Watched_contacts {
  public:
-  using Types = Simulation_types<Traits>;
+  using Types = Simulation_types<Traits>;                  ///< of the parts of a simulation
   using Core = Simulation_core<Traits>;                    ///< of the simulation
   using Entry = typename Types::Entry;                     ///< of the queue of contacts and changes
   using Queue = typename Contact_schedule<Traits>::Queue;  ///< that queue

@@ -410,19 +410,23 @@ class LivePageTest(unittest.TestCase):
         self.assertEqual(self.evaluate("live.points.length"), 40)
 
     def test_a_point_is_thrown_at_a_wall(self):
-        """The pointer leaves the box; the point has its velocity all the same, and rebounds."""
+        """The pointer leaves the box; the point gets its velocity all the same."""
         self.open(self.points_file(), "--box", "0,0,60,60", plays=True)
+        self.evaluate("live.changeSpeed(-6)")
         place = self.place_of(5)
         BROWSER.mouse("mouseMoved", *place)
         place = self.place_of(5)
         BROWSER.mouse("mousePressed", *place, button="left", buttons=1, clickCount=1)
         self.assertEqual(self.evaluate("live.hold?.id"), 5)
-        beyond = self.evaluate(SCREEN % (75, 30))
-        end = [beyond[0] + 30, beyond[1]]
-        for k in range(4):
-            BROWSER.mouse("mouseMoved", beyond[0] + 10 * k, beyond[1], button="left", buttons=1)
-        BROWSER.mouse("mouseReleased", *end, button="left", clickCount=1)
-        self.assertGreater(abs(self.evaluate("live.velocityOf(5)[0]")), 0)
+        # In 20 ms from 15 to 30 beyond the side.
+        velocity = self.evaluate(
+            "(() => { const {hold, flatView: {camera}} = live, now = performance.now() + 1e6;"
+            " const at = (x, timeStamp) => ({offsetX: camera.screenX(x), offsetY: camera.screenY(30), timeStamp});"
+            " hold.move(at(75, now)); hold.move(at(90, now + 20));"
+            " return hold.thrown(at(90, now + 20)).map((v) => v * live.speed()); })()")
+        self.assertAlmostEqual(velocity[0], 750, delta=1e-6)
+        self.assertAlmostEqual(velocity[1], 0, delta=1e-6)
+        BROWSER.mouse("mouseReleased", *place, button="left", clickCount=1)
         self.evaluate("live.direction = 0")
         self.check_present()
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Contacts of discs in periodic boxes in runs by regions, against the plain loop, as
+// Contacts of discs in periodic boxes in time windows, against the sequential loop, as
 // contact_regions_test.cpp.
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs by regions in periodic boxes against the plain loop, as regions_test.cpp.
+// Time windows in periodic boxes against the sequential loop, as regions_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -22,8 +22,8 @@
 //   geojson  GeoJSON: points with properties for id and time, lines with a time for each position
 //
 // In rows, frames, ids and table, blank lines and comments, which begin with #, are skipped. A line
-// that begins with # is no comment, but a row, if it has as many fields as the others, valid
-// numbers, and in its first field an id that is no number, such as #1.
+// that begins with # is a row, not a comment, if it has as many fields as the others, valid
+// numbers, and in its first field an id that is not a number, such as #1.
 //
 // A file in UTF-16 is read as the same text in UTF-8.
 //
