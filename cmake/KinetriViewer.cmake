@@ -1,9 +1,40 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the C++ source with the files of the viewer page (viewer/), and those of the live page (live/). One literal for each file, since compilers
-# need not accept literals longer than 65 536 bytes.
+# Makes the C++ source with the files of the viewer page (viewer/), and those of the live page (live/). One literal for
+# each file, since compilers need not accept literals longer than 65 536 bytes.
 set(KINETRI_LIVE_MODULE ${PROJECT_SOURCE_DIR}/build/wasm/live/kinetri.wasm.txt CACHE FILEPATH
-  "The module of live pages, as scripts/platform.sh wasm builds it; live pages need it")
+  "The module of live pages, as scripts/platform.sh wasm builds it; without it, the one in docs/gallery/live.html")
 mark_as_advanced(KINETRI_LIVE_MODULE)
+
+# kinetri_live_module(VARIABLE): the text of the module: the one that has been built, or the one in the gallery's page.
+# Empty if neither is there, or without the program, since nothing else writes live pages.
+function(kinetri_live_module variable)
+  set(module)
+  set(page ${PROJECT_SOURCE_DIR}/docs/gallery/live.html)
+  if(NOT KINETRI_BUILD_PROGRAM)
+    set(file)
+  elseif(EXISTS "${KINETRI_LIVE_MODULE}")
+    set(file ${KINETRI_LIVE_MODULE})
+    file(READ ${file} module)
+  elseif(EXISTS ${page})
+    set(file ${page})
+    file(READ ${file} module)
+    set(begin "<script type=\"text/plain\" id=\"module\">")
+    string(FIND "${module}" "${begin}" at)
+    string(LENGTH "${begin}" length)
+    if(at LESS 0)
+      message(FATAL_ERROR "${page} has no module; expected one after ${begin}")
+    endif()
+    math(EXPR at "${at} + ${length}")
+    string(SUBSTRING "${module}" ${at} -1 module)
+    string(FIND "${module}" "<" length)
+    string(SUBSTRING "${module}" 0 ${length} module)
+  endif()
+  if(module)
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  endif()
+  set(${variable} "${module}" PARENT_SCOPE)
+endfunction()
+
 function(kinetri_viewer_assets output)
   set(folder ${PROJECT_SOURCE_DIR}/viewer)
   file(STRINGS ${folder}/scripts.txt scripts)
@@ -29,14 +60,11 @@ function(kinetri_viewer_assets output)
     set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
       ${PROJECT_SOURCE_DIR}/live/${name})
   endforeach()
-  # The module, if it has been built.
   set(KINETRI_LIVE_PIECES 0)
   set(KINETRI_LIVE_PIECE_LITERALS)
-  if(EXISTS "${KINETRI_LIVE_MODULE}")
-    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-      ${KINETRI_LIVE_MODULE})
-    file(READ ${KINETRI_LIVE_MODULE} module)
-    string(LENGTH "${module}" size)
+  kinetri_live_module(module)
+  string(LENGTH "${module}" size)
+  if(size GREATER 0)
     set(piece 60000)
     math(EXPR last "${size} - 1")
     foreach(begin RANGE 0 ${last} ${piece})

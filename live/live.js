@@ -593,8 +593,8 @@ class LiveViewer extends Viewer {
     if (this.switches.heat) this.heat.count();
     if (!this.isPlaying() && this.areasUntil !== recording.until) pointPanel.areas = null;
     this.areasUntil = recording.until;
-    element('summary').textContent = [`${points.length.toLocaleString('en')} points`,
-      `${recording.rows.toLocaleString('en')} events`, recording.program].join(' \u00b7 ');
+    element('summary').textContent = [counted(points.length, 'point'), counted(recording.rows, 'event'),
+      recording.program].join(' \u00b7 ');
     this.bar.refresh();
   }
 }

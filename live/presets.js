@@ -111,22 +111,24 @@ function oneMover(count) {
   return beginning(rows);
 }
 
+/** The two indices of each of `count` points of a lattice of `size` x `size`; its last line may be incomplete. */
+function squareLattice(count, size) {
+  return Array.from({length: count}, (_, i) => [Math.floor(i / size), i % size]);
+}
+
 /** A lattice whose columns move up and down: at many times all its points are cocircular with others. */
 function lattice(count) {
-  const columns = Math.max(Math.floor(Math.sqrt(count)), 1), step = Math.floor(SIDE / (columns + 1));
-  const rows = [];
-  for (let i = 0; i < columns; ++i) {
-    for (let k = 0; k < columns; ++k) rows.push([step * (i + 1), step * (k + 1), 0, i % 2 === 0 ? step : -step]);
-  }
-  return beginning(rows);
+  // Multiples of this step are exact.
+  const size = Math.ceil(Math.sqrt(count)), step = Math.floor(1024 * SIDE / (size + 1)) / 1024;
+  return beginning(squareLattice(count, size).map(
+    ([column, row]) => [step * (column + 1), step * (row + 1), 0, column % 2 === 0 ? step : -step]));
 }
 
 /** The wave of the paper: a row of points moves up, and hands its velocity on to each row that it meets. */
 function wave(count) {
-  const columns = Math.max(Math.round(Math.sqrt(count)), 2), step = SIDE / columns, rows = [];
-  for (let k = 0; k < columns; ++k) {
-    for (let i = 0; i < columns; ++i) rows.push([step * (i + 0.5), step * (k + 0.5), 0, k === 0 ? step : 0]);
-  }
+  const size = Math.max(Math.ceil(Math.sqrt(count)), 2), step = SIDE / size;
+  const rows = squareLattice(count, size).map(
+    ([row, column]) => [step * (column + 0.5), step * (row + 0.5), 0, row === 0 ? step : 0]);
   return beginning(rows, {radius: step / 128, collisions: 'swap'});
 }
 

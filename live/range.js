@@ -82,8 +82,7 @@ class PairsInRange extends Encounters {
       ++components;
       largest = Math.max(largest, size[point]);
     }
-    const count = (number, noun) => `${number.toLocaleString('en')} ${noun}${number === 1 ? '' : 's'}`;
-    return `${count(this.liveCount, 'pair')} within range, ${count(components, 'component')}` +
+    return `${counted(this.liveCount, 'pair')} within range, ${counted(components, 'component')}` +
       (components === 0 ? '' : `, the largest of ${largest.toLocaleString('en')}`);
   }
 }

@@ -22,13 +22,21 @@ kinetri_misused() {
   exit 2
 }
 
-# kinetri_packages PURPOSE: the Debian packages needed, as `package` or, if a program from elsewhere suffices,
+# kinetri_packages PURPOSE...: the Debian packages needed, as `package` or, if a program from elsewhere suffices,
 # `package=program`.
 kinetri_packages() {
-  printf '%s\n' g++=c++ cmake=cmake libboost-dev libcgal-dev libcli11-dev libexpat1-dev \
-    libgmp-dev libmpfr-dev libsqlite3-dev libtbb-dev nlohmann-json3-dev
-  # make suffices; otherwise Ninja is installed.
-  command -v make >/dev/null || printf '%s\n' ninja-build=ninja
+  local purpose
+  {
+    printf '%s\n' g++=c++ cmake=cmake libboost-dev libcgal-dev libcli11-dev libexpat1-dev \
+      libgmp-dev libmpfr-dev libsqlite3-dev libtbb-dev nlohmann-json3-dev
+    # make suffices; otherwise Ninja is installed.
+    command -v make >/dev/null || printf '%s\n' ninja-build=ninja
+    for purpose; do kinetri_packages_for "$purpose"; done
+  } | awk '!seen[$0]++'
+}
+
+# kinetri_packages_for PURPOSE: those that are needed besides the ones that everything needs.
+kinetri_packages_for() {
   if [[ $1 != demo ]]; then
     printf '%s\n' gnuplot-nox=gnuplot libgtest-dev librapidcheck-dev pkg-config=pkg-config \
       python3=python3
@@ -65,7 +73,7 @@ kinetri_packages() {
   if [[ $1 == fuzz ]]; then printf '%s\n' clang=clang++ libclang-rt-dev; fi
 }
 
-# kinetri_missing PURPOSE: those of them that are not installed, one per line.
+# kinetri_missing PURPOSE...: those of them that are not installed, one per line.
 kinetri_missing() {
   local entry package program
   while IFS= read -r entry; do
@@ -76,18 +84,18 @@ kinetri_missing() {
     if [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) != installed ]]; then
       printf '%s\n' "$package"
     fi
-  done < <(kinetri_packages "$1")
+  done < <(kinetri_packages "$@")
 }
 
-# kinetri_setup PURPOSE: installs the missing packages. Prints nothing if there are none.
+# kinetri_setup PURPOSE...: installs the missing packages. Prints nothing if there are none.
 kinetri_setup() {
   local missing
   if ! command -v dpkg-query >/dev/null; then
     kinetri_say "This is not a Debian system, so packages are not checked. Needed, by their Debian names:"
-    kinetri_say "  $(kinetri_packages "$1" | sed 's/=.*//' | tr '\n' ' ')"
+    kinetri_say "  $(kinetri_packages "$@" | sed 's/=.*//' | tr '\n' ' ')"
     return
   fi
-  mapfile -t missing < <(kinetri_missing "$1")
+  mapfile -t missing < <(kinetri_missing "$@")
   if ((${#missing[@]} == 0)); then return; fi
   kinetri_say "Missing packages: ${missing[*]}"
   if ((EUID != 0)); then
@@ -103,7 +111,7 @@ kinetri_setup() {
   if apt-get "${options[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null >/dev/null; then
     return
   fi
-  mapfile -t missing < <(kinetri_missing "$1")
+  mapfile -t missing < <(kinetri_missing "$@")
   for package in "${missing[@]}"; do
     apt-cache show "$package" >/dev/null 2>&1 || unknown+=" $package"
   done
@@ -116,12 +124,12 @@ and run this again. Where they come from elsewhere than from packages, build wit
   cmake --preset $preset && cmake --build --preset $preset"
 }
 
-# kinetri_wasm_source PACKAGE FOLDER: unpacks the source of a Debian package. apt-get uses a separate state, in which the
-# sources of the system are those of source packages; those of the system stay as they are.
-kinetri_wasm_source() {
-  local package=$1 folder=$2 state=$2.apt file
-  rm -rf "$state" "$folder"
-  mkdir -p "$state/sources" "$state/lists/partial" "$state/archives/partial" "$folder"
+# kinetri_sources FOLDER PACKAGE...: unpacks the sources of Debian packages in FOLDER/PACKAGE. apt-get uses a separate
+# state, in which the sources of the system are those of source packages; those of the system stay as they are.
+kinetri_sources() {
+  local folder=$1 state=$1/apt package file
+  shift
+  mkdir -p "$state/sources" "$state/lists/partial" "$state/archives/partial"
   for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources}; do
     if [[ ! -f $file ]]; then continue; fi
     sed -E 's/^(Types:).*/\1 deb-src/; s/^deb /deb-src /' "$file" >"$state/sources/${file##*/}"
@@ -130,41 +138,51 @@ kinetri_wasm_source() {
     -o "Dir::State=$state" -o "Dir::State::lists=$state/lists" -o "Dir::Cache=$state"
     -o "APT::Sandbox::User=$(id -un)")
   apt-get "${options[@]}" update </dev/null
-  (cd "$state" && apt-get "${options[@]}" source --download-only "$package" </dev/null)
-  tar -xf "$state"/*.orig.tar.* -C "$folder" --strip-components=1
-  rm -rf "$state"
+  (cd "$state" && apt-get "${options[@]}" source --download-only "$@" </dev/null)
+  for package; do
+    mkdir -p "$folder/$package"
+    tar -xf "$state/$package"_*.orig.tar.* -C "$folder/$package" --strip-components=1
+  done
 }
 
 # kinetri_wasm_libraries: fills build/wasm-libraries, unless that has been done: GMP and MPFR for WebAssembly, from the
 # sources of Debian's packages, and links to headers of this machine that fit every platform.
 kinetri_wasm_libraries() {
-  local folder=$kinetri_root/build/wasm-libraries sources name
-  if [[ -d $folder ]]; then return; fi
-  sources=$folder.sources
-  rm -rf "$folder.partly"
-  mkdir -p "$folder.partly/include" "$folder.partly/lib"
+  local folder=$kinetri_root/build/wasm-libraries work made name version settings
   # Where Debian has acorn, which another node does not know.
   export NODE_PATH=/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}
-  kinetri_say "Building GMP and MPFR for WebAssembly in $folder, for some minutes ..."
-  kinetri_wasm_source gmp "$sources/gmp"
-  mkdir -p "$sources/gmp/doc" "$sources/gmp/build" && : >"$sources/gmp/doc/Makefile.in"  # Debian leaves it out.
+  if [[ -d $folder ]]; then return; fi
+  kinetri_say "Building GMP and MPFR for WebAssembly in $folder, for a minute or two ..."
+  # Elsewhere, since the name of this folder may have a space, for which their build is not made.
+  work=$(mktemp -d "${TMPDIR:-/tmp}/kinetri-wasm.XXXXXX") made=$work/made
+  mkdir -p "$made/include" "$made/lib" "${folder%/*}"
+  # Emscripten's compiler, clang, without its wrapper, which takes longer to start than most of these sources to
+  # compile. Links are for configure only.
+  version=$(em-config CLANG_ADD_VERSION)
+  settings=(--host=none --disable-shared CFLAGS=-O3
+    "CC=$(em-config LLVM_ROOT)/clang${version:+-$version} $(emcc --cflags)"
+    "LDFLAGS=-nostdlib -L$(em-config CACHE)/sysroot/lib/wasm32-emscripten -Wl,--no-entry,--no-gc-sections"
+    'LIBS=-lc -lcompiler_rt -lstandalonewasm')
+  kinetri_sources "$work" gmp mpfr4
+  mkdir -p "$work/gmp/doc" "$work/gmp/build" && : >"$work/gmp/doc/Makefile.in"  # Debian leaves it out.
   # shellcheck disable=SC2016  # $0 is of the inner shell.
-  (cd "$sources/gmp/build" && kinetri_quietly "building GMP" "$sources/gmp.log" bash -ec '
-    emconfigure ../configure --host=none --disable-assembly --disable-shared CC_FOR_BUILD=cc HOST_CC=cc CFLAGS=-O3
-    emmake make -j "$0" "SUBDIRS=mpn mpz mpq mpf printf scanf rand"' "$(kinetri_jobs)")
-  cp "$sources/gmp/build/gmp.h" "$folder.partly/include"
-  cp "$sources/gmp/build/.libs/libgmp.a" "$folder.partly/lib"
-  kinetri_wasm_source mpfr4 "$sources/mpfr"
-  mkdir -p "$sources/mpfr/build"
+  (cd "$work/gmp/build" && kinetri_quietly "building GMP" "$work/gmp.log" bash -ec '
+    emconfigure ../configure --disable-assembly CC_FOR_BUILD=cc HOST_CC=cc "$@"
+    make -j "$0" "SUBDIRS=mpn mpz mpq mpf printf scanf rand"' "$(kinetri_jobs)" "${settings[@]}")
+  cp "$work/gmp/build/gmp.h" "$made/include"
+  cp "$work/gmp/build/.libs/libgmp.a" "$made/lib"
+  mkdir -p "$work/mpfr4/build"
   # shellcheck disable=SC2016
-  (cd "$sources/mpfr/build" && kinetri_quietly "building MPFR" "$sources/mpfr.log" bash -ec '
-    emconfigure ../configure --host=none --disable-shared --disable-thread-safe "--with-gmp=$1" CFLAGS=-O3
-    emmake make -j "$0" -C src libmpfr.la' "$(kinetri_jobs)" "$folder.partly")
-  cp "$sources/mpfr/src/mpfr.h" "$folder.partly/include"
-  cp "$sources/mpfr/build/src/.libs/libmpfr.a" "$folder.partly/lib"
-  for name in boost CGAL CLI nlohmann; do ln -s "/usr/include/$name" "$folder.partly/include/$name"; done
-  rm -rf "$sources"
+  (cd "$work/mpfr4/build" && kinetri_quietly "building MPFR" "$work/mpfr4.log" bash -ec '
+    emconfigure ../configure --disable-thread-safe "$@"
+    make -j "$0" -C src libmpfr.la' "$(kinetri_jobs)" "--with-gmp=$made" "${settings[@]}")
+  cp "$work/mpfr4/src/mpfr.h" "$made/include"
+  cp "$work/mpfr4/build/src/.libs/libmpfr.a" "$made/lib"
+  for name in boost CGAL CLI nlohmann; do ln -s "/usr/include/$name" "$made/include/$name"; done
+  rm -rf "$folder.partly"
+  mv "$made" "$folder.partly"
   mv "$folder.partly" "$folder"
+  rm -rf "$work"
 }
 
 # kinetri_jobs: the number of compilers to run at once: at most one per processor, and one per 1.5 GB of available
@@ -251,6 +269,12 @@ kinetri_build() {
   kinetri_say "Building in $dir ..."
   kinetri_quietly "building" "$dir/build.log" \
     cmake --build "$dir" --parallel "$(kinetri_jobs)" "${targets[@]}"
+}
+
+# kinetri_build_module: builds the module for JavaScript, and what it needs, in build/wasm.
+kinetri_build_module() {
+  kinetri_wasm_libraries
+  kinetri_build "$kinetri_root/build/wasm" wasm
 }
 
 if [[ ${BASH_SOURCE[0]} == "$0" ]]; then

@@ -9,7 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 usage() {
   cat <<EOF
 usage: scripts/test.sh [--preset PRESET] [--compiler CXX] [--browser] [--python] [--video]
-                       [CTEST_OPTION...]
+                       [--live] [CTEST_OPTION...]
 
 Installs what is missing (with apt-get, as root), builds everything, and runs every test: about an hour of
 processor time, 35 minutes on two cores. The last line reads "N passed, N failed"; the
@@ -23,11 +23,12 @@ exit code is 0 if none failed.
                    option their tests run only if these are installed
   --python         likewise installs what the Python package and its tests need
   --video          likewise for the program kinetri-video
+  --live           likewise installs Emscripten, and builds the module for JavaScript in build/wasm
 
 Other options are those of ctest, for example -R REGEX for the tests whose names match, or -LE slow
 for those without the label slow. The labels are slow, install, threads, and release for those that take long
 and are of use before a release: a second build of the library, without optimization and with CGAL's own
-checks; the programs built alone; packages; pages in Firefox.
+checks; the programs, and each public header, built alone; packages; pages in Firefox.
 
 KINETRI_TEST_MULTIPLIER=N makes the randomized tests N times as long.
 EOF
@@ -40,6 +41,7 @@ while (($# > 0)); do
     --browser) packages+=(browser) ;;
     --python) packages+=(python) ;;
     --video) packages+=(video) ;;
+    --live) packages+=(live) ;;
     --preset | --compiler)
       (($# >= 2)) || kinetri_misused "$1 has no value"
       printf -v "${1#--}" '%s' "$2"
@@ -63,8 +65,9 @@ if ((${#options[@]} == 0)); then
   kinetri_say "To build everything and run every test takes about an hour of processor time, 35 minutes" \
     "on two cores; with sanitizers longer. -R REGEX runs some of the tests, -LE slow the fast ones."
 fi
-for purpose in "${packages[@]}"; do kinetri_setup "$purpose"; done
+kinetri_setup "${packages[@]}"
 kinetri_build "$build_dir" "$preset" -DKINETRI_EACH_TEST=$each ${compiler:+"-DCMAKE_CXX_COMPILER=$compiler"} -- "${targets[@]}"
+if [[ " ${packages[*]} " == *' live '* ]]; then kinetri_build_module; fi
 
 kinetri_say "Testing ..."
 log=$build_dir/test.log results=$build_dir/Testing/Temporary/LastTest.log

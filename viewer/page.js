@@ -20,25 +20,29 @@ function sizedContext(canvas, width, height, ratio = window.devicePixelRatio || 
   return context;
 }
 
+/** "1 point", "1,024 points". */
+function counted(number, noun) {
+  return `${number.toLocaleString('en')} ${noun}${number === 1 ? '' : 's'}`;
+}
+
 /** Writes the texts that stay the same while the run plays. */
 function writeHeader(recording) {
   const {title, program, points, thinned, instants, rows} = recording;
   element('title').textContent = title || 'Kinetri';
-  const count = (n, one) => `${n.toLocaleString('en')} ${one}${n === 1 ? '' : 's'}`;
-  const events = thinned === null ? count(rows, 'event') :
-    `${count(instants, 'instant')} of ${count(thinned.events, 'event')}`;
-  element('summary').textContent = [count(points, 'point'), events,
+  const events = thinned === null ? counted(rows, 'event') :
+    `${counted(instants, 'instant')} of ${counted(thinned.events, 'event')}`;
+  element('summary').textContent = [counted(points, 'point'), events,
     `t from ${shortNumber(recording.from)} to ${shortNumber(recording.until)}`, program]
     .filter(Boolean).join(' \u00b7 ');
   const notes = [];
   if (thinned !== null) {
-    notes.push(`The run had ${count(thinned.events, 'event')}; ` +
-      `this page has ${count(instants, 'instant')} of it, each with its exact triangulation. ` +
+    notes.push(`The run had ${counted(thinned.events, 'event')}; ` +
+      `this page has ${counted(instants, 'instant')} of it, each with its exact triangulation. ` +
       'Between two of them it shows the edges and cells of the earlier one' +
       (turnsAreLeftOut(recording) ? ', and points that turn move in a straight line.' : '.'));
   }
   if (recording.encounters !== null && !hasEncounters(recording)) {
-    notes.push(`The run had ${count(recording.encounters.inAll, 'encounter')}, too many for this page.`);
+    notes.push(`The run had ${counted(recording.encounters.inAll, 'encounter')}, too many for this page.`);
   }
   element('note').hidden = notes.length === 0;
   element('note').textContent = notes.join(' ');

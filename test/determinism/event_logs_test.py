@@ -7,7 +7,8 @@ usage: event_logs_test.py builds PROGRAM OTHER_PROGRAM WORK_DIR
          command, as one argument, that runs the program in an emulator
        event_logs_test.py platforms PROGRAM OTHER_PROGRAM WORK_DIR
          the same, with every kind of run, and all input of data/degenerate; motions are compared as
-         well, and a line of numbers is printed at the end
+         well, and a line of numbers is printed at the end. Ends with 77, which ctest takes for
+         skipped, if the last word of OTHER_PROGRAM, a path, is not there
        event_logs_test.py arithmetic PROGRAM WORK_DIR
          of a run with filters and of one without, degenerate input included
        event_logs_test.py rows PROGRAM WORK_DIR
@@ -182,6 +183,10 @@ def write_points(program, folder):
 
 
 def compare_platforms(program, other_program, folder):
+    path = shlex.split(other_program)[-1]
+    if not pathlib.Path(path).exists():
+        print(f"{path} has not been built; scripts/platform.sh builds it")
+        sys.exit(77)
     compare_builds(program, other_program, folder)
     write_points(program, folder)
     runs = [(folder / f"{name}.csv", *rest) for name, *rest in PLATFORMS]

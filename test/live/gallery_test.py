@@ -50,7 +50,7 @@ def main():
         line = next((number for number, (ours, other) in
                      enumerate(zip(text.splitlines(), expected.splitlines()), 1) if ours != other), 0)
         sys.exit(f"{PAGE}, line {line}: the page is not made of the present files of viewer/ and live/; expected what "
-                 f"kinetri live -o {PAGE} writes, built after scripts/platform.sh wasm")
+                 f"kinetri live -o {PAGE} writes")
 
 
 if __name__ == "__main__":

@@ -1,18 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The module for JavaScript, in node. usage: node module_test.mjs PACKAGE
+// The module for JavaScript, in node. usage: node module_test.mjs PACKAGE, or PAGE.html for the module of a live page.
+// Ends with 77, which ctest takes for skipped, if the package has not been built.
 //
 // The oracle for triangulations is a definition: no point is inside the circle of a triangle, decided by whole
 // numbers. Coordinates are multiples of 1/4096, and so are velocities times the times at which it is asked.
 import assert from 'node:assert/strict';
-import {execFileSync} from 'node:child_process';
-import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {execFileSync, spawnSync} from 'node:child_process';
+import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import path from 'node:path';
 import test from 'node:test';
-import {pathToFileURL} from 'node:url';
+import {fileURLToPath, pathToFileURL} from 'node:url';
 
-const folder = path.resolve(process.argv[2]);
+const isPage = process.argv[2].endsWith('.html');
+const live = path.join(path.dirname(fileURLToPath(import.meta.url)), '../../live');
+const folder = isPage ? live : path.resolve(process.argv[2]);
+if (!isPage && !existsSync(path.join(folder, 'kinetri.wasm'))) {
+  console.log(`there is no module in ${folder}; scripts/platform.sh wasm builds it`);
+  process.exit(77);
+}
+
+/** The bytes of the module of the page; undefined: those of the package. */
+function bytesOfPage() {
+  if (!isPage) return undefined;
+  const [, text] = readFileSync(process.argv[2], 'utf8').match(/ id="module">([^<]*)</);
+  return new Function(`${readFileSync(path.join(live, 'unpack.js'), 'utf8')}; return unpacked;`)()(text);
+}
+
 const {KineticDelaunay, KinetriError, load} = await import(pathToFileURL(path.join(folder, 'kinetri.mjs')));
 
 test('a class is used only after the module is loaded', () => {
@@ -23,7 +38,7 @@ test('bytes that are no module are refused', async () => {
   await assert.rejects(load(new Uint8Array([1, 2, 3])), /cannot compile the module/);
 });
 
-await load();
+await load(bytesOfPage());
 
 const FINEST = 4096;
 const whole = (x) => {
@@ -250,7 +265,15 @@ test('time that is too short stops it at an event', () => {
   assert.deepEqual(points.audit(), []);
 });
 
-test('the package is packed by npm, and the program of its README works where it is installed', (context) => {
+/** Why there is no package to be packed; false: there is. */
+function lackOfPackage() {
+  if (isPage) return 'a page is no package';
+  return spawnSync('npm', ['--version']).error ? 'npm is not installed' : false;
+}
+
+test('the package is packed by npm, and the program of its README works where it is installed', {
+  skip: lackOfPackage(),
+}, (context) => {
   const place = mkdtempSync(path.join(tmpdir(), 'kinetri-'));
   context.after(() => rmSync(place, {recursive: true}));
   const npm = (...words) => execFileSync('npm', words, {cwd: place, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']});

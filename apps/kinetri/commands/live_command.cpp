@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/arguments.h"
+#include "cli/text.h"
 #include "commands/collisions_option.h"
 #include "commands/commands.h"
 #include "commands/common_arguments.h"
@@ -115,6 +116,9 @@ Exit_code write_page(const Live_options& options) {
   Output_file output(options.output);
   write_live_page(output.stream(), page);
   output.commit();
+  if (options.output != "-") {
+    print_error(joined("kinetri: ", options.output, " is written; open it in a browser\n"));
+  }
   return Exit_code::done;
 }
 
@@ -125,9 +129,10 @@ Command live_command() {
   Command result;
   result.name = "live";
   result.summary = "Write a page in which points move, and can be taken and thrown";
-  result.add("POINTS", &options->points, "FILE",
-             "The moving points, as of kinetri simulate; a path. Without it the page has points of "
-             "its own");
+  result.add(
+      "POINTS", &options->points, "FILE",
+      "The moving points, as of kinetri simulate; - is standard input. Without it the page has "
+      "points of its own");
   result.add("--box", &options->box, "XMIN,YMIN,XMAX,YMAX",
              "Keep the points in this box: its sides reflect them");
   result.add_flag("--rim", options->rim,
