@@ -1,36 +1,39 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the C++ source with the files of the viewer page (viewer/), and those of the live page (live/). One literal for
 # each file, since compilers need not accept literals longer than 65 536 bytes.
-set(KINETRI_LIVE_MODULE ${PROJECT_SOURCE_DIR}/build/wasm/live/kinetri.wasm.txt CACHE FILEPATH
-  "The module of live pages, as scripts/platform.sh wasm builds it; without it, the one in docs/gallery/live.html")
+set(kinetri_default_module ${PROJECT_SOURCE_DIR}/build/wasm/live/kinetri.wasm.txt)
+set(KINETRI_LIVE_MODULE ${kinetri_default_module} CACHE FILEPATH
+  "The module of live pages, as scripts/platform.sh wasm builds it; if it is older than docs/gallery/live.html, or not there, the one in that page is used")
 mark_as_advanced(KINETRI_LIVE_MODULE)
+if(NOT EXISTS "${KINETRI_LIVE_MODULE}" AND NOT KINETRI_LIVE_MODULE STREQUAL kinetri_default_module)
+  message(FATAL_ERROR "KINETRI_LIVE_MODULE: there is no file ${KINETRI_LIVE_MODULE}")
+endif()
 
-# kinetri_live_module(VARIABLE): the text of the module: the one that has been built, or the one in the gallery's page.
-# Empty if neither is there, or without the program, since nothing else writes live pages.
+# kinetri_live_module(VARIABLE): the text of the module: that in the gallery's page, unless one has been built since.
+# Empty if neither is there, or without the program: the library is smaller then.
 function(kinetri_live_module variable)
-  set(module)
   set(page ${PROJECT_SOURCE_DIR}/docs/gallery/live.html)
-  if(NOT KINETRI_BUILD_PROGRAM)
-    set(file)
-  elseif(EXISTS "${KINETRI_LIVE_MODULE}")
-    set(file ${KINETRI_LIVE_MODULE})
-    file(READ ${file} module)
-  elseif(EXISTS ${page})
-    set(file ${page})
-    file(READ ${file} module)
+  set(module)
+  if(KINETRI_BUILD_PROGRAM AND EXISTS ${page})
+    file(READ ${page} module)
     set(begin "<script type=\"text/plain\" id=\"module\">")
     string(FIND "${module}" "${begin}" at)
-    string(LENGTH "${begin}" length)
     if(at LESS 0)
       message(FATAL_ERROR "${page} has no module; expected one after ${begin}")
     endif()
+    string(LENGTH "${begin}" length)
     math(EXPR at "${at} + ${length}")
     string(SUBSTRING "${module}" ${at} -1 module)
     string(FIND "${module}" "<" length)
     string(SUBSTRING "${module}" 0 ${length} module)
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page})
   endif()
-  if(module)
-    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  # A file that is not there counts as the older one.
+  if(KINETRI_BUILD_PROGRAM AND EXISTS "${KINETRI_LIVE_MODULE}")
+    if("${KINETRI_LIVE_MODULE}" IS_NEWER_THAN ${page})
+      file(READ ${KINETRI_LIVE_MODULE} module)
+    endif()
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${KINETRI_LIVE_MODULE})
   endif()
   set(${variable} "${module}" PARENT_SCOPE)
 endfunction()
@@ -51,6 +54,8 @@ function(kinetri_viewer_assets output)
     string(APPEND KINETRI_VIEWER_SCRIPT_LITERALS "\nR\"kinetri(${script})kinetri\",")
   endforeach()
   file(READ ${PROJECT_SOURCE_DIR}/live/live.css KINETRI_LIVE_live.css)
+  set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+    ${PROJECT_SOURCE_DIR}/live/live.css)
   set(names kinetri.mjs presets.js unpack.js range.js bar.js live.js start.js)
   list(LENGTH names KINETRI_LIVE_SCRIPTS)
   set(KINETRI_LIVE_SCRIPT_LITERALS)

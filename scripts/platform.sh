@@ -63,7 +63,7 @@ if [[ $platform == wasm ]]; then
   kinetri_setup test live
   kinetri_build_module
   kinetri_build "$kinetri_root/build/test" test -- kinetri_program
-  kinetri_say "Testing ..."
+  kinetri_say "Testing, and comparing with the logs of this machine ..."
   exec ctest --test-dir "$kinetri_root/build/test" --parallel "$(kinetri_jobs)" --timeout 3600 --no-tests=error \
     --output-on-failure -R '^live\.(module|logs)$' "$@" </dev/null
 fi

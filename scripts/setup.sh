@@ -58,14 +58,14 @@ kinetri_packages_for() {
   fi
   if [[ $1 == coverage ]]; then printf '%s\n' g++ gcovr=gcovr; fi
   if [[ $1 == lint ]]; then
-    # The viewer's scripts are checked if node, which nothing else needs, is installed.
+    # The viewer's scripts are checked if node is installed.
     printf '%s\n' clang=clang++ clang-format-14 clang-tidy-14 pyflakes3=pyflakes3 \
       shellcheck=shellcheck
   fi
   # Other platforms (scripts/platform.sh).
   if [[ $1 == arm64 ]]; then printf '%s\n' g++-aarch64-linux-gnu qemu-user=qemu-aarch64; fi
   if [[ $1 == libcxx ]]; then printf '%s\n' clang-19 googletest libc++-19-dev libc++abi-19-dev; fi
-  # WebAssembly. Emscripten's linker needs acorn; the rest builds GMP and MPFR.
+  # WebAssembly. Emscripten's linker needs acorn; m4, make and xz build GMP and MPFR; node runs the tests.
   if [[ $1 == live ]]; then
     printf '%s\n' emscripten m4=m4 make=make node-acorn nodejs=node xz-utils=xz
   fi
@@ -124,8 +124,8 @@ and run this again. Where they come from elsewhere than from packages, build wit
   cmake --preset $preset && cmake --build --preset $preset"
 }
 
-# kinetri_sources FOLDER PACKAGE...: unpacks the sources of Debian packages in FOLDER/PACKAGE. apt-get uses a separate
-# state, in which the sources of the system are those of source packages; those of the system stay as they are.
+# kinetri_sources FOLDER PACKAGE...: unpacks the sources of Debian packages in FOLDER/PACKAGE. apt-get uses lists of its
+# own here, of the sources of the system's packages; the lists of the system stay as they are.
 kinetri_sources() {
   local folder=$1 state=$1/apt package file
   shift
@@ -137,32 +137,44 @@ kinetri_sources() {
   local options=(-qq -o Dir::Etc::sourcelist=/dev/null -o "Dir::Etc::sourceparts=$state/sources"
     -o "Dir::State=$state" -o "Dir::State::lists=$state/lists" -o "Dir::Cache=$state"
     -o "APT::Sandbox::User=$(id -un)")
-  apt-get "${options[@]}" update </dev/null
-  (cd "$state" && apt-get "${options[@]}" source --download-only "$@" </dev/null)
+  # Others than Debian need not have sources.
+  apt-get "${options[@]}" update </dev/null ||
+    kinetri_say "apt-get update failed for some sources; going on with those that are there" >&2
+  (cd "$state" && apt-get "${options[@]}" source --download-only "$@" </dev/null) ||
+    kinetri_fail "apt-get could not download the sources of: $*"
   for package; do
     mkdir -p "$folder/$package"
-    tar -xf "$state/$package"_*.orig.tar.* -C "$folder/$package" --strip-components=1
+    file=$(find "$state" -maxdepth 1 -name "${package}_*.orig.tar.*" ! -name '*.asc')
+    tar -xf "$file" -C "$folder/$package" --strip-components=1
   done
 }
 
 # kinetri_wasm_libraries: fills build/wasm-libraries, unless that has been done: GMP and MPFR for WebAssembly, from the
 # sources of Debian's packages, and links to headers of this machine that fit every platform.
 kinetri_wasm_libraries() {
-  local folder=$kinetri_root/build/wasm-libraries work made name version settings
+  local folder=$kinetri_root/build/wasm-libraries work made name version clang flags cache settings
   # Where Debian has acorn, which another node does not know.
   export NODE_PATH=/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}
   if [[ -d $folder ]]; then return; fi
-  kinetri_say "Building GMP and MPFR for WebAssembly in $folder, for a minute or two ..."
-  # Elsewhere, since the name of this folder may have a space, for which their build is not made.
-  work=$(mktemp -d "${TMPDIR:-/tmp}/kinetri-wasm.XXXXXX") made=$work/made
-  mkdir -p "$made/include" "$made/lib" "${folder%/*}"
-  # Emscripten's compiler, clang, without its wrapper, which takes longer to start than most of these sources to
-  # compile. Links are for configure only.
+  if ! command -v em-config >/dev/null || ! command -v apt-get >/dev/null; then
+    kinetri_fail "the module needs Emscripten, and apt-get for the sources of GMP and MPFR"
+  fi
+  # Emscripten's compiler is clang. It is called directly, since its wrapper, emcc, takes longer to start than clang for
+  # most of these sources. What is said about linking is for the programs with which configure tries things.
   version=$(em-config CLANG_ADD_VERSION)
-  settings=(--host=none --disable-shared CFLAGS=-O3
-    "CC=$(em-config LLVM_ROOT)/clang${version:+-$version} $(emcc --cflags)"
-    "LDFLAGS=-nostdlib -L$(em-config CACHE)/sysroot/lib/wasm32-emscripten -Wl,--no-entry,--no-gc-sections"
+  clang=$(em-config LLVM_ROOT)/clang
+  if [[ -n $version && $version != None ]]; then clang+=-$version; fi
+  flags=$(emcc --cflags)
+  cache=$(em-config CACHE)
+  settings=(--host=none --disable-shared CFLAGS=-O3 "CC=$clang $flags"
+    "LDFLAGS=-nostdlib -L$cache/sysroot/lib/wasm32-emscripten -Wl,--no-entry,--no-gc-sections"
     'LIBS=-lc -lcompiler_rt -lstandalonewasm')
+  kinetri_say "Building GMP and MPFR for WebAssembly in $folder, for a minute or two ..."
+  # In a temporary folder, since the path of this one may have a space, and GMP cannot be built in such a path. If
+  # that fails, it stays there, with its logs.
+  work=$(mktemp -d "${TMPDIR:-/tmp}/kinetri-wasm.XXXXXX")
+  made=$work/made
+  mkdir -p "$made/include" "$made/lib" "${folder%/*}"
   kinetri_sources "$work" gmp mpfr4
   mkdir -p "$work/gmp/doc" "$work/gmp/build" && : >"$work/gmp/doc/Makefile.in"  # Debian leaves it out.
   # shellcheck disable=SC2016  # $0 is of the inner shell.

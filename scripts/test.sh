@@ -23,7 +23,8 @@ exit code is 0 if none failed.
                    option their tests run only if these are installed
   --python         likewise installs what the Python package and its tests need
   --video          likewise for the program kinetri-video
-  --live           likewise installs Emscripten, and builds the module for JavaScript in build/wasm
+  --live           likewise installs Emscripten, and builds the module for JavaScript in build/wasm, in
+                   some minutes
 
 Other options are those of ctest, for example -R REGEX for the tests whose names match, or -LE slow
 for those without the label slow. The labels are slow, install, threads, and release for those that take long
@@ -66,8 +67,9 @@ if ((${#options[@]} == 0)); then
     "on two cores; with sanitizers longer. -R REGEX runs some of the tests, -LE slow the fast ones."
 fi
 kinetri_setup "${packages[@]}"
+# Before the program, which takes the module. With sanitizers it is not tested.
+if [[ $preset =~ ^(test|dev)$ && " ${packages[*]} " == *' live '* ]]; then kinetri_build_module; fi
 kinetri_build "$build_dir" "$preset" -DKINETRI_EACH_TEST=$each ${compiler:+"-DCMAKE_CXX_COMPILER=$compiler"} -- "${targets[@]}"
-if [[ " ${packages[*]} " == *' live '* ]]; then kinetri_build_module; fi
 
 kinetri_say "Testing ..."
 log=$build_dir/test.log results=$build_dir/Testing/Temporary/LastTest.log

@@ -183,9 +183,10 @@ def write_points(program, folder):
 
 
 def compare_platforms(program, other_program, folder):
-    path = shlex.split(other_program)[-1]
+    is_path = pathlib.Path(other_program).exists()
+    path = other_program if is_path else shlex.split(other_program)[-1]
     if not pathlib.Path(path).exists():
-        print(f"{path} has not been built; scripts/platform.sh builds it")
+        print(f"{path} has not been built; scripts/test.sh --live, or scripts/platform.sh PLATFORM, builds it")
         sys.exit(77)
     compare_builds(program, other_program, folder)
     write_points(program, folder)

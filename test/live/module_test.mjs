@@ -17,7 +17,7 @@ const isPage = process.argv[2].endsWith('.html');
 const live = path.join(path.dirname(fileURLToPath(import.meta.url)), '../../live');
 const folder = isPage ? live : path.resolve(process.argv[2]);
 if (!isPage && !existsSync(path.join(folder, 'kinetri.wasm'))) {
-  console.log(`there is no module in ${folder}; scripts/platform.sh wasm builds it`);
+  console.log(`there is no module in ${folder}; scripts/test.sh --live builds it`);
   process.exit(77);
 }
 

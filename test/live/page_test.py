@@ -34,7 +34,7 @@ def write_page(folder, *arguments):
     if done.returncode == 2 and "without the module of live pages" in done.stderr:
         print(done.stderr, end="")
         sys.exit(SKIPPED)
-    if done.returncode != 0:
+    if done.returncode != 0 or done.stderr != f"kinetri: {page} is written; open it in a browser\n":
         raise AssertionError(done.stderr)
     return page
 
@@ -150,11 +150,17 @@ class LivePageTest(unittest.TestCase):
             with self.subTest(start=start):
                 BROWSER.begin_page(1280, 800)
                 self.open(query=f"?start={start}&points=60", plays=True)
+                self.assertEqual(self.evaluate("live.points.length"), 60)
                 self.wait("live.clock > 0.4 || element('status').textContent.includes('expected')")
                 self.evaluate("live.direction = 0")
                 BROWSER.settle()
                 self.assertGreater(self.evaluate("live.clock"), 0.4)
                 self.check_present()
+
+    def test_a_large_lattice(self):
+        self.open(query="?start=lattice&points=9900")
+        self.assertEqual(self.evaluate("live.points.length"), 9900)
+        self.assertEqual(self.evaluate("live.points.audit()"), [])
 
     def test_a_beginning_is_changed(self):
         self.open(query="?start=flock&points=20&radius=1.5&collisions=elastic&gravity=10")
@@ -603,10 +609,20 @@ class LivePageTest(unittest.TestCase):
         self.assertIn("has no WebAssembly", self.evaluate("element('message').innerText"))
 
     def test_a_phone(self):
-        BROWSER.begin_page(390, 844)
-        self.open(query="?start=gas&points=50", plays=True)
-        self.assertLessEqual(self.evaluate("document.documentElement.scrollWidth"), 390)
-        self.assertGreater(self.evaluate("element('picture').clientHeight"), 250)
+        for width, height, least in ((390, 844, 250), (844, 390, 130)):
+            with self.subTest(width=width):
+                BROWSER.begin_page(width, height)
+                self.open(query="?start=gas&points=50", plays=True)
+                self.assertLessEqual(self.evaluate("document.documentElement.scrollWidth"), width)
+                self.assertGreater(self.evaluate("element('picture').clientHeight"), least)
+                # What the run says is seen, wherever the tools are scrolled to.
+                for scrolled in (0, 10000):
+                    self.evaluate(f"document.getElementById('live').scrollLeft = {scrolled}")
+                    left, right, top, bottom = self.evaluate(
+                        "(() => { const r = element('live-says').getBoundingClientRect();"
+                        " return [r.left, r.right, r.top, r.bottom]; })()")
+                    self.assertTrue(0 <= left < right <= width and 0 <= top < bottom <= height,
+                                    (left, right, top, bottom))
 
 
 if __name__ == "__main__":

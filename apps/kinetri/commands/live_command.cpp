@@ -37,7 +37,8 @@ Points_settings points_settings(const Live_options& options) {
   const bool has_options = options.box || options.rim || options.radius || options.regular ||
                            options.collisions != "none";
   if (!options.points && has_options) {
-    throw Usage_error("POINTS is missing; expected a path, since the options are about its points");
+    throw Usage_error(
+        "POINTS is missing; expected a path, or -, since the options are about its points");
   }
   if (options.points) result.points = *options.points;
   if (options.box) result.box = box_argument(*options.box);

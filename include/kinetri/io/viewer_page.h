@@ -133,7 +133,8 @@ struct Live_page {
   std::string options;  ///< of KineticDelaunay (live/README.md): a JSON object without apostrophes
 };
 
-/// Whether this library has been built with the module of the page (live/README.md).
+/// Whether this library has been built with the module of the page (live/README.md): together with
+/// the program `kinetri`, it is.
 bool has_live_module();
 
 /// Writes the page, which contains the whole library as WebAssembly. Errors are those of the
