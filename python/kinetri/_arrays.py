@@ -211,15 +211,18 @@ def one_number(name: str, value: Any) -> float:
     return float(float_array(name, [value], (1,))[0])
 
 
-def box_tuple(name: str, value: ArrayLike | None) -> Walls | None:
-    """A box (xmin, ymin, xmax, ymax), or None."""
+def box_tuple(name: str, value: ArrayLike | None, instead: str = "") -> Walls | None:
+    """A box (xmin, ymin, xmax, ymax), or None. A message about another shape ends with `instead`."""
     if value is None:
         return None
     if hasattr(value, "collapse_time"):
         raise PreconditionError(f"{name} is {value!r}, a periodic box, which is for a KineticDelaunay "
                                 "or a Simulation; expected walls: "
                                 "(xmin, ymin, xmax, ymax)")
-    xmin, ymin, xmax, ymax = float_array(name, value, (4,)).tolist()
+    try:
+        xmin, ymin, xmax, ymax = float_array(name, value, (4,)).tolist()
+    except PreconditionError as error:
+        raise PreconditionError(f"{error}: (xmin, ymin, xmax, ymax){instead}") from None
     if not (xmin < xmax and ymin < ymax):
         raise PreconditionError(
             f"{name} is {(xmin, ymin, xmax, ymax)}; expected (xmin, ymin, xmax, ymax) with "

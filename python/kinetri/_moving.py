@@ -1592,7 +1592,7 @@ class Simulation(MovingPoints):
             radius = growth = None
         motions, _ = _motions(positions, velocities, acceleration, jerk,
                               radius if differs else None, growth, None, float(start))
-        walls = _arrays.box_tuple("box", box) if is_walls(box) else None
+        walls = _arrays.box_tuple("box", box, ", or a kinetri.Box, which is periodic") if is_walls(box) else None
         lattice = None if is_walls(box) else box_of(box)
         if lattice is not None and rim:
             raise PreconditionError("rim is True, but a periodic box has no walls; expected rim=False")

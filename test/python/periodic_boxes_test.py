@@ -54,6 +54,8 @@ def test_what_others_have_is_taken_as_it_is(given):
 @pytest.mark.parametrize("make, message", [
     (lambda: kinetri.Box((1, 2, 3)), "box has the shape (3,); expected a kinetri.Box, two lengths (Lx, Ly), two "),
     (lambda: kinetri.Box((0, 0, 1, 1)), "walls (xmin, ymin, xmax, ymax) are for a Simulation"),
+    (lambda: kinetri.Simulation([[0, 0]], [[0, 0]], box=(1, 1)),
+     "expected (4,): (xmin, ymin, xmax, ymax), or a kinetri.Box, which is periodic"),
     (lambda: kinetri.Box(3.0), "box has the shape (); expected"),
     (lambda: kinetri.Box("ab"), "box is 'ab'; expected a kinetri.Box, two lengths"),
     (lambda: kinetri.Box({"Lx": 1}), "box is {'Lx': 1}; expected"),
