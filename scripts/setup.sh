@@ -28,9 +28,7 @@ kinetri_packages() {
   local purpose
   {
     printf '%s\n' g++=c++ cmake=cmake libboost-dev libcgal-dev libcli11-dev libexpat1-dev \
-      libgmp-dev libmpfr-dev libsqlite3-dev libtbb-dev nlohmann-json3-dev
-    # make suffices; otherwise Ninja is installed.
-    command -v make >/dev/null || printf '%s\n' ninja-build=ninja
+      libgmp-dev libmpfr-dev libsqlite3-dev libtbb-dev ninja-build=ninja nlohmann-json3-dev
     for purpose; do kinetri_packages_for "$purpose"; done
   } | awk '!seen[$0]++'
 }
