@@ -82,7 +82,7 @@ class EventList {
     const {rows, instants} = recording;
     const shown = filter.rows.length;
     element('events-count').textContent = rows === 0 ? 'none' : shown < rows ? `${shown} of ${rows}` :
-      instants === rows ? `${rows}` : `${rows} at ${instants} instants`;
+      instants === rows ? `${rows}` : `${rows} at ${counted(instants, 'instant')}`;
     this.total = ROW_HEIGHT * shown;
     this.rows.style.height = `${Math.min(this.total, LONGEST_LIST)}px`;
     this.shownEvent = -1;
