@@ -107,6 +107,8 @@ def periodic_cases():
     yield points("x,y,vx,vy,ax,ay\n0,0,0,0,1,0\n", box)
     yield points("x,y,vx,vy\n0,0,0,0\n6,8,4,0\n", box + " --coincident refuse", line=3, first=2)
     yield points("x,y,vx,vy\n0,0,0,0\n1e10,0,0,0\n", box, id=1)
+    yield simulate("--periodic 9,1e150 --areas n", option="--areas", length="1e+150")
+    yield simulate("--periodic 9,1e9 --shear 1e141 --mean-areas m", option="--mean-areas", length="1e+150")
     yield simulate("--periodic 9,9 --encounters n --range 1e8", distance="1e+08", length=9)
     yield simulate("--periodic 9,9 --regular --encounters n --range 1e300", distance="1.0000000000000038e+300", length=9,
                    files={"p.csv": "x,y,vx,vy,radius\n0,0,0,0,1\n2,2,0,0,0.5\n"})

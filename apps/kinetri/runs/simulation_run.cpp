@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -79,6 +80,7 @@ class Simulation_run {
   void build();
   void expect_periodic_outputs();
   void expect_area() const;
+  void expect_small_cells();
   void read_limits();
   std::uint64_t number_of_events() const {
     return simulation_.visit(
@@ -195,6 +197,7 @@ void Simulation_run::build() {
   simulation_.visit([this](auto& s) { s.set_threads(settings_.threads); });
   statistics_.until = end_of_run();
   expect_area();
+  expect_small_cells();
   progress_.set_range(statistics_.from, statistics_.until);
   note_coincident();
   watch_growth();
@@ -257,6 +260,28 @@ void Simulation_run::expect_area() const {
     box->require_area(now, statistics_.until);
   } catch (const Periodic_box_error& error) {
     throw Usage_error(joined("--until: ", error.what()));
+  }
+}
+
+// Throws if an output measures cells, and the area of one in the periodic box need not be a
+// binary64 number. A vector that changes linearly is longest at an end of the run.
+void Simulation_run::expect_small_cells() {
+  const auto box = simulation_.periodic_box();
+  if (!box) return;
+  constexpr double greatest = 1e149;  // well below the limit of cell_areas
+  double length = 0;
+  for (const Linear_motion_2& vector : {box->first(), box->second()}) {
+    for (const double time : {statistics_.from, statistics_.until}) {
+      const Vector_2 there = rounded_place(vector, time);
+      length = std::max(length, std::hypot(there.x, there.y));
+    }
+  }
+  if (length < greatest) return;
+  for (const Output_row& row : output_table) {
+    if (!row.has_limits || !outputs_.has(row.output)) continue;
+    throw Usage_error(
+        joined(row.option, ": a lattice vector of the periodic box has the length ", length,
+               ", so that areas need not be binary64 numbers; expected less than ", greatest));
   }
 }
 
