@@ -159,7 +159,7 @@ function followSwitch(value, isOn, toggle) {
 /** The address of the page with the present view. */
 function linkTo(viewer) {
   const {recording, playback, switches, filter, coloring} = viewer;
-  // A live page begins anew when it is opened: at its first time, and without a range.
+  // A live page starts at its first time whenever it is opened, and without a range.
   const words = recording.growth === undefined ? [['t', playback.time]] : [];
   const all = switchIds(recording).filter((id) => recording.growth === undefined || id !== 'links');
   words.push(['show', all.filter((id) => switches[id]).join(',')]);
